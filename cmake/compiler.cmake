@@ -1,0 +1,23 @@
+# illustrate_compiler: how our own code is compiled.
+#
+# No flag may change results: no fast-math, no contraction of a*b+c, so that the same input gives
+# the same bytes on every machine. errno of the math functions is the one thing given up.
+add_library(illustrate_compiler INTERFACE)
+
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+  target_compile_options(illustrate_compiler INTERFACE
+    -fno-math-errno -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion -Wnon-virtual-dtor
+    -Woverloaded-virtual)
+elseif(MSVC)
+  target_compile_options(illustrate_compiler INTERFACE /W4 /permissive- /fp:precise)
+endif()
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+      CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE_PROGRAM})
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(illustrate_compiler INTERFACE -fpch-preprocess)
+  endif()
+endif()
