@@ -1,0 +1,21 @@
+// Every tolerance that more than one stage relies on, each relative, each with its reason.
+#pragma once
+
+namespace illustrate::tolerance {
+
+// Normals of a flat area agree within this angle (paper section 4): far above the rounding of limit
+// normals (1e-12), far below the turn between neighbouring triangles of any drawn curve.
+constexpr double flat_rad = 1e-4;
+
+// Image coordinates are rounded to this many pixels before crossings are decided: 2^-16. Coarser
+// grids twist strands that run close together near cusps, finer ones gain nothing.
+constexpr double image_grid_px = 1.0 / 65536;
+
+// A triangle whose area is below this share of its longest edge squared has no usable normal.
+constexpr double degenerate_area = 1e-12;
+
+// |g| below this share of |p - c| is rounding noise of a face seen exactly edge-on and counts as
+// zero.
+constexpr double facing_noise = 1e-9;
+
+}  // namespace illustrate::tolerance

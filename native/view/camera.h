@@ -1,0 +1,54 @@
+// The camera: perspective and orthographic as one homogeneous viewpoint (paper section 4.3).
+#pragma once
+
+#include "core/types.h"
+
+namespace illustrate {
+
+// Depth is the distance along the viewing axis, world units, larger is farther.
+struct ImagePoint {
+  Vec2 xy;  // px, y down
+  double depth;
+};
+
+class Camera {
+ public:
+  // projection: clip from view, view: view from world, both in OpenGL's convention (the camera
+  // looks down -z, the near plane is z = -w). Throws InvalidInput for matrices that are not finite
+  // or not a camera's, and sizes below 1.
+  Camera(const Mat4& projection, const Mat4& view, int width_px, int height_px);
+
+  int width_px() const { return width_; }
+  int height_px() const { return height_; }
+  const Mat4& projection() const { return projection_; }
+  const Mat4& view() const { return view_; }
+
+  bool is_perspective() const { return eye_[3] != 0; }
+  // (eye, 1), or (unit direction to the eye, 0): p is on the contour when normal . to_eye(p) is 0.
+  const Vec4& viewpoint() const { return eye_; }
+
+  // From p towards the eye, not normalised in perspective: eye - p, or the constant direction.
+  Vec3 to_eye(const Vec3& p) const {
+    return is_perspective() ? Vec3(eye_.head<3>() - p) : Vec3(eye_.head<3>());
+  }
+
+  // Only for points before the near plane (`near_distance` > 0).
+  ImagePoint project(const Vec3& p) const;
+
+  // Clip-space distance to the near plane, z + w: linear in p, positive where p can be seen.
+  double near_distance(const Vec3& p) const;
+
+  // How far along to_eye(p) (in units of its length) the near plane is: where a ray to the eye
+  // ends.
+  double ray_end(const Vec3& p) const;
+
+  // World length of one pixel across the view at the depth of p.
+  double pixel_size(const Vec3& p) const;
+
+ private:
+  Mat4 projection_, view_, clip_;  // clip_ = projection_ * view_
+  Vec4 eye_;
+  int width_, height_;
+};
+
+}  // namespace illustrate
