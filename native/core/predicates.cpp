@@ -70,17 +70,21 @@ ExactRow exact_difference(const Vec3& a, const Vec3& b) {
   return {difference(a.x(), b.x()), difference(a.y(), b.y()), difference(a.z(), b.z())};
 }
 
-// The sign that plain arithmetic is sure of, else 0.
-int filtered_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const Vec3 u = a - d, v = b - d, w = c - d;
+// A determinant in plain arithmetic and the sum of its terms' magnitudes, to which its error is
+// relative.
+struct PlainDeterminant {
+  double value = 0;
+  double permanent = 0;
+};
+
+PlainDeterminant plain_determinant(const Vec3& u, const Vec3& v, const Vec3& w) {
   const double vxwy = v.x() * w.y(), wxvy = w.x() * v.y();
   const double wxuy = w.x() * u.y(), uxwy = u.x() * w.y();
   const double uxvy = u.x() * v.y(), vxuy = v.x() * u.y();
-  const double det = u.z() * (vxwy - wxvy) + v.z() * (wxuy - uxwy) + w.z() * (uxvy - vxuy);
-  const double permanent = (std::abs(vxwy) + std::abs(wxvy)) * std::abs(u.z()) +
-                           (std::abs(wxuy) + std::abs(uxwy)) * std::abs(v.z()) +
-                           (std::abs(uxvy) + std::abs(vxuy)) * std::abs(w.z());
-  return std::abs(det) > orient3d_error * permanent ? sign_of(det) : 0;
+  return {u.z() * (vxwy - wxvy) + v.z() * (wxuy - uxwy) + w.z() * (uxvy - vxuy),
+          (std::abs(vxwy) + std::abs(wxvy)) * std::abs(u.z()) +
+              (std::abs(wxuy) + std::abs(uxwy)) * std::abs(v.z()) +
+              (std::abs(uxvy) + std::abs(vxuy)) * std::abs(w.z())};
 }
 
 int exact_orient3d(const std::array<Vec3, 4>& p) {
@@ -88,9 +92,8 @@ int exact_orient3d(const std::array<Vec3, 4>& p) {
                              exact_difference(p[2], p[3])));
 }
 
-Expansion& operator+=(Expansion& sum, const Expansion& e) {
-  for (const double value : e) add(sum, value);
-  return sum;
+bool any_equal(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return a == b || a == c || a == d || b == c || b == d || c == d;
 }
 
 }  // namespace
@@ -103,29 +106,16 @@ int sign_of_difference(double a, double b, double c, double d) {
   return (ab_error > cd_error) - (ab_error < cd_error);
 }
 
-int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const int sign = filtered_orient3d(a, b, c, d);
-  return sign != 0 ? sign : exact_orient3d({a, b, c, d});
+int filtered_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const PlainDeterminant det = plain_determinant(a - d, b - d, c - d);
+  return std::abs(det.value) > orient3d_error * det.permanent ? sign_of(det.value) : 0;
 }
 
-int orient3d(const std::array<Vec3, 4>& points, const std::array<Vec3, 4>& motions) {
-  if (const int sign = orient3d(points[0], points[1], points[2], points[3])) return sign;
-  // det(p + s m) is a cubic in s: the sum over all choices of p or m in each row. Its lowest
-  // coefficient that is not zero decides.
-  std::array<ExactRow, 3> p, m;
-  for (std::size_t i = 0; i < 3; ++i) {
-    p[i] = exact_difference(points[i], points[3]);
-    m[i] = exact_difference(motions[i], motions[3]);
-  }
-  Expansion linear = determinant(m[0], p[1], p[2]);
-  linear += determinant(p[0], m[1], p[2]);
-  linear += determinant(p[0], p[1], m[2]);
-  if (!linear.empty()) return sign_of(linear);
-  Expansion square = determinant(p[0], m[1], m[2]);
-  square += determinant(m[0], p[1], m[2]);
-  square += determinant(m[0], m[1], p[2]);
-  if (!square.empty()) return sign_of(square);
-  return sign_of(determinant(m[0], m[1], m[2]));
+int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const PlainDeterminant det = plain_determinant(a - d, b - d, c - d);
+  if (std::abs(det.value) > orient3d_error * det.permanent) return sign_of(det.value);
+  if (det.permanent == 0 || any_equal(a, b, c, d)) return 0;
+  return exact_orient3d({a, b, c, d});
 }
 
 }  // namespace illustrate

@@ -1,4 +1,4 @@
-// Signs of determinants, exact for double coordinates, and one rule for zeros.
+// Signs of determinants, exact for double coordinates.
 //
 // A filter in plain arithmetic decides nearly always; the rest is computed with expansions,
 // unevaluated sums of doubles (Shewchuk 1997). Exact while no product leaves the range of a double:
@@ -16,8 +16,7 @@ int sign_of_difference(double a, double b, double c, double d);
 // is behind the counter-clockwise triangle. 0: coplanar.
 int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-// The same for points that move: the sign at points[i] + s * motions[i] for all small enough s > 0.
-// 0 only when the points stay coplanar for all s.
-int orient3d(const std::array<Vec3, 4>& points, const std::array<Vec3, 4>& motions);
+// The same where plain arithmetic is sure of it, else 0: a quick first answer.
+int filtered_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 }  // namespace illustrate

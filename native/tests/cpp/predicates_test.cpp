@@ -73,27 +73,5 @@ TEST(Predicates, SmallestDifferencesCount) {
   EXPECT_EQ(sign_of_difference(0.5, 0.25, 0.125, 1), 0);
 }
 
-TEST(Predicates, MotionDecidesCoplanarPoints) {
-  const Tetrahedron flat{Vec3{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.25, 0.25, 0}};
-  const Vec3 up = Vec3::UnitZ(), rest = Vec3::Zero();
-  EXPECT_EQ(orient3d(flat, {rest, rest, rest, up}), -1);
-  EXPECT_EQ(orient3d(flat, {up, rest, rest, rest}), 1);
-  EXPECT_EQ(orient3d(flat, {up, up, up, up}), 0);
-  EXPECT_EQ(orient3d(flat, {Vec3{5, 3, 0}, rest, rest, Vec3{-1, 2, 0}}), 0);
-}
-
-TEST(Predicates, HigherOrdersOfTheMotionDecideCollinearAndEqualPoints) {
-  const Tetrahedron line{Vec3{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}};
-  const Tetrahedron motion{Vec3{0, 1, 0}, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}};
-  const auto at = [](const Tetrahedron& p, const Tetrahedron& m, double s) {
-    return orient3d(p[0] + s * m[0], p[1] + s * m[1], p[2] + s * m[2], p[3] + s * m[3]);
-  };
-  EXPECT_NE(orient3d(line, motion), 0);
-  EXPECT_EQ(orient3d(line, motion), at(line, motion, 0x1p-10));
-  const Tetrahedron point{Vec3{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}};
-  const Tetrahedron apart{Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
-  EXPECT_EQ(orient3d(point, apart), 1);
-}
-
 }  // namespace
 }  // namespace illustrate

@@ -1,0 +1,40 @@
+// g and the cusp function C at the corners of triangles, with the one rule for ties.
+#pragma once
+
+#include "surface/surface.h"
+#include "view/camera.h"
+
+namespace illustrate {
+
+// Reads the two functions of paper sections 4.1 and 4.2 per corner, with the sign of the triangle's
+// sheet.
+class ContourFunctions {
+ public:
+  ContourFunctions(const Surface& surface, const Camera& camera);
+
+  // g = 0 is front, decided once per vertex, so that both sheets of a double cover agree.
+  bool front(int triangle, int corner) const;
+
+  // Whether the surface is front-facing at `fraction` of edge `corner`.
+  bool front_on_edge(int triangle, int corner, double fraction) const;
+
+  // Where g vanishes on an edge whose corners differ, from its first corner; the same point from
+  // both sides of the edge.
+  double zero_fraction(int triangle, int corner) const;
+
+  // C = k1 (v.w1)^2 + k2 (v.w2)^2, v towards the eye; at `fraction` of edge `corner`, the same
+  // value from both sides.
+  double cusp_function(int triangle, int corner, double fraction) const;
+
+ private:
+  double cusp_at_vertex(int vertex) const;
+
+  const Surface& surface_;
+  const Camera& camera_;
+  std::vector<double> g_;
+};
+
+// Whether a face of a polygon object is front-facing; faces seen exactly edge-on are front.
+bool is_front_face(const Surface& surface, const Camera& camera, int triangle);
+
+}  // namespace illustrate

@@ -1,0 +1,72 @@
+// Whether two triangles of a surface cross, decided exactly, for `intersections` only.
+#pragma once
+
+#include "surface/surface.h"
+
+namespace illustrate {
+
+// Where an edge pierces a triangle. The same for all triangles round the edge: this is what links
+// segments.
+struct Piercing {
+  int low, high;  // places of the edge's ends, low < high
+  int triangle;   // the pierced one
+
+  bool operator==(const Piercing& other) const {
+    return low == other.low && high == other.high && triangle == other.triangle;
+  }
+  bool operator<(const Piercing& other) const {
+    if (low != other.low) return low < other.low;
+    if (high != other.high) return high < other.high;
+    return triangle < other.triangle;
+  }
+};
+
+enum class Crossing { apart, segment, undecided };
+
+class CrossingTest {
+ public:
+  explicit CrossingTest(const Surface& surface);
+
+  // segment: the triangles share a segment between the two ends.
+  Crossing cross(int s, int t, std::array<Piercing, 2>& ends) const;
+
+  // How far along its edge, from low to high, a piercing lies.
+  double parameter(const Piercing& piercing) const;
+
+  // Of a piercing, in a triangle that it lies in.
+  SurfacePoint surface_point(const Piercing& piercing, int triangle) const;
+
+  // How near each other, in world units, the boxes of triangles that cross are.
+  double reach() const { return reach_; }
+
+  // A vertex at each place.
+  const std::vector<int>& vertices() const { return vertices_; }
+
+ private:
+  using Sides = std::array<int, 3>;
+  struct Ends;
+
+  const Vec3& at(int triangle, int corner) const { return points_[triangles_[triangle][corner]]; }
+  const Vec3& moved(int triangle, int corner) const { return moved_[triangles_[triangle][corner]]; }
+  void place_vertices(const Surface& surface);
+  void scale_points(const Surface& surface);
+  void move_points_inward(const Surface& surface);
+  std::vector<int> parts() const;
+  int side(int a, int b, int c, int d) const;
+  Sides filtered_sides(int triangle, int other) const;
+  bool share_vertex_or_are_flat(int s, int t) const;
+  bool has_separating_edge(int s, int t) const;
+  bool are_coplanar(int s, int t) const;
+  bool pierces(int a, int b, int triangle) const;
+  double middle_of_overlap(const Piercing& piercing) const;
+  SurfacePoint projected(const Vec3& point, int triangle) const;
+  void add_piercings(int triangle, int other, Ends& ends) const;
+
+  std::vector<Triangle> triangles_;  // places
+  std::vector<int> vertices_;        // (places)
+  Points points_;                    // (places) scaled, the largest coordinate 1 .. 2
+  Points moved_;                     // (places) points_ moved inward: what is decided on
+  double reach_ = 0;
+};
+
+}  // namespace illustrate

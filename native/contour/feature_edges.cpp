@@ -1,0 +1,49 @@
+#include "contour/feature_edges.h"
+
+#include <algorithm>
+
+namespace illustrate {
+namespace {
+
+Edge place_pair(const Surface& surface, const EdgeSide& side) {
+  const Triangle& corners = surface.triangles[static_cast<std::size_t>(side.triangle)];
+  const auto place = [&](int corner) {
+    return surface.places[static_cast<std::size_t>(corners[static_cast<std::size_t>(corner)])];
+  };
+  const int a = place(side.corner), b = place(next_corner(side.corner));
+  return {std::min(a, b), std::max(a, b)};
+}
+
+}  // namespace
+
+EdgeSide opposite_side(const Surface& surface, const EdgeSide& side) {
+  const auto corner = static_cast<std::size_t>(side.corner);
+  const int other = surface.neighbours[static_cast<std::size_t>(side.triangle)][corner];
+  if (other == none) return {};
+  const Edge wanted = place_pair(surface, side);
+  for (int k = 0; k < 3; ++k) {
+    const bool points_back =
+        surface.neighbours[static_cast<std::size_t>(other)][static_cast<std::size_t>(k)] ==
+        side.triangle;
+    if (points_back && place_pair(surface, {other, k}) == wanted) return {other, k};
+  }
+  return {};
+}
+
+std::vector<FeatureEdge> feature_edges(const Surface& surface) {
+  std::vector<FeatureEdge> result;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const EdgeKind kind = surface.edge_kinds[t][static_cast<std::size_t>(k)];
+      if (kind == EdgeKind::smooth) continue;
+      const EdgeSide side{static_cast<int>(t), k};
+      const EdgeSide other = opposite_side(surface, side);
+      if (other.triangle == none || side.triangle < other.triangle) {
+        result.push_back({kind, {side, other}});
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace illustrate

@@ -1,0 +1,153 @@
+#include "contour/intersections.h"
+
+#include <algorithm>
+
+#include "contour/crossing_test.h"
+
+namespace illustrate {
+namespace {
+
+constexpr std::int64_t pairs_between_reports = 1 << 16;
+
+// Pairs of boxes to expect for each triangle; only progress depends on it.
+constexpr double expected_pairs = 8;
+
+struct Segment {
+  std::array<int, 2> triangles;
+  std::array<Piercing, 2> ends;
+  std::array<int, 2> nodes;  // indices of the ends among all different ones
+};
+
+std::vector<Segment> find_segments(const CrossingTest& test, const Bvh& bvh, std::size_t triangles,
+                                   Counts& report, const Progress& progress) {
+  std::vector<Segment> segments;
+  std::int64_t undecided = 0, visited = 0;
+  const double expected = expected_pairs * static_cast<double>(triangles);
+  const auto visit = [&](int s, int t) {
+    if (++visited % pairs_between_reports == 0) {
+      const auto done = static_cast<double>(visited);
+      progress.report(done / (done + expected));
+    }
+    Segment segment{{s, t}, {}, {}};
+    const Crossing crossing = test.cross(s, t, segment.ends);
+    if (crossing == Crossing::segment) segments.push_back(segment);
+    undecided += crossing == Crossing::undecided;
+  };
+  bvh.overlapping_pairs(visit, test.reach());
+  report["intersection_ties"] += undecided;
+  return segments;
+}
+
+// The different ends of all segments, sorted; fills Segment::nodes.
+std::vector<Piercing> number_nodes(std::vector<Segment>& segments) {
+  std::vector<Piercing> nodes;
+  for (const Segment& segment : segments)
+    nodes.insert(nodes.end(), segment.ends.begin(), segment.ends.end());
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  for (Segment& segment : segments)
+    for (std::size_t k = 0; k < 2; ++k)
+      segment.nodes[k] = static_cast<int>(
+          std::lower_bound(nodes.begin(), nodes.end(), segment.ends[k]) - nodes.begin());
+  return nodes;
+}
+
+Ragged<int> segments_by_node(const std::vector<Segment>& segments, std::size_t node_count) {
+  Ragged<int> lists;
+  lists.offsets.assign(node_count + 1, 0);
+  for (const Segment& segment : segments)
+    for (const int node : segment.nodes) ++lists.offsets[node + 1];
+  for (std::size_t i = 0; i < node_count; ++i) lists.offsets[i + 1] += lists.offsets[i];
+  lists.values.resize(2 * segments.size());
+  std::vector<int> ends(lists.offsets.begin(), lists.offsets.end() - 1);
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    for (const int node : segments[i].nodes) lists.values[ends[node]++] = static_cast<int>(i);
+  return lists;
+}
+
+// Chains segments through the nodes that exactly two of them share.
+class Linker {
+ public:
+  Linker(const Surface& surface, const CrossingTest& test, std::vector<Segment> segments)
+      : surface_(surface),
+        test_(test),
+        segments_(std::move(segments)),
+        nodes_(number_nodes(segments_)),
+        by_node_(segments_by_node(segments_, nodes_.size())),
+        is_used_(segments_.size(), 0) {}
+
+  IntersectionCurves link() {
+    for (int node = 0; node < static_cast<int>(nodes_.size()); ++node)
+      if (is_end(node))
+        for (const int segment : by_node_[node]) follow(segment, node);
+    for (int segment = 0; segment < static_cast<int>(segments_.size()); ++segment)
+      follow(segment, segments_[segment].nodes[0]);
+    return std::move(result_);
+  }
+
+ private:
+  bool is_end(int node) const { return by_node_[node].size() != 2; }
+
+  void follow(int segment, int start) {
+    if (is_used_[segment]) return;
+    std::array<int, 2> triangles = segments_[segment].triangles;
+    int node = start;
+    while (true) {
+      is_used_[segment] = 1;
+      add_point(node, triangles, triangles);
+      const auto& nodes = segments_[segment].nodes;
+      node = nodes[0] == node ? nodes[1] : nodes[0];
+      if (node == start || is_end(node)) break;
+      segment = other_segment(node, segment);
+      triangles = keep_sheets(triangles, segments_[segment].triangles);
+    }
+    if (node != start) add_point(node, triangles, {none, none});
+    result_.curves.close_list();
+    result_.closed.push_back(node == start);
+  }
+
+  int other_segment(int node, int segment) const {
+    const auto segments = by_node_[node];
+    return segments[0] == segment ? segments[1] : segments[0];
+  }
+
+  // The triangle that stays keeps its sheet.
+  static std::array<int, 2> keep_sheets(const std::array<int, 2>& before,
+                                        const std::array<int, 2>& after) {
+    if (before[0] == after[0] || before[1] == after[1]) return after;
+    return {after[1], after[0]};
+  }
+
+  void add_point(int node, const std::array<int, 2>& triangles,
+                 const std::array<int, 2>& segment_triangles) {
+    const Piercing& piercing = nodes_[node];
+    const double s = test_.parameter(piercing);
+    const Vec3& low = surface_.positions[test_.vertices()[piercing.low]];
+    const Vec3& high = surface_.positions[test_.vertices()[piercing.high]];
+    result_.curves.push({low * (1 - s) + high * s, test_.surface_point(piercing, triangles[0]),
+                         test_.surface_point(piercing, triangles[1])});
+    result_.segment_triangles.push_back(segment_triangles);
+  }
+
+  const Surface& surface_;
+  const CrossingTest& test_;
+  std::vector<Segment> segments_;
+  std::vector<Piercing> nodes_;
+  Ragged<int> by_node_;
+  std::vector<std::uint8_t> is_used_;
+  IntersectionCurves result_;
+};
+
+}  // namespace
+
+IntersectionCurves intersections(const Surface& surface, const Bvh& bvh, Counts& report,
+                                 const Progress& progress) {
+  const CrossingTest test(surface);
+  std::vector<Segment> segments =
+      find_segments(test, bvh, surface.triangles.size(), report, progress);
+  IntersectionCurves curves = Linker(surface, test, std::move(segments)).link();
+  report["intersection_curves"] += static_cast<std::int64_t>(curves.curves.size());
+  return curves;
+}
+
+}  // namespace illustrate

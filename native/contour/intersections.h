@@ -1,0 +1,41 @@
+// Curves along which the triangulated surface passes through itself (paper section 4), within one
+// mesh and between meshes.
+//
+// Touching is not crossing: whether triangles cross is decided, exactly, with every vertex moved
+// inward, against its normal, by 2^-22 of the largest coordinate, and the farther (at most twice as
+// far) the later its connected part comes. So a solid that stands on another, up to the rounding of
+// single precision, and a copy at the same place as its original, have no curve with it. The curves
+// themselves lie on the surface as it is.
+// Pairs of triangles that share a vertex are left out, coplanar ones too: a curve that reaches such
+// a pair ends.
+#pragma once
+
+#include "core/progress.h"
+#include "core/ragged.h"
+#include "core/report.h"
+#include "mesh/bvh.h"
+#include "surface/surface.h"
+
+namespace illustrate {
+
+// Where an edge of one sheet pierces a triangle of the other; the same place on both sheets.
+struct IntersectionPoint {
+  Vec3 position;
+  SurfacePoint a, b;
+};
+
+struct IntersectionCurves {
+  Ragged<IntersectionPoint> curves;  // closed ones do not repeat their first point
+  std::vector<std::uint8_t> closed;  // (curves)
+  // (points) the segment from each point to the next of its curve lies in these two triangles, in
+  // which a and b of the point that it starts at lie; (none, none) for the last point of an open
+  // curve, which lies in those before.
+  std::vector<std::array<int, 2>> segment_triangles;
+};
+
+// bvh: over the surface's positions and triangles. Open curves first, then closed ones. Adds
+// "intersection_curves", and "intersection_ties": pairs left out because they could not be decided.
+IntersectionCurves intersections(const Surface& surface, const Bvh& bvh, Counts& report,
+                                 const Progress& progress = {});
+
+}  // namespace illustrate

@@ -1,0 +1,188 @@
+#include "contour/joints.h"
+
+#include <algorithm>
+#include <tuple>
+#include <unordered_map>
+
+#include "surface/locate.h"
+
+namespace illustrate {
+namespace {
+
+// A point counts as lying on an edge of its triangle below this barycentric weight.
+constexpr double on_edge_weight = 1e-9;
+
+std::int64_t side_key(int triangle, int corner) { return std::int64_t{triangle} * 3 + corner; }
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+class JointFinder {
+ public:
+  JointFinder(const Surface& surface, const std::vector<FeatureEdge>& features,
+              const Silhouettes& silhouettes, const IntersectionCurves& intersections)
+      : surface_(surface),
+        features_(features),
+        silhouettes_(silhouettes),
+        intersections_(intersections) {}
+
+  Joints run() {
+    index_features();
+    for (std::size_t c = 0; c < silhouettes_.chains.size(); ++c) cut_chain(static_cast<int>(c));
+    index_segments();
+    for (std::size_t c = 0; c < intersections_.curves.size(); ++c) {
+      cut_intersection(static_cast<int>(c));
+    }
+    sort_cuts();
+    return std::move(joints_);
+  }
+
+ private:
+  struct ChainSegment {
+    int chain;
+    int segment;
+  };
+
+  void index_features() {
+    for (std::size_t f = 0; f < features_.size(); ++f) {
+      for (const EdgeSide& side : features_[f].sides) {
+        if (side.triangle == none) continue;
+        feature_of_side_[side_key(side.triangle, side.corner)] = static_cast<int>(f);
+      }
+    }
+  }
+
+  void index_segments() {
+    for (std::size_t c = 0; c < silhouettes_.chains.size(); ++c) {
+      const Span<const ChainPoint> chain = silhouettes_.chains[c];
+      const std::size_t count = chain.size() - (silhouettes_.closed[c] ? 0 : 1);
+      for (std::size_t i = 0; i < count; ++i) {
+        segments_[chain[i].on.triangle].push_back({static_cast<int>(c), static_cast<int>(i)});
+      }
+    }
+  }
+
+  int add_node(NodeKind kind, const Vec3& position) {
+    joints_.nodes.push_back({kind, position});
+    return static_cast<int>(joints_.nodes.size()) - 1;
+  }
+
+  // Runs along the feature's first side.
+  double along_feature(int feature, int triangle, int corner, double fraction) const {
+    const EdgeSide& first = features_[idx(feature)].sides[0];
+    if (first.triangle == triangle && first.corner == corner) return fraction;
+    const auto place = [&](int t, int k) {
+      return surface_.places[idx(surface_.triangles[idx(t)][idx(k)])];
+    };
+    const bool parallel = place(first.triangle, first.corner) == place(triangle, corner);
+    return parallel ? fraction : 1 - fraction;
+  }
+
+  // The node where a point of a curve lies on a feature edge, none where the edge is no feature.
+  int cut_feature(int triangle, int corner, double fraction, const Vec3& position) {
+    const auto found = feature_of_side_.find(side_key(triangle, corner));
+    if (found == feature_of_side_.end()) return none;
+    const int node = add_node(NodeKind::joint, position);
+    joints_.edges.push_back(
+        {found->second, along_feature(found->second, triangle, corner, fraction), node});
+    return node;
+  }
+
+  void cut_chain(int c) {
+    const Span<const ChainPoint> chain = silhouettes_.chains[idx(c)];
+    const bool closed = silhouettes_.closed[idx(c)];
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      const ChainPoint& p = chain[i];
+      const bool tip = !closed && (i == 0 || i + 1 == chain.size());
+      int node = none;
+      if (p.edge == none)
+        node = add_node(NodeKind::cusp, p.position);
+      else
+        node = cut_feature(p.on.triangle, p.edge, p.fraction, p.position);
+      if (node == none && tip) node = add_node(NodeKind::end, p.position);
+      if (node != none) joints_.chains.push_back({c, static_cast<int>(i), 0, node});
+    }
+  }
+
+  void cut_intersection(int c) {
+    const Span<const IntersectionPoint> curve = intersections_.curves[idx(c)];
+    const bool closed = intersections_.closed[idx(c)];
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+      const bool tip = !closed && (i == 0 || i + 1 == curve.size());
+      int node = cut_at_edge(curve[i].a, curve[i].position);
+      if (node == none) node = cut_at_edge(curve[i].b, curve[i].position);
+      if (node == none && tip) node = add_node(NodeKind::end, curve[i].position);
+      if (node != none) joints_.intersections.push_back({c, static_cast<int>(i), 0, node});
+      if (i + 1 < curve.size() || closed) cut_by_chains(c, static_cast<int>(i));
+    }
+  }
+
+  int cut_at_edge(const SurfacePoint& p, const Vec3& position) {
+    if (p.triangle == none) return none;
+    const std::array<double, 3> weights{1 - p.b1 - p.b2, p.b1, p.b2};
+    for (int k = 0; k < 3; ++k) {
+      if (weights[idx(previous_corner(k))] > on_edge_weight) continue;
+      const int node = cut_feature(p.triangle, k, weights[idx(next_corner(k))], position);
+      if (node != none) return node;
+    }
+    return none;
+  }
+
+  void cut_by_chains(int c, int i) {
+    for (const int triangle : intersections_.segment_triangles[global_point(c, i)]) {
+      const auto found = segments_.find(triangle);
+      if (found == segments_.end()) continue;
+      for (const ChainSegment& s : found->second) cut_by_segment(c, i, triangle, s);
+    }
+  }
+
+  std::size_t global_point(int c, int i) const {
+    return idx(intersections_.curves.offsets[idx(c)] + i);
+  }
+
+  void cut_by_segment(int c, int i, int triangle, const ChainSegment& s) {
+    const Span<const IntersectionPoint> curve = intersections_.curves[idx(c)];
+    const Span<const ChainPoint> chain = silhouettes_.chains[idx(s.chain)];
+    const auto flat = [&](const Vec3& p) { return barycentrics(surface_, triangle, p); };
+    const Vec2 a = flat(curve[idx(i)].position);
+    const Vec2 along = flat(curve[(idx(i) + 1) % curve.size()].position) - a;
+    const Vec3& start = chain[idx(s.segment)].position;
+    const Vec3& end = chain[(idx(s.segment) + 1) % chain.size()].position;
+    const Vec2 b = flat(start), other = flat(end) - b;
+    const double determinant = cross(along, other);
+    if (determinant == 0) return;
+    const double f = cross(b - a, other) / determinant, h = cross(b - a, along) / determinant;
+    if (!(f >= 0 && f < 1 && h >= 0 && h < 1)) return;
+    const int node = add_node(NodeKind::joint, start + h * (end - start));
+    joints_.intersections.push_back({c, i, f, node});
+    joints_.chains.push_back({s.chain, s.segment, h, node});
+  }
+
+  void sort_cuts() {
+    const auto order = [](const CurveCut& a, const CurveCut& b) {
+      return std::tie(a.curve, a.segment, a.fraction, a.node) <
+             std::tie(b.curve, b.segment, b.fraction, b.node);
+    };
+    std::sort(joints_.chains.begin(), joints_.chains.end(), order);
+    std::sort(joints_.intersections.begin(), joints_.intersections.end(), order);
+    std::sort(joints_.edges.begin(), joints_.edges.end(), [](const EdgeCut& a, const EdgeCut& b) {
+      return std::tie(a.feature, a.fraction, a.node) < std::tie(b.feature, b.fraction, b.node);
+    });
+  }
+
+  const Surface& surface_;
+  const std::vector<FeatureEdge>& features_;
+  const Silhouettes& silhouettes_;
+  const IntersectionCurves& intersections_;
+  std::unordered_map<std::int64_t, int> feature_of_side_;
+  std::unordered_map<int, std::vector<ChainSegment>> segments_;
+  Joints joints_;
+};
+
+}  // namespace
+
+Joints find_joints(const Surface& surface, const std::vector<FeatureEdge>& features,
+                   const Silhouettes& silhouettes, const IntersectionCurves& intersections) {
+  return JointFinder(surface, features, silhouettes, intersections).run();
+}
+
+}  // namespace illustrate

@@ -1,0 +1,40 @@
+// Where curves of a network meet on the surface: the nodes, and the places on feature edges, chains
+// and intersection curves that have to be cut there.
+#pragma once
+
+#include "contour/contour_functions.h"
+#include "contour/curve_network.h"
+#include "contour/feature_edges.h"
+#include "contour/intersections.h"
+#include "contour/silhouettes.h"
+
+namespace illustrate {
+
+// A cut at `fraction` of a feature edge, from the first corner of its first side.
+struct EdgeCut {
+  int feature;
+  double fraction;
+  int node;
+};
+
+// A cut of a polyline behind its point `segment`, at `fraction` of the way to the next one.
+struct CurveCut {
+  int curve;
+  int segment;
+  double fraction;
+  int node;
+};
+
+struct Joints {
+  std::vector<NetworkNode> nodes;
+  std::vector<EdgeCut> edges;           // sorted by feature, fraction
+  std::vector<CurveCut> chains;         // sorted by curve, segment, fraction
+  std::vector<CurveCut> intersections;  // sorted likewise
+};
+
+// Nodes where chains end on or pass over feature edges, where self-intersection curves cross
+// feature edges and chains, and at cusps.
+Joints find_joints(const Surface& surface, const std::vector<FeatureEdge>& features,
+                   const Silhouettes& silhouettes, const IntersectionCurves& intersections);
+
+}  // namespace illustrate

@@ -1,0 +1,154 @@
+// Silhouette and self-intersection strands: polylines cut at joints.
+#include <algorithm>
+
+#include "contour/strands.h"
+#include "surface/locate.h"
+
+namespace illustrate {
+namespace {
+
+struct Polyline {
+  std::vector<CurvePoint> points;
+  bool closed;
+};
+
+// A polyline with the nodes of its cuts inserted; nodes[i] is none at plain points.
+struct CutPolyline {
+  std::vector<CurvePoint> points;
+  std::vector<int> nodes;
+  std::vector<int> sources;  // original point each one stands at or behind
+};
+
+Span<const CurveCut> cuts_of(const std::vector<CurveCut>& cuts, int curve) {
+  const auto range =
+      std::equal_range(cuts.begin(), cuts.end(), CurveCut{curve, 0, 0, 0},
+                       [](const CurveCut& a, const CurveCut& b) { return a.curve < b.curve; });
+  const auto first = static_cast<std::size_t>(range.first - cuts.begin());
+  return {cuts.data() + first, static_cast<std::size_t>(range.second - range.first)};
+}
+
+CutPolyline insert_cuts(const Surface& surface, const Polyline& line, Span<const CurveCut> cuts,
+                        const std::vector<NetworkNode>& nodes) {
+  CutPolyline result;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < line.points.size(); ++i) {
+    const std::size_t begin = next;
+    while (next < cuts.size() && cuts[next].segment == static_cast<int>(i)) ++next;
+    const bool at_point = begin < next && cuts[begin].fraction == 0;
+    if (!at_point) {
+      result.points.push_back(line.points[i]);
+      result.nodes.push_back(none);
+      result.sources.push_back(static_cast<int>(i));
+    }
+    for (std::size_t k = begin; k < next; ++k) {
+      const Vec3& position = nodes[idx(cuts[k].node)].position;
+      const int triangle = line.points[i].on.triangle;
+      result.points.push_back({position, cuts[k].fraction == 0
+                                             ? line.points[i].on
+                                             : locate(surface, triangle, position)});
+      result.nodes.push_back(cuts[k].node);
+      result.sources.push_back(static_cast<int>(i));
+    }
+  }
+  return result;
+}
+
+void rotate_to_first_node(CutPolyline& line) {
+  const auto first =
+      std::find_if(line.nodes.begin(), line.nodes.end(), [](int node) { return node != none; });
+  const auto shift = first - line.nodes.begin();
+  std::rotate(line.points.begin(), line.points.begin() + shift, line.points.end());
+  std::rotate(line.nodes.begin(), line.nodes.begin() + shift, line.nodes.end());
+  std::rotate(line.sources.begin(), line.sources.begin() + shift, line.sources.end());
+  line.points.push_back(line.points.front());
+  line.nodes.push_back(line.nodes.front());
+  line.sources.push_back(line.sources.front());
+}
+
+// Adds the strands between nodes in order; returns the original point that each strand starts at.
+std::vector<int> add_strands(const CutPolyline& line, Strand strand, CurveNetwork& network) {
+  std::vector<int> sources;
+  for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
+    if (line.nodes[i] != none) {
+      strand.start_node = line.nodes[i];
+      sources.push_back(line.sources[i]);
+    }
+    network.points.push(line.points[i]);
+    if (line.nodes[i + 1] == none) continue;
+    strand.end_node = line.nodes[i + 1];
+    network.points.push(line.points[i + 1]);
+    network.points.close_list();
+    network.strands.push_back(strand);
+  }
+  return sources;
+}
+
+// Returns the original points that the strands start at; empty for a closed strand without nodes.
+std::vector<int> add_polyline(const Surface& surface, const Polyline& line,
+                              Span<const CurveCut> cuts, Strand strand, CurveNetwork& network) {
+  if (line.points.size() < 2) return {};
+  strand.object = surface.triangle_objects[idx(line.points.front().on.triangle)];
+  if (cuts.empty()) {
+    network.points.add(line.points);
+    network.strands.push_back(strand);
+    return {};
+  }
+  CutPolyline cut = insert_cuts(surface, line, cuts, network.nodes);
+  if (line.closed) rotate_to_first_node(cut);
+  return add_strands(cut, strand, network);
+}
+
+// Strands first .. first + count follow each other; where the chain itself says what happens
+// between two of them they are tied.
+void add_ties(Span<const ChainPoint> chain, bool closed, int first, const std::vector<int>& sources,
+              CurveNetwork& network) {
+  const int count = static_cast<int>(sources.size());
+  for (int i = closed ? 0 : 1; i < count; ++i) {
+    const int strand = first + i, previous = first + (i + count - 1) % count;
+    const int node = network.strands[idx(strand)].start_node;
+    const Vec3& position = network.nodes[idx(node)].position;
+    const ChainPoint& p = chain[idx(sources[idx(i)])];
+    if (p.position != position) continue;  // a joint inside a segment: a self-intersection
+    network.ties.push_back({node, previous, strand, p.cusp_jump});
+  }
+}
+
+Polyline polyline_of(Span<const ChainPoint> chain, bool closed) {
+  Polyline line{{}, closed};
+  for (const ChainPoint& p : chain) line.points.push_back({p.position, p.on});
+  return line;
+}
+
+}  // namespace
+
+void add_silhouette_strands(const Surface& surface, const Silhouettes& silhouettes,
+                            const Joints& joints, CurveNetwork& network) {
+  Strand strand;
+  strand.kind = Kind::silhouette;
+  strand.left_layers = 2;
+  for (std::size_t c = 0; c < silhouettes.chains.size(); ++c) {
+    const Span<const ChainPoint> chain = silhouettes.chains[c];
+    const bool closed = silhouettes.closed[c];
+    const int first = static_cast<int>(network.strands.size());
+    const std::vector<int> sources =
+        add_polyline(surface, polyline_of(chain, closed),
+                     cuts_of(joints.chains, static_cast<int>(c)), strand, network);
+    add_ties(chain, closed, first, sources, network);
+  }
+}
+
+void add_intersection_strands(const Surface& surface, const IntersectionCurves& intersections,
+                              const Joints& joints, CurveNetwork& network) {
+  Strand strand;
+  strand.kind = Kind::intersection;
+  for (std::size_t c = 0; c < intersections.curves.size(); ++c) {
+    Polyline line{{}, intersections.closed[c] != 0};
+    for (const IntersectionPoint& p : intersections.curves[c]) {
+      line.points.push_back({p.position, p.a});
+    }
+    add_polyline(surface, line, cuts_of(joints.intersections, static_cast<int>(c)), strand,
+                 network);
+  }
+}
+
+}  // namespace illustrate

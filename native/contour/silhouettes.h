@@ -1,0 +1,40 @@
+// Silhouettes as the zero set of g(p) = n(p) . (c - p) (paper sections 4.1, 4.2; the sign turned so
+// that front is positive).
+//
+// g is linear on each triangle; g = 0 counts as front, so each triangle carries at most one segment
+// and chains are closed or end on edges without a smooth neighbour. Cusps are where the cusp
+// function C = k1 (v.w1)^2 + k2 (v.w2)^2, linear too, changes sign along a segment. Objects of
+// scheme none have no g: their silhouettes are mesh edges between a front and a back face, found by
+// the network.
+#pragma once
+
+#include "contour/contour_functions.h"
+#include "core/ragged.h"
+
+namespace illustrate {
+
+// A point of a chain: on edge `edge` of `triangle`, at `fraction` from that edge's first corner,
+// or, when edge is none, a cusp inside the triangle.
+struct ChainPoint {
+  Vec3 position;
+  SurfacePoint
+      on;  // in the triangle of the segment that starts here (of the last segment, at an open end)
+  int edge = none;  // edge of on.triangle the point lies on, none for cusps
+  double fraction = 0;
+  int cusp_jump = 0;  // cusps: +1 where the chain recedes from the viewer, else -1
+};
+
+// Chains run with the front on their left. Segment i of a chain lies in the triangle
+// points[i].on.triangle.
+struct Silhouettes {
+  Ragged<ChainPoint> chains;
+  std::vector<std::uint8_t> closed;
+  std::vector<int> triangles;  // that carry a segment, ascending
+  std::int64_t triangles_visited = 0;
+  std::int64_t cusps = 0;
+};
+
+Silhouettes silhouettes(const Surface& surface, const ContourFunctions& functions,
+                        const Camera& camera);
+
+}  // namespace illustrate

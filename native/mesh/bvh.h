@@ -1,0 +1,51 @@
+// A bounding volume hierarchy over triangles: rays, and pairs of triangles whose boxes overlap.
+#pragma once
+
+#include <functional>
+
+#include "core/types.h"
+
+namespace illustrate {
+
+struct RayHit {
+  int triangle;
+  double distance;  // in units of |direction|
+};
+
+class Bvh {
+ public:
+  Bvh() = default;
+  // Keeps pointers to both arrays: they must outlive the tree. Triangles with a corner that is not
+  // finite are left out.
+  Bvh(const Points& positions, const std::vector<Triangle>& triangles);
+
+  // Adds all hits with low < distance < high, in no particular but always the same order. A ray
+  // through a shared edge hits exactly one of its triangles (watertight, Woop et al. 2013), or both
+  // or none where the surface folds there; one through a vertex hits as a ray beside it would. A
+  // ray in a triangle's plane does not hit it. Nothing is hit by a direction that is zero, or by
+  // anything not finite.
+  void hits(const Vec3& origin, const Vec3& direction, double low, double high,
+            std::vector<RayHit>& found) const;
+
+  // Calls visit(a, b), a < b, for every pair of triangles whose boxes overlap, touch or are at most
+  // `margin` apart along each axis; each pair once, in a fixed order.
+  void overlapping_pairs(const std::function<void(int, int)>& visit, double margin = 0) const;
+
+ private:
+  struct Node {
+    Eigen::AlignedBox3d box;
+    int first =
+        0;  // leaf: first entry of order_; inner: index of the left child (right = left + 1)
+    int count = 0;  // leaf: number of triangles; inner: 0
+  };
+  class Builder;
+  class Pairs;
+
+  const Points* positions_ = nullptr;
+  const std::vector<Triangle>* triangles_ = nullptr;
+  std::vector<Node> nodes_;                 // root first
+  std::vector<int> order_;                  // triangles, those of a leaf side by side
+  std::vector<Eigen::AlignedBox3d> boxes_;  // of each entry of order_
+};
+
+}  // namespace illustrate

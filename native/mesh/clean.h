@@ -1,0 +1,25 @@
+// What is no face goes: the first repairs of stage `mesh`.
+#pragma once
+
+#include "core/report.h"
+#include "mesh/faces.h"
+#include "mesh/polygon_mesh.h"
+
+namespace illustrate {
+
+// OpenSubdiv counts the corners of a face and the faces of a vertex with 16 bits.
+constexpr int max_valence = 65535;
+
+// Coordinates beyond this magnitude count as not finite: a product of two of them overflows.
+constexpr double max_coordinate = 1e150;
+
+// The faces with at least three corners, all finite and different. Counts "nan_vertices",
+// "nan_faces", "repeated_corners", "degenerate_faces", "huge_faces", "duplicate_faces",
+// "isolated_vertices".
+Faces clean_faces(const PolygonMesh& mesh, Counts& report);
+
+// Gives vertices of open edges that lie at the same position the same number, the lowest; cleans
+// the faces again. Counts "welded_vertices" besides. Returns the new number of each vertex.
+std::vector<int> weld_open_edges(Faces& faces, const Points& positions, Counts& report);
+
+}  // namespace illustrate

@@ -1,0 +1,135 @@
+#include "mesh/edges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace illustrate {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+// A value on an edge between two vertices of the input, and whether the sound mesh has the edge.
+struct Tag {
+  Edge edge;  // lower vertex first
+  double value;
+  bool is_found = false;
+};
+
+bool edge_before(const Tag& a, const Tag& b) { return a.edge < b.edge; }
+
+// Values by edge; of several on one edge the largest.
+class Tags {
+ public:
+  explicit Tags(const std::vector<int>& numbers) : numbers_(numbers) {}
+
+  void add(const Edge& edge, double value) {
+    const auto [low, high] = std::minmax(numbers_[edge[0]], numbers_[edge[1]]);
+    tags_.push_back({{low, high}, value});
+  }
+
+  void sort() { std::stable_sort(tags_.begin(), tags_.end(), edge_before); }
+
+  // 0 where the edge has none.
+  double take(int a, int b) {
+    const Tag key{{std::min(a, b), std::max(a, b)}, 0};
+    const auto [begin, end] = std::equal_range(tags_.begin(), tags_.end(), key, edge_before);
+    double largest = 0;
+    for (auto tag = begin; tag != end; ++tag) {
+      largest = std::max(largest, tag->value);
+      tag->is_found = true;
+    }
+    return largest;
+  }
+
+  std::int64_t count_unused() const {
+    return std::count_if(tags_.begin(), tags_.end(), [](const Tag& tag) { return !tag.is_found; });
+  }
+
+ private:
+  const std::vector<int>& numbers_;
+  std::vector<Tag> tags_;
+};
+
+Tags sharpness_tags(const PolygonMesh& mesh, const std::vector<int>& numbers, Counts& report) {
+  Tags tags(numbers);
+  for (std::size_t e = 0; e < mesh.edge_vertices.size(); ++e) {
+    const double sharpness = mesh.edge_sharpness[e];
+    if (std::isnan(sharpness)) ++report["ignored_creases"];
+    if (sharpness > 0) tags.add(mesh.edge_vertices[e], std::min(sharpness, infinitely_sharp));
+  }
+  tags.sort();
+  return tags;
+}
+
+Tags mark_tags(const PolygonMesh& mesh, const std::vector<int>& numbers) {
+  Tags tags(numbers);
+  for (const Edge& edge : mesh.marked_edges) tags.add(edge, 1);
+  tags.sort();
+  return tags;
+}
+
+// Edges whose faces' normals turn more than an angle.
+class CreaseAngle {
+ public:
+  CreaseAngle(const Faces& faces, const Points& positions, double angle_deg) : faces_(faces) {
+    angle_rad_ = angle_deg * pi / 180;
+    if (angle_deg < 180) normals_ = unit_normals(faces, positions);
+  }
+
+  bool is_exceeded(Span<const int> edge) const {
+    if (normals_.empty() || edge.size() != 2) return false;
+    const Vec3& a = normals_[faces_.corner_faces[edge[0]]];
+    const Vec3& b = normals_[faces_.corner_faces[edge[1]]];
+    return std::atan2(a.cross(b).norm(), a.dot(b)) > angle_rad_;
+  }
+
+ private:
+  const Faces& faces_;
+  Points normals_;
+  double angle_rad_;
+};
+
+// Welded vertices share the largest sharpness.
+void carry_vertex_sharpness(const PolygonMesh& mesh, const std::vector<int>& numbers,
+                            SoundMesh& sound, Counts& report) {
+  std::vector<double> largest(mesh.positions.size(), 0);
+  for (std::size_t v = 0; v < mesh.vertex_sharpness.size(); ++v) {
+    const double sharpness = mesh.vertex_sharpness[v];
+    if (std::isnan(sharpness)) ++report["ignored_creases"];
+    if (!(sharpness > 0)) continue;
+    double& value = largest[numbers[v]];
+    value = std::max(value, std::min(sharpness, infinitely_sharp));
+  }
+  for (const int source : sound.source_vertices) sound.vertex_sharpness.push_back(largest[source]);
+}
+
+}  // namespace
+
+void carry_edges(const PolygonMesh& mesh, const Faces& faces,
+                 const std::vector<std::uint8_t>& is_cut, const std::vector<int>& numbers,
+                 SoundMesh& sound, Counts& report) {
+  Tags creases = sharpness_tags(mesh, numbers, report), marks = mark_tags(mesh, numbers);
+  const CreaseAngle angle(faces, sound.positions, mesh.crease_angle_deg);
+  const Ragged<int> edges = half_edges_by_edge(faces, sound.positions.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const int h = edges[e][0], a = faces.corners[h], b = faces.head(h);
+    const int source_a = sound.source_vertices[a], source_b = sound.source_vertices[b];
+    double sharpness = creases.take(source_a, source_b);
+    if (sharpness < infinitely_sharp && angle.is_exceeded(edges[e])) {
+      sharpness = infinitely_sharp;
+      ++report["angle_creases"];
+    }
+    if (sharpness > 0) {
+      sound.edge_vertices.push_back({a, b});
+      sound.edge_sharpness.push_back(sharpness);
+    }
+    if (marks.take(source_a, source_b) > 0) sound.marked_edges.push_back({a, b});
+    if (edges[e].size() == 1 && is_cut[h]) sound.seams.push_back({a, b});
+  }
+  report["ignored_creases"] += creases.count_unused();
+  report["ignored_marks"] += marks.count_unused();
+  carry_vertex_sharpness(mesh, numbers, sound, report);
+}
+
+}  // namespace illustrate

@@ -1,0 +1,18 @@
+// What edges and vertices of the input carry, on the edges and vertices of the sound mesh.
+#pragma once
+
+#include "core/report.h"
+#include "mesh/faces.h"
+#include "mesh/sanitize.h"
+
+namespace illustrate {
+
+// Fills edge_vertices, edge_sharpness, vertex_sharpness, marked_edges and seams of `sound`, whose
+// positions and source_vertices stand. faces: its faces; is_cut: Joints'; numbers:
+// weld_open_edges'. Of several sharpnesses on one edge the largest counts. Counts
+// "ignored_creases", "ignored_marks", "angle_creases".
+void carry_edges(const PolygonMesh& mesh, const Faces& faces,
+                 const std::vector<std::uint8_t>& is_cut, const std::vector<int>& numbers,
+                 SoundMesh& sound, Counts& report);
+
+}  // namespace illustrate

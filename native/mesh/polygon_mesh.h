@@ -1,0 +1,44 @@
+// Polygon meshes as a modelling program holds them, and their soundness after mending.
+#pragma once
+
+#include <optional>
+
+#include "core/report.h"
+#include "core/types.h"
+
+namespace illustrate {
+
+// polygons: no subdivision, the mesh is drawn as it is (public name "none").
+enum class Scheme : std::uint8_t { automatic, catmull_clark, loop, polygons };
+
+// How a subdivision surface ends at a boundary (OpenSubdiv's EDGE_AND_CORNER and EDGE_ONLY).
+enum class BoundaryRule : std::uint8_t { corners, edges };
+
+// OpenSubdiv's scale: from this value on an edge stays sharp at every level.
+constexpr double infinitely_sharp = 10.0;
+
+// Any polygon mesh, in world space, whatever its defects.
+struct PolygonMesh {
+  Points positions;                      // (n)
+  std::vector<int> face_sizes;           // (f) corners per face
+  std::vector<int> corner_vertices;      // (sum of face_sizes) vertex of each corner
+  std::vector<Edge> edge_vertices;       // (e) edges that carry a sharpness
+  std::vector<double> edge_sharpness;    // (e) 0 smooth .. 10 infinitely sharp
+  std::vector<double> vertex_sharpness;  // (n) or empty
+  std::vector<Edge> marked_edges;        // (m) drawn as Kind::mark when asked for
+  std::vector<int> face_materials;       // (f) or empty; their borders are Kind::material
+  std::vector<int> hole_faces;           // (h) faces that shape the limit and are not there
+  BoundaryRule boundary = BoundaryRule::corners;
+  double crease_angle_deg = 180;         // edges that turn more become infinitely sharp; 180: none
+  std::optional<Scheme> scheme;          // this mesh's own, instead of the options'
+  std::optional<int> level;
+  std::optional<double> edge_length;     // world units
+  std::string name;
+};
+
+// Throws InvalidInput, naming the argument and the index, where arrays do not fit together: face_sizes
+// that are negative or do not sum up to the corners, sharpness or materials of another length, indices of faces,
+// corners and edges out of range.
+void validate(const PolygonMesh& mesh);
+
+}  // namespace illustrate

@@ -1,0 +1,91 @@
+#include "mesh/sanitize.h"
+
+#include <algorithm>
+
+#include "mesh/clean.h"
+#include "mesh/edges.h"
+#include "mesh/faces.h"
+#include "mesh/orient.h"
+#include "mesh/split.h"
+
+namespace illustrate {
+namespace {
+
+void name_counts(Counts& report) {
+  for (const char* name : {"nan_vertices", "nan_faces", "repeated_corners", "degenerate_faces",
+                           "huge_faces", "duplicate_faces", "isolated_vertices", "welded_vertices",
+                           "split_edges", "split_vertices", "flipped_faces", "turned_parts",
+                           "covered_parts", "ignored_creases", "ignored_marks", "angle_creases"})
+    report[name] += 0;
+}
+
+void set_vertices(const PolygonMesh& mesh, std::vector<int> sources, SoundMesh& sound) {
+  sound.source_vertices = std::move(sources);
+  sound.positions.reserve(sound.source_vertices.size());
+  for (const int source : sound.source_vertices) sound.positions.push_back(mesh.positions[source]);
+}
+
+void set_faces(const PolygonMesh& mesh, const Faces& faces, SoundMesh& sound) {
+  std::vector<std::uint8_t> is_hole(mesh.face_sizes.size(), 0);
+  for (const int face : mesh.hole_faces) is_hole[face] = 1;
+  for (int f = 0; f < faces.size(); ++f) {
+    const int source = faces.sources[f];
+    sound.face_sizes.push_back(static_cast<int>(faces[f].size()));
+    sound.face_materials.push_back(mesh.face_materials.empty() ? 0 : mesh.face_materials[source]);
+    sound.holes.push_back(is_hole[source]);
+  }
+  sound.corner_vertices = faces.corners;
+  sound.source_faces = faces.sources;
+}
+
+// Twins follow the faces they are made of, and those are drawn.
+void set_twins(const Faces& faces, std::vector<int> twins, SoundMesh& sound) {
+  sound.twin_faces = std::move(twins);
+  sound.twin_vertices.assign(sound.positions.size(), none);
+  for (int f = 0; f < faces.size(); ++f) {
+    const int twin = sound.twin_faces[f];
+    sound.kept.push_back(twin == none || f < twin);
+    if (twin == none) continue;
+    const auto face = faces[f], other = faces[twin];
+    for (std::size_t k = 0; k < face.size(); ++k)
+      sound.twin_vertices[face[k]] = other[face.size() - 1 - k];
+  }
+}
+
+// Copies beyond one for each vertex, on one sheet.
+std::int64_t count_split(const SoundMesh& sound) {
+  std::int64_t copies = 0;
+  for (std::size_t v = 1; v < sound.source_vertices.size(); ++v)
+    copies += sound.source_vertices[v] == sound.source_vertices[v - 1];
+  const auto on_both_sheets =
+      static_cast<std::ptrdiff_t>(sound.twin_vertices.size()) -
+      std::count(sound.twin_vertices.begin(), sound.twin_vertices.end(), none);
+  return copies - on_both_sheets / 2;
+}
+
+}  // namespace
+
+SoundMesh sanitize(const PolygonMesh& mesh, Counts& report) {
+  validate(mesh);
+  name_counts(report);
+  Faces faces = clean_faces(mesh, report);
+  const std::vector<int> numbers = weld_open_edges(faces, mesh.positions, report);
+  Joints joints = join_faces(faces, mesh.positions, report);
+  const std::vector<std::uint8_t> is_covered = orient(faces, joints, mesh.positions, report);
+  std::vector<int> twins = add_double_cover(faces, joints, is_covered);
+
+  SoundMesh sound;
+  set_vertices(mesh, split_vertices(faces, joints, mesh.positions.size()), sound);
+  set_faces(mesh, faces, sound);
+  set_twins(faces, std::move(twins), sound);
+  report["split_vertices"] += count_split(sound);
+  carry_edges(mesh, faces, joints.is_cut, numbers, sound, report);
+  sound.boundary = mesh.boundary;
+  sound.scheme = mesh.scheme;
+  sound.level = mesh.level;
+  sound.edge_length = mesh.edge_length;
+  sound.name = mesh.name;
+  return sound;
+}
+
+}  // namespace illustrate

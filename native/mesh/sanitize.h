@@ -1,0 +1,57 @@
+// Stage `mesh`: any polygon mesh in, a sound one out (method: section 0; not in the paper, which
+// assumes sound input).
+//
+// After it every edge has one or two faces, every vertex one fan, faces on both sides of an edge
+// run along it in opposite directions, positions are finite, no face repeats a vertex. Nothing is
+// thrown for a bad mesh; each repair is counted.
+//
+// Order: vertices that are not finite are dropped with their faces; repeated corners and faces with
+// fewer than three corners or with a vertex that comes twice go; duplicate faces go (the first
+// stays, whatever the winding); bit-identical positions on open edges are welded;
+// edges with more than two faces and vertices with more than one fan are split (the new open edges
+// are `seams`: never drawn, smooth across); winding is made consistent by flood fill; closed parts
+// of negative volume are turned outward; parts that cannot be oriented become their orientation
+// double cover.
+#pragma once
+
+#include "mesh/polygon_mesh.h"
+
+namespace illustrate {
+
+// A manifold, consistently oriented polygon mesh.
+struct SoundMesh {
+  Points positions;             // (n)
+  std::vector<int> face_sizes;  // (f) all >= 3
+  std::vector<int> corner_vertices;
+  std::vector<int> source_faces;       // (f) face of the input
+  std::vector<int> source_vertices;    // (n) vertex of the input; copies of a split vertex share it
+  std::vector<Edge> edge_vertices;     // (e) sharp edges, the crease angle's included
+  std::vector<double> edge_sharpness;  // (e) > 0
+  std::vector<double> vertex_sharpness;  // (n)
+  std::vector<Edge> marked_edges;        // (m)
+  std::vector<Edge> seams;  // (s) open edges made by splitting, as their face runs along them
+  std::vector<int> face_materials;  // (f)
+  std::vector<std::uint8_t> holes;  // (f) 1: shapes the limit, is not there
+  // Orientation double cover: the same face (vertex) on the other sheet; `none` where the part is
+  // orientable.
+  std::vector<int> twin_faces;     // (f)
+  std::vector<int> twin_vertices;  // (n)
+  std::vector<std::uint8_t> kept;  // (f) 1: drawn; of a face and its twin exactly one is kept
+  BoundaryRule boundary = BoundaryRule::corners;
+  std::optional<Scheme> scheme;
+  std::optional<int> level;
+  std::optional<double> edge_length;
+  std::string name;
+};
+
+// Counts of every repair are added to `report` under plain names, all present, most of them 0:
+//   nan_vertices, nan_faces (with such a vertex), repeated_corners, degenerate_faces, huge_faces
+//   (more than 65535 corners), duplicate_faces, isolated_vertices, welded_vertices, split_edges,
+//   split_vertices (copies made), flipped_faces (against the majority of their part), turned_parts,
+//   covered_parts, ignored_creases (sharpness that is not a number or of no edge), ignored_marks
+//   (of no edge), angle_creases (edges that became sharp).
+// Every face of the input is in the result (with its twin where covered) or in nan_faces,
+// degenerate_faces, huge_faces or duplicate_faces. Throws InvalidInput as `validate` does.
+SoundMesh sanitize(const PolygonMesh& mesh, Counts& report);
+
+}  // namespace illustrate

@@ -1,0 +1,26 @@
+// Curvature from derivatives and from nearby points (paper section 3 and appendix A).
+#pragma once
+
+#include "core/progress.h"
+#include "surface/surface.h"
+
+namespace illustrate {
+
+// The two fundamental forms' eigenproblem, I^-1 II (paper eq. 2 with the inverse that it needs).
+struct PrincipalCurvature {
+  double k1 = 0, k2 = 0;
+  Vec3 w1 = Vec3::Zero(), w2 = Vec3::Zero();
+};
+PrincipalCurvature principal_curvature(const Vec3& du, const Vec3& dv, const Vec3& duu,
+                                       const Vec3& duv, const Vec3& dvv, const Vec3& normal);
+
+// Curvature for hatching directions: a polynomial jet fitted to the vertices around, smoother than the
+// line curvature. Departure from section 5, step 1: the support takes the place of a smoothed copy.
+struct JetOptions {
+  int rings = 3;      // of neighbours, one-sided at creases and boundaries
+  int threads = 0;
+};
+Curvature jet_curvature(const Surface& surface, const JetOptions& options,
+                        const Progress& progress = {});
+
+}  // namespace illustrate

@@ -1,0 +1,200 @@
+#include "surface/level_topology.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "surface/base_edges.h"
+
+namespace illustrate {
+namespace {
+
+namespace Far = OpenSubdiv::Far;
+using Far::TopologyLevel;
+
+template <class T>
+T& at(std::vector<T>& values, int i) {
+  return values[static_cast<std::size_t>(i)];
+}
+template <class T>
+const T& at(const std::vector<T>& values, int i) {
+  return values[static_cast<std::size_t>(i)];
+}
+
+// Copies of a vertex that touch seams share the place of the first of them.
+std::vector<int> seam_places(const SoundMesh& mesh) {
+  if (mesh.seams.empty()) return {};
+  std::vector<int> on_seams;
+  for (const Edge& e : mesh.seams) on_seams.insert(on_seams.end(), e.begin(), e.end());
+  std::sort(on_seams.begin(), on_seams.end());
+  std::vector<int> first(mesh.positions.size(), none), places(mesh.positions.size());
+  std::iota(places.begin(), places.end(), 0);
+  const int sources = *std::max_element(mesh.source_vertices.begin(), mesh.source_vertices.end());
+  first.assign(static_cast<std::size_t>(sources) + 1, none);
+  for (const int v : on_seams) {
+    int& place = at(first, at(mesh.source_vertices, v));
+    if (place == none) place = v;
+    at(places, v) = place;
+  }
+  return places;
+}
+
+std::vector<int> child_places(const RefinedMesh& parent, const TopologyLevel& level, int vertices) {
+  if (parent.places.empty()) return {};
+  std::vector<int> places(static_cast<std::size_t>(vertices));
+  std::iota(places.begin(), places.end(), 0);
+  for (int v = 0; v < level.GetNumVertices(); ++v) {
+    at(places, level.GetVertexChildVertex(v)) = level.GetVertexChildVertex(at(parent.places, v));
+  }
+  std::vector<std::array<int, 3>> on_seams;  // places of both ends, child
+  for (int e = 0; e < level.GetNumEdges(); ++e) {
+    if (at(parent.edge_kinds, e) != EdgeKind::seam) continue;
+    const auto ends = level.GetEdgeVertices(e);
+    const auto [low, high] = std::minmax(at(parent.places, ends[0]), at(parent.places, ends[1]));
+    on_seams.push_back({low, high, level.GetEdgeChildVertex(e)});
+  }
+  std::sort(on_seams.begin(), on_seams.end());
+  for (std::size_t i = 1; i < on_seams.size(); ++i) {
+    const auto &a = on_seams[i - 1], &b = on_seams[i];
+    if (a[0] == b[0] && a[1] == b[1]) at(places, b[2]) = at(places, a[2]);
+  }
+  return places;
+}
+
+std::vector<EdgeKind> child_edge_kinds(const RefinedMesh& parent, const TopologyLevel& level,
+                                       int edges) {
+  std::vector<EdgeKind> kinds(static_cast<std::size_t>(edges), EdgeKind::smooth);
+  for (int e = 0; e < level.GetNumEdges(); ++e) {
+    if (at(parent.edge_kinds, e) == EdgeKind::smooth) continue;
+    for (const int child : level.GetEdgeChildEdges(e)) at(kinds, child) = at(parent.edge_kinds, e);
+  }
+  return kinds;
+}
+
+// Child k < 3 of a triangle, and of a quad any child, is the part at corner k.
+FaceDomain child_domain(const FaceDomain& parent, int size, int child) {
+  static const std::array<Vec2, 4> quad{Vec2(0, 0), Vec2(.5, 0), Vec2(.5, .5), Vec2(0, .5)};
+  static const std::array<Vec2, 4> triangle{Vec2(0, 0), Vec2(.5, 0), Vec2(0, .5), Vec2(.5, .5)};
+  const auto k = static_cast<std::size_t>(child);
+  const Vec2& offset = size == 3 ? triangle[k] : quad[k];
+  const double scale = size == 3 && child == 3 ? -.5 : .5;
+  return {parent.ptex_face, parent.origin + parent.size * offset, parent.size * scale};
+}
+
+void inherit_faces(const RefinedMesh& parent, const TopologyLevel& level, RefinedMesh& child) {
+  for (int f = 0; f < level.GetNumFaces(); ++f) {
+    const int size = level.GetFaceVertices(f).size();
+    const auto children = level.GetFaceChildFaces(f);
+    const bool whole = size == 4 || parent.triangles_are_patches;
+    const FaceDomain& domain = at(parent.domains, f);
+    for (int k = 0; k < children.size(); ++k) {
+      at(child.base_faces, children[k]) = at(parent.base_faces, f);
+      at(child.domains, children[k]) =
+          whole ? child_domain(domain, size, k) : FaceDomain{domain.ptex_face + k, Vec2::Zero(), 1};
+    }
+  }
+}
+
+void inherit_twin_vertices(const RefinedMesh& parent, const TopologyLevel& level,
+                           RefinedMesh& child) {
+  const auto twin = [&](int v) { return at(parent.twin_vertices, v); };
+  for (int v = 0; v < level.GetNumVertices(); ++v) {
+    if (twin(v) == none) continue;
+    at(child.twin_vertices, level.GetVertexChildVertex(v)) = level.GetVertexChildVertex(twin(v));
+  }
+  for (int e = 0; e < level.GetNumEdges(); ++e) {
+    const auto ends = level.GetEdgeVertices(e);
+    if (twin(ends[0]) == none || twin(ends[1]) == none) continue;
+    const int other = level.FindEdge(twin(ends[0]), twin(ends[1]));
+    at(child.twin_vertices, level.GetEdgeChildVertex(e)) = level.GetEdgeChildVertex(other);
+  }
+  for (int f = 0; f < level.GetNumFaces() && !parent.triangles_are_patches; ++f) {
+    const int other = at(parent.twin_faces, f);
+    if (other == none) continue;
+    at(child.twin_vertices, level.GetFaceChildVertex(f)) = level.GetFaceChildVertex(other);
+  }
+}
+
+void inherit_twin_faces(const RefinedMesh& parent, const TopologyLevel& level, RefinedMesh& child) {
+  for (int f = 0; f < level.GetNumFaces(); ++f) {
+    const int other = at(parent.twin_faces, f);
+    if (other == none) continue;
+    const auto vertices = level.GetFaceVertices(f), other_vertices = level.GetFaceVertices(other);
+    const auto children = level.GetFaceChildFaces(f), others = level.GetFaceChildFaces(other);
+    for (int k = 0; k < vertices.size(); ++k) {
+      const int j = other_vertices.FindIndex(at(parent.twin_vertices, vertices[k]));
+      at(child.twin_faces, children[k]) = others[j];
+    }
+    if (children.size() > vertices.size()) at(child.twin_faces, children[3]) = others[3];
+  }
+}
+
+}  // namespace
+
+std::vector<int> ptex_faces(const SoundMesh& mesh, Scheme scheme) {
+  std::vector<int> counts = mesh.face_sizes;
+  const int regular_size = scheme == Scheme::loop ? 3 : 4;
+  std::replace(counts.begin(), counts.end(), regular_size, 1);
+  return face_offsets(counts);
+}
+
+RefinedMesh base_level(const SoundMesh& mesh, const Far::TopologyRefiner& refiner, Scheme scheme) {
+  RefinedMesh result;
+  result.triangles_are_patches = scheme == Scheme::loop;
+  const TopologyLevel& level = refiner.GetLevel(0);
+  const BaseEdgeKinds kinds(mesh);
+  for (int e = 0; e < level.GetNumEdges(); ++e) {
+    const auto ends = level.GetEdgeVertices(e), faces = level.GetEdgeFaces(e);
+    const int face_a = faces.size() > 0 ? faces[0] : none, face_b = faces.size() > 1 ? faces[1] : none;
+    result.edge_kinds.push_back(kinds.kind(ends[0], ends[1], face_a, face_b));
+  }
+  const std::vector<int> ptex = ptex_faces(mesh, scheme);
+  for (int f = 0; f < level.GetNumFaces(); ++f) {
+    result.base_faces.push_back(f);
+    result.domains.push_back({at(ptex, f), Vec2::Zero(), 1});
+  }
+  result.places = seam_places(mesh);
+  if (has_double_cover(mesh)) {
+    result.twin_faces = mesh.twin_faces;
+    result.twin_vertices = mesh.twin_vertices;
+  }
+  return result;
+}
+
+RefinedMesh next_level(RefinedMesh parent, const Far::TopologyRefiner& refiner, int level_number) {
+  const TopologyLevel& level = refiner.GetLevel(level_number - 1);
+  const TopologyLevel& next = refiner.GetLevel(level_number);
+  RefinedMesh child;
+  child.triangles_are_patches = parent.triangles_are_patches;
+  child.edge_kinds = child_edge_kinds(parent, level, next.GetNumEdges());
+  child.base_faces.resize(static_cast<std::size_t>(next.GetNumFaces()));
+  child.domains.resize(child.base_faces.size());
+  inherit_faces(parent, level, child);
+  child.places = child_places(parent, level, next.GetNumVertices());
+  if (!parent.twin_faces.empty()) {
+    child.twin_faces.assign(child.base_faces.size(), none);
+    child.twin_vertices.assign(static_cast<std::size_t>(next.GetNumVertices()), none);
+    inherit_twin_vertices(parent, level, child);
+    inherit_twin_faces(parent, level, child);
+  }
+  return child;
+}
+
+void read_corners(RefinedMesh& mesh, const TopologyLevel& level) {
+  for (int f = 0; f < level.GetNumFaces(); ++f) {
+    const auto vertices = level.GetFaceVertices(f), edges = level.GetFaceEdges(f);
+    mesh.corner_vertices.insert(mesh.corner_vertices.end(), vertices.begin(), vertices.end());
+    mesh.corner_edges.insert(mesh.corner_edges.end(), edges.begin(), edges.end());
+    mesh.face_offsets.push_back(static_cast<int>(mesh.corner_vertices.size()));
+  }
+  connect(mesh);
+  for (int v = 0; v < level.GetNumVertices(); ++v) {
+    mesh.sharp_vertices.push_back(level.IsVertexInfSharp(v));
+    mesh.semi_sharp.push_back(level.IsVertexSemiSharp(v));
+  }
+  for (int e = 0; e < level.GetNumEdges(); ++e) {
+    if (!level.IsEdgeSemiSharp(e)) continue;
+    for (const int v : level.GetEdgeVertices(e)) at(mesh.semi_sharp, v) = 1;
+  }
+}
+
+}  // namespace illustrate

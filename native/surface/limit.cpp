@@ -1,0 +1,151 @@
+#include "surface/limit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+#include "surface/curvature.h"
+#include "surface/polygons.h"
+#include "surface/shading.h"
+
+namespace illustrate {
+namespace {
+
+// Sine of the angle between tangents below which they span no plane.
+constexpr double parallel_tangents = 1e-10;
+
+Vec3 normal_of(const LimitPoint& p) {
+  const Vec3 across = unit_or_zero(p.du).cross(unit_or_zero(p.dv));
+  return across.norm() > parallel_tangents ? across.normalized() : Vec3::Zero();
+}
+
+void set_curvature(std::size_t i, const LimitPoint& p, const Vec3& normal, Curvature& curvature) {
+  const PrincipalCurvature k =
+      principal_curvature(p.du, p.dv, p.duu, p.duv, p.dvv, normal);
+  curvature.k1[i] = k.k1;
+  curvature.k2[i] = k.k2;
+  curvature.w1[i] = k.w1;
+  curvature.w2[i] = k.w2;
+}
+
+void resize(SectorLimits& result, std::size_t count) {
+  result.positions.resize(count);
+  result.normals.resize(count);
+  result.curvature.k1.assign(count, 0);
+  result.curvature.k2.assign(count, 0);
+  result.curvature.w1.assign(count, Vec3::Zero());
+  result.curvature.w2.assign(count, Vec3::Zero());
+  result.needs_jet.assign(count, 0);
+}
+
+void limit_of_sector(const RefinedMesh& mesh, const Sectors& sectors, std::size_t s, Ring& ring,
+                     SectorLimits& result) {
+  if (!read_ring(mesh, sectors, static_cast<int>(s), ring)) {
+    result.positions[s] = ring.centre;
+    return;
+  }
+  LimitPoint p;
+  const bool fitted = fit_derivatives(ring, p);
+  const bool smooth = ring.rule == VertexRule::smooth;
+  result.positions[s] = smooth ? p.position : limit_position(ring);
+  result.normals[s] = fitted ? normal_of(p) : unit_or_zero(limit_normal(ring));
+  result.needs_jet[s] = !fitted;
+  if (fitted) set_curvature(s, p, result.normals[s], result.curvature);
+}
+
+// Where sharpness has not faded yet, the limit is several levels away: the patches know it.
+void evaluate_semi_sharp(const Subdivision& subdivision, const RefinedMesh& mesh,
+                         const Sectors& sectors, SectorLimits& result) {
+  for (std::size_t s = 0; s < sectors.count(); ++s) {
+    const int corner = sectors.first_corners[s];
+    if (!mesh.semi_sharp[static_cast<std::size_t>(mesh.vertex(corner))]) continue;
+    const std::optional<LimitPoint> p = subdivision.evaluate(base_place(mesh, corner));
+    if (!p || !p->position.allFinite()) continue;
+    result.positions[s] = p->position;
+    result.normals[s] = normal_of(*p);
+    result.needs_jet[s] = 0;
+    set_curvature(s, *p, result.normals[s], result.curvature);
+  }
+}
+
+// Around extraordinary vertices the ratio of curvatures that a ring shows drifts from level to level
+// (it converges to 0, 1 or infinity); appendix A wants that of the control mesh: the first level on which the
+// vertex exists and all faces around are patches.
+void inherit_extraordinary(const Subdivision& subdivision, const std::vector<int>& sector_of_vertex,
+                           int birth, int level, SectorLimits& result) {
+  const RefinedMesh mesh = subdivision.level(birth);
+  const Sectors sectors = smooth_sectors(mesh);
+  Ring ring;
+  LimitPoint p;
+  for (std::size_t s = 0; s < sectors.count(); ++s) {
+    const int vertex = mesh.vertex(sectors.first_corners[s]);
+    const int descendant = subdivision.descendant(vertex, birth, level);
+    const int sector = sector_of_vertex[static_cast<std::size_t>(descendant)];
+    if (sector == none || mesh.semi_sharp[static_cast<std::size_t>(vertex)]) continue;
+    if (!read_ring(mesh, sectors, static_cast<int>(s), ring) || is_regular(ring)) continue;
+    if (ring.rule != VertexRule::smooth) continue;
+    fit_derivatives(ring, p);
+    const auto target = static_cast<std::size_t>(sector);
+    set_curvature(target, p, result.normals[target], result.curvature);
+  }
+}
+
+// The only sector of each vertex, `none` where there are several.
+std::vector<int> only_sectors(const RefinedMesh& mesh, const Sectors& sectors) {
+  std::vector<int> only(mesh.points.size(), none);
+  for (std::size_t s = 0; s < sectors.count(); ++s) {
+    if (!sectors.closed[s]) continue;
+    only[static_cast<std::size_t>(mesh.vertex(sectors.first_corners[s]))] = static_cast<int>(s);
+  }
+  return only;
+}
+
+// Normals that were mended move the tangent plane away from the directions found before.
+void turn_directions(SectorLimits& result) {
+  for (std::size_t s = 0; s < result.normals.size(); ++s) {
+    const Vec3& n = result.normals[s];
+    Vec3& w = result.curvature.w1[s];
+    if (std::abs(w.dot(n)) < 1e-9 && w.squaredNorm() > .5) continue;
+    const Vec3 turned = unit_or_zero(w - w.dot(n) * n);
+    w = turned.isZero() ? any_tangent(n) : turned;
+    result.curvature.w2[s] = n.cross(w);
+  }
+}
+
+}  // namespace
+
+SectorLimits limits(const Subdivision& subdivision, const RefinedMesh& mesh, const Sectors& sectors,
+                    int level, int threads, const Progress& progress) {
+  SectorLimits result;
+  resize(result, sectors.count());
+  parallel_for(sectors.count(), threads, [&](std::size_t begin, std::size_t end) {
+    Ring ring;
+    for (std::size_t s = begin; s < end; ++s) limit_of_sector(mesh, sectors, s, ring, result);
+  });
+  progress.report(.5);
+  const std::vector<int> only = only_sectors(mesh, sectors);
+  // Faces that are no patches become patches on level 1; what was fitted on level 0 overrides.
+  for (int birth = std::min(level, 2) - 1; birth >= 0; --birth) {
+    inherit_extraordinary(subdivision, only, birth, level, result);
+  }
+  progress.report(.8);
+  evaluate_semi_sharp(subdivision, mesh, sectors, result);
+  share_positions(mesh, sectors, result.positions);
+  mend_normals(mesh, sectors, result);
+  turn_directions(result);
+  return result;
+}
+
+SectorLimits polygonal_limits(const RefinedMesh& mesh, const Sectors& sectors, int threads) {
+  SectorLimits result;
+  resize(result, sectors.count());
+  for (std::size_t s = 0; s < sectors.count(); ++s) {
+    result.positions[s] = mesh.point(sectors.first_corners[s]);
+    result.needs_jet[s] = 1;
+  }
+  polygon_normals(mesh, sectors, threads, result.normals);
+  mend_normals(mesh, sectors, result);
+  return result;
+}
+
+}  // namespace illustrate

@@ -1,0 +1,151 @@
+#include "surface/refine.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/errors.h"
+#include "surface/assemble.h"
+#include "surface/curvature.h"
+#include "surface/edges.h"
+#include "surface/jet.h"
+#include "surface/levels.h"
+#include "surface/split_faces.h"
+
+namespace illustrate {
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+// Sectors of the faces of level 0 that are no patches: those of the same corners on level 1.
+std::vector<int> sectors_of_parents(const Subdivision& subdivision, const RefinedMesh& parent,
+                                    const Sectors& sectors) {
+  std::vector<int> result;
+  for (int c = 0; c < static_cast<int>(parent.corner_vertices.size()); ++c) {
+    result.push_back(sectors.corner_sectors[index(subdivision.child_corner(parent, c))]);
+  }
+  return result;
+}
+
+// Appends meshes to one surface.
+class Refiner {
+ public:
+  Refiner(Surface& surface, std::vector<int>& needs_jet, const SurfaceOptions& options)
+      : surface_(surface), needs_jet_(needs_jet), options_(options) {}
+
+  // Returns the level that was made.
+  int add(const SoundMesh& mesh, Scheme scheme, int level, const Progress& progress) {
+    if (scheme == Scheme::polygons || !add_subdivided(mesh, scheme, level, progress)) {
+      add_polygons(mesh, progress);
+      return 0;
+    }
+    return level;
+  }
+
+ private:
+  void add_polygons(const SoundMesh& base, const Progress& progress) {
+    const RefinedMesh mesh = polygonal_mesh(base);
+    progress.report(.3);
+    const Sectors sectors = smooth_sectors(mesh);
+    const SectorLimits limits = polygonal_limits(mesh, sectors, options_.threads);
+    progress.report(.6);
+    surface_.object_is_smooth.push_back(0);
+    assemble({base, mesh, sectors.corner_sectors, limits, next_object_++, 0}, surface_, needs_jet_);
+  }
+
+  bool add_subdivided(const SoundMesh& base, Scheme scheme, int level, const Progress& progress) {
+    const bool all_patches = scheme == Scheme::loop ||
+                             std::all_of(base.face_sizes.begin(), base.face_sizes.end(),
+                                         [](int size) { return size == 4; });
+    const int limit_level = level == 0 && !all_patches ? 1 : level;
+    const Subdivision subdivision(base, scheme, limit_level, progress.part(0, .4));
+    if (!subdivision.is_valid()) return false;
+    progress.report(.4);
+    const RefinedMesh mesh = subdivision.level(limit_level);
+    progress.report(.55);
+    const Sectors sectors = smooth_sectors(mesh);
+    progress.report(.6);
+    const SectorLimits vertices =
+        limits(subdivision, mesh, sectors, limit_level, options_.threads, progress.part(.6, .8));
+    progress.report(.8);
+    surface_.object_is_smooth.push_back(1);
+    const int object = next_object_++, ptex = next_ptex_face_;
+    next_ptex_face_ += subdivision.ptex_faces().back();
+    if (limit_level == level) {
+      assemble({base, mesh, sectors.corner_sectors, vertices, object, ptex}, surface_, needs_jet_);
+      return true;
+    }
+    const RefinedMesh coarse = subdivision.level(level);
+    const std::vector<int> corners = sectors_of_parents(subdivision, coarse, sectors);
+    assemble({base, coarse, corners, vertices, object, ptex}, surface_, needs_jet_);
+    return true;
+  }
+
+  Surface& surface_;
+  std::vector<int>& needs_jet_;
+  const SurfaceOptions& options_;
+  int next_object_ = 0;
+  int next_ptex_face_ = 0;
+};
+
+void fit_jets(Surface& surface, const std::vector<int>& vertices) {
+  if (vertices.empty()) return;
+  const JetFitter fitter(surface, JetOptions().rings);
+  JetFitter::Workspace work;
+  for (const int v : vertices) {
+    const PrincipalCurvature k = fitter.fit(v, work);
+    surface.curvature.k1[index(v)] = k.k1;
+    surface.curvature.k2[index(v)] = k.k2;
+    surface.curvature.w1[index(v)] = k.w1;
+    surface.curvature.w2[index(v)] = k.w2;
+  }
+}
+
+double diagonal(const Points& positions) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : positions) box.extend(p);
+  return box.isEmpty() ? 0 : box.diagonal().stableNorm();
+}
+
+}  // namespace
+
+void validate(const SurfaceOptions& options) {
+  if (options.level < -1) throw InvalidInput("level must be -1 (automatic) or at least 0");
+  if (!(options.edge_length >= 0) || !std::isfinite(options.edge_length)) {
+    throw InvalidInput("edge_length must be a finite number, at least 0");
+  }
+  if (options.triangle_budget < 0) throw InvalidInput("triangle_budget must be at least 0");
+  if (options.threads < 0) throw InvalidInput("threads must be at least 0");
+}
+
+Surface refine(const std::vector<SoundMesh>& meshes, const SurfaceOptions& options, Counts& report,
+               const Progress& progress) {
+  validate(options);
+  progress.report(0);
+  std::vector<SoundMesh> split;
+  std::vector<Scheme> schemes;
+  for (const SoundMesh& mesh : meshes) {
+    schemes.push_back(choose_scheme(mesh, options));
+    split.push_back(schemes.back() == Scheme::loop ? split_into_triangles(mesh) : mesh);
+  }
+  const std::vector<int> levels = choose_levels(split, schemes, options);
+  Surface surface;
+  std::vector<int> needs_jet;
+  Refiner refiner(surface, needs_jet, options);
+  const auto count = static_cast<double>(meshes.size());
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const auto done = static_cast<double>(i);
+    const Progress part = progress.part(.9 * done / count, .9 * (done + 1) / count);
+    report["level_" + std::to_string(i)] = refiner.add(split[i], schemes[i], levels[i], part);
+  }
+  progress.report(.9);
+  mark_flat_outlines(surface);
+  collect_feature_edges(surface);
+  surface.diagonal = diagonal(surface.positions);
+  progress.report(.95);
+  fit_jets(surface, needs_jet);
+  report["triangles"] += static_cast<std::int64_t>(surface.triangles.size());
+  report["vertices"] += static_cast<std::int64_t>(surface.positions.size());
+  return surface;
+}
+
+}  // namespace illustrate

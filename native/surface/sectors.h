@@ -1,0 +1,28 @@
+// The smooth sides of a surface at its vertices: the faces round a vertex between two sharp or open edges.
+//
+// A vertex without sharp edges has one closed sector, and so has the end of a single sharp edge (a dart):
+// the surface is smooth there.
+#pragma once
+
+#include "surface/refined_mesh.h"
+
+namespace illustrate {
+
+struct Sectors {
+  std::vector<int> corner_sectors;      // (c)
+  std::vector<int> first_corners;       // (s) the others follow counter-clockwise
+  std::vector<int> sizes;               // (s) number of corners
+  std::vector<std::uint8_t> closed;     // (s) 1: goes all the way round
+  std::vector<int> sharp_edges;         // (n) sharp and open edges at each vertex
+
+  std::size_t count() const { return sizes.size(); }
+};
+
+Sectors smooth_sectors(const RefinedMesh& mesh);
+
+// The corner after this one counter-clockwise round their vertex, `none` beyond an open edge.
+inline int next_round_vertex(const RefinedMesh& mesh, int corner) {
+  return mesh.mate(mesh.previous(corner));
+}
+
+}  // namespace illustrate

@@ -1,0 +1,146 @@
+#include "surface/shading.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+#include "surface/polygons.h"
+
+namespace illustrate {
+namespace {
+
+constexpr double seam_smooth_cos = .5;
+
+// Angle-weighted normal of one corner of a polygon. A corner that does not turn the way its polygon does
+// is dented, and its angle is larger than 180 degrees.
+Vec3 corner_normal(const RefinedMesh& mesh, const std::vector<Vec3>& face_normals, int corner) {
+  const Vec3& normal = face_normals[static_cast<std::size_t>(mesh.face(corner))];
+  const Vec3 a = unit_or_zero(mesh.point(mesh.next(corner)) - mesh.point(corner));
+  const Vec3 b = unit_or_zero(mesh.point(mesh.previous(corner)) - mesh.point(corner));
+  const Vec3 across = a.cross(b);
+  const double angle = std::atan2(across.norm(), a.dot(b));
+  return (across.dot(normal) < 0 ? 2 * 3.14159265358979323846 - angle : angle) * normal;
+}
+
+Points face_normals(const RefinedMesh& mesh, int threads) {
+  Points normals(mesh.face_count());
+  parallel_for(normals.size(), threads, [&](std::size_t begin, std::size_t end) {
+    Points polygon;
+    for (std::size_t f = begin; f < end; ++f) {
+      polygon.clear();
+      const int face = static_cast<int>(f);
+      for (int c = mesh.first(face); c < mesh.first(face + 1); ++c) polygon.push_back(mesh.point(c));
+      normals[f] = unit_or_zero(newell_normal({polygon.data(), polygon.size()}));
+    }
+  });
+  return normals;
+}
+
+template <class Visit>
+void for_each_corner(const RefinedMesh& mesh, const Sectors& sectors, std::size_t sector,
+                     const Visit& visit) {
+  int c = sectors.first_corners[sector];
+  for (int i = 0; i < sectors.sizes[sector]; ++i) {
+    visit(c);
+    if (i + 1 < sectors.sizes[sector]) c = next_round_vertex(mesh, c);
+  }
+}
+
+// From the limit positions of the vertices around; nothing better is left where even they have no area.
+Vec3 normal_around(const RefinedMesh& mesh, const Sectors& sectors, const Points& positions,
+                   std::size_t sector) {
+  const auto position = [&](int corner) {
+    return positions[static_cast<std::size_t>(
+        sectors.corner_sectors[static_cast<std::size_t>(corner)])];
+  };
+  Vec3 sum = Vec3::Zero();
+  for_each_corner(mesh, sectors, sector, [&](int c) {
+    const Vec3 p = position(c);
+    sum += unit_or_zero((position(mesh.next(c)) - p).cross(position(mesh.previous(c)) - p));
+  });
+  const Vec3 normal = unit_or_zero(sum);
+  return normal.isZero() ? Vec3::UnitZ() : normal;
+}
+
+// Sectors at seams, ordered by place.
+std::vector<std::array<int, 2>> sectors_at_seams(const RefinedMesh& mesh, const Sectors& sectors) {
+  std::vector<std::uint8_t> at_seam(mesh.points.size(), 0);
+  bool any = false;
+  for (int c = 0; c < static_cast<int>(mesh.mates.size()); ++c) {
+    if (mesh.kind(c) != EdgeKind::seam) continue;
+    at_seam[static_cast<std::size_t>(mesh.vertex(c))] = 1;
+    at_seam[static_cast<std::size_t>(mesh.vertex(mesh.next(c)))] = 1;
+    any = true;
+  }
+  std::vector<std::array<int, 2>> found;
+  if (!any) return found;
+  for (std::size_t s = 0; s < sectors.count(); ++s) {
+    const int vertex = mesh.vertex(sectors.first_corners[s]);
+    if (at_seam[static_cast<std::size_t>(vertex)]) {
+      found.push_back({place_of(mesh, vertex), static_cast<int>(s)});
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+void join_normals(const std::vector<std::array<int, 2>>& group, Points& normals) {
+  Points joined;
+  const auto normal = [&](const std::array<int, 2>& g) {
+    return normals[static_cast<std::size_t>(g[1])];
+  };
+  for (const auto& g : group) {
+    Vec3 sum = Vec3::Zero();
+    for (const auto& other : group) {
+      if (normal(g).dot(normal(other)) > seam_smooth_cos) sum += normal(other);
+    }
+    joined.push_back(sum.normalized());
+  }
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    normals[static_cast<std::size_t>(group[i][1])] = joined[i];
+  }
+}
+
+}  // namespace
+
+void polygon_normals(const RefinedMesh& mesh, const Sectors& sectors, int threads, Points& normals) {
+  const Points of_faces = face_normals(mesh, threads);
+  normals.resize(sectors.count());
+  parallel_for(normals.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t s = begin; s < end; ++s) {
+      Vec3 sum = Vec3::Zero();
+      for_each_corner(mesh, sectors, s, [&](int c) { sum += corner_normal(mesh, of_faces, c); });
+      normals[s] = unit_or_zero(sum);
+    }
+  });
+}
+
+void mend_normals(const RefinedMesh& mesh, const Sectors& sectors, SectorLimits& limits) {
+  for (std::size_t s = 0; s < sectors.count(); ++s) {
+    if (!limits.normals[s].isZero()) continue;
+    limits.normals[s] = normal_around(mesh, sectors, limits.positions, s);
+  }
+  const std::vector<std::array<int, 2>> seams = sectors_at_seams(mesh, sectors);
+  for (std::size_t from = 0, to = 0; from < seams.size(); from = to) {
+    while (to < seams.size() && seams[to][0] == seams[from][0]) ++to;
+    join_normals({seams.begin() + static_cast<std::ptrdiff_t>(from),
+                  seams.begin() + static_cast<std::ptrdiff_t>(to)},
+                 limits.normals);
+  }
+}
+
+int place_of(const RefinedMesh& mesh, int vertex) {
+  return mesh.places.empty() ? vertex : mesh.places[static_cast<std::size_t>(vertex)];
+}
+
+void share_positions(const RefinedMesh& mesh, const Sectors& sectors, Points& positions) {
+  std::vector<int> first;
+  for (std::size_t s = 0; s < sectors.count(); ++s) {
+    const auto place = static_cast<std::size_t>(place_of(mesh, mesh.vertex(sectors.first_corners[s])));
+    if (place >= first.size()) first.resize(place + 1, none);
+    if (first[place] == none) first[place] = static_cast<int>(s);
+    positions[s] = positions[static_cast<std::size_t>(first[place])];
+  }
+}
+
+}  // namespace illustrate

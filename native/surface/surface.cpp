@@ -1,0 +1,36 @@
+#include "surface/surface.h"
+
+#include "surface/polygons.h"
+
+namespace illustrate {
+namespace {
+
+// Weights of the three corners.
+Vec3 weights(const SurfacePoint& point) { return {1 - point.b1 - point.b2, point.b1, point.b2}; }
+
+}  // namespace
+
+Vec3 position_at(const Surface& surface, const SurfacePoint& point) {
+  const Triangle& t = surface.triangles[static_cast<std::size_t>(point.triangle)];
+  const Vec3 w = weights(point);
+  Vec3 sum = Vec3::Zero();
+  for (int k = 0; k < 3; ++k) {
+    sum += w[k] * surface.positions[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])];
+  }
+  return sum;
+}
+
+Vec3 normal_at(const Surface& surface, const SurfacePoint& point) {
+  const Triangle& t = surface.triangles[static_cast<std::size_t>(point.triangle)];
+  const Vec3 w = weights(point);
+  Vec3 sum = Vec3::Zero();
+  for (int k = 0; k < 3; ++k) {
+    sum += w[k] * surface.corner_sign(point.triangle, k) *
+           surface.normals[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])];
+  }
+  const Vec3 normal = unit_or_zero(sum);
+  if (!normal.isZero()) return normal;
+  return surface.corner_sign(point.triangle, 0) * surface.normals[static_cast<std::size_t>(t[0])];
+}
+
+}  // namespace illustrate

@@ -1,0 +1,373 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/errors.h"
+#include "stroke/chains.h"
+#include "stroke/make_strokes.h"
+#include "stroke/stroke_path.h"
+
+namespace illustrate {
+namespace {
+
+constexpr int size_px = 100;
+const double pi = std::acos(-1.0);
+
+// World x, y in [0, 100] are the image's, y up; looks down -z.
+Camera flat_camera() {
+  Mat4 projection = Mat4::Identity();
+  projection(0, 0) = projection(1, 1) = 2.0 / size_px;
+  projection(0, 3) = projection(1, 3) = -1;
+  projection(2, 2) = -0.01;
+  return {projection, Mat4::Identity(), size_px, size_px};
+}
+
+Camera perspective_camera() {
+  Mat4 projection = Mat4::Zero();
+  projection(0, 0) = projection(1, 1) = 2;
+  projection(2, 2) = -1.02;
+  projection(2, 3) = -0.2;
+  projection(3, 2) = -1;
+  return {projection, Mat4::Identity(), size_px, size_px};
+}
+
+// A graph by hand: nodes at image points, arcs as polylines through image points.
+struct GraphBuilder {
+  LabelledGraph graph;
+
+  int node(NodeKind kind, const Vec2& image) {
+    graph.nodes.push_back({kind, image});
+    return static_cast<int>(graph.nodes.size()) - 1;
+  }
+
+  int arc(const std::vector<Vec2>& image, int start, int end, int invisibility = 0,
+          Kind kind = Kind::silhouette, int object = 0) {
+    for (const Vec2& p : image) {
+      graph.image.push(p);
+      graph.points.push({Vec3(p.x(), size_px - p.y(), 0), {}});
+    }
+    graph.image.close_list();
+    graph.points.close_list();
+    graph.arcs.push_back({kind, object, 0, start, end, invisibility, 2, 0});
+    return static_cast<int>(graph.arcs.size()) - 1;
+  }
+
+  // Between two nodes, straight.
+  int line(int start, int end, int invisibility = 0, Kind kind = Kind::silhouette,
+           int object = 0) {
+    const auto image = [&](int n) { return graph.nodes[static_cast<std::size_t>(n)].image; };
+    return arc({image(start), image(end)}, start, end, invisibility, kind, object);
+  }
+};
+
+std::vector<Vec2> circle(const Vec2& centre, double radius, int count) {
+  std::vector<Vec2> points;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * pi * i / count;
+    points.push_back(centre + radius * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  return points;
+}
+
+Drawing strokes_of(const LabelledGraph& graph, const StrokeOptions& options = {},
+                   const std::vector<double>& width_scale = {},
+                   const std::vector<std::uint8_t>& undrawn = {}) {
+  return make_strokes(graph, {}, {}, flat_camera(), width_scale, undrawn, options);
+}
+
+std::size_t count_of(const Drawing& drawing) { return drawing.kinds.size(); }
+
+Vec2 first_of(const Drawing& drawing, std::size_t stroke) {
+  return drawing.image[static_cast<std::size_t>(drawing.offsets[stroke])];
+}
+
+Vec2 last_of(const Drawing& drawing, std::size_t stroke) {
+  return drawing.image[static_cast<std::size_t>(drawing.offsets[stroke + 1]) - 1];
+}
+
+// A front line from left to right over a back line that is hidden by two layers above it.
+struct CrossingGraph : GraphBuilder {
+  CrossingGraph() {
+    const int left = node(NodeKind::joint, {10, 50});
+    const int right = node(NodeKind::joint, {90, 50});
+    const int low = node(NodeKind::joint, {50, 90});
+    const int high = node(NodeKind::joint, {50, 10});
+    const int crossing = node(NodeKind::crossing, {50, 50});
+    const int front_in = line(left, crossing);
+    const int back_in = line(low, crossing);
+    const int front_out = line(crossing, right);
+    const int back_out = line(crossing, high, 2);
+    graph.nodes[static_cast<std::size_t>(crossing)].arcs = {front_in, front_out, back_in,
+                                                             back_out};
+  }
+};
+
+TEST(MakeStrokes, FrontCurveIsNotBrokenAtCrossing) {
+  const Drawing drawing = strokes_of(CrossingGraph().graph);
+  ASSERT_EQ(count_of(drawing), 2U);
+  EXPECT_EQ(first_of(drawing, 0), Vec2(10, 50));
+  EXPECT_EQ(last_of(drawing, 0), Vec2(90, 50));
+  EXPECT_EQ(first_of(drawing, 1), Vec2(50, 90));
+  EXPECT_EQ(last_of(drawing, 1), Vec2(50, 50));
+}
+
+TEST(MakeStrokes, HiddenLinesAreDrawnInTheirRangeAndThinner) {
+  StrokeOptions options;
+  options.hidden_lines = {{1, 2}};
+  const Drawing drawing = strokes_of(CrossingGraph().graph, options);
+  ASSERT_EQ(count_of(drawing), 3U);
+  EXPECT_EQ(drawing.invisibility, (std::vector<int>{0, 0, 2}));
+  const auto hidden = static_cast<std::size_t>(drawing.offsets[2]);
+  EXPECT_FLOAT_EQ(drawing.widths[hidden], 1.0F);
+  options.hidden_lines = {{3, 9}};
+  EXPECT_EQ(count_of(strokes_of(CrossingGraph().graph, options)), 2U);
+}
+
+TEST(MakeStrokes, BackCurveGoesOnWhereNothingIsHidden) {
+  CrossingGraph crossing;
+  crossing.graph.arcs[3].invisibility = 0;
+  EXPECT_EQ(count_of(strokes_of(crossing.graph)), 2U);
+}
+
+TEST(MakeStrokes, SmallestTurnGoesOnAtJoints) {
+  GraphBuilder b;
+  const int middle = b.node(NodeKind::joint, {50, 50});
+  b.line(b.node(NodeKind::joint, {50, 10}), middle);
+  b.line(middle, b.node(NodeKind::joint, {90, 55}));
+  b.line(middle, b.node(NodeKind::joint, {10, 50}));
+  const Drawing drawing = strokes_of(b.graph);
+  ASSERT_EQ(count_of(drawing), 2U);
+  EXPECT_EQ(last_of(drawing, 0), Vec2(50, 50));
+  EXPECT_EQ(first_of(drawing, 1), Vec2(10, 50));
+  EXPECT_EQ(last_of(drawing, 1), Vec2(90, 55));
+}
+
+TEST(MakeStrokes, KindAndObjectAreNotMixed) {
+  for (const bool same_kind : {false, true}) {
+    GraphBuilder b;
+    const int middle = b.node(NodeKind::joint, {50, 50});
+    b.line(b.node(NodeKind::end, {10, 50}), middle);
+    b.line(middle, b.node(NodeKind::end, {90, 50}), 0,
+           same_kind ? Kind::silhouette : Kind::boundary, same_kind ? 1 : 0);
+    EXPECT_EQ(count_of(strokes_of(b.graph)), 2U);
+  }
+}
+
+TEST(MakeStrokes, ClosedChainIsOneClosedStroke) {
+  GraphBuilder b;
+  const int left = b.node(NodeKind::joint, {10, 50});
+  const int right = b.node(NodeKind::joint, {90, 50});
+  b.arc({{10, 50}, {50, 10}, {90, 50}}, left, right);
+  b.arc({{10, 50}, {50, 90}, {90, 50}}, left, right);
+  const Drawing drawing = strokes_of(b.graph);
+  ASSERT_EQ(count_of(drawing), 1U);
+  EXPECT_EQ(drawing.closed[0], 1);
+  EXPECT_EQ(drawing.points.size(), 4U);
+}
+
+TEST(MakeStrokes, LoopThroughOneNodeCloses) {
+  GraphBuilder b;
+  const int joint = b.node(NodeKind::joint, {10, 50});
+  b.arc({{10, 50}, {50, 10}, {90, 50}, {50, 90}, {10, 50}}, joint, joint);
+  const Drawing drawing = strokes_of(b.graph);
+  ASSERT_EQ(count_of(drawing), 1U);
+  EXPECT_EQ(drawing.closed[0], 1);
+  EXPECT_EQ(drawing.points.size(), 4U);
+}
+
+TEST(MakeStrokes, KindsAreDrawnWhenAskedForAndSortedByKind) {
+  GraphBuilder b;
+  const std::vector<Kind> kinds{Kind::seam,   Kind::flat_outline, Kind::material,
+                                Kind::mark,   Kind::intersection, Kind::crease,
+                                Kind::boundary};
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    b.arc(circle({50, 50}, 5 + 5.0 * static_cast<double>(i), 40), none, none, 0, kinds[i]);
+  }
+  EXPECT_EQ(strokes_of(b.graph).kinds,
+            (std::vector<Kind>{Kind::boundary, Kind::crease, Kind::intersection}));
+  StrokeOptions options;
+  options.marks = options.materials = options.flat_outlines = true;
+  EXPECT_EQ(strokes_of(b.graph, options).kinds,
+            (std::vector<Kind>{Kind::boundary, Kind::crease, Kind::intersection, Kind::mark,
+                               Kind::material, Kind::flat_outline}));
+}
+
+TEST(MakeStrokes, ObjectsCanBeLeftUndrawnAndScaled) {
+  GraphBuilder b;
+  b.arc(circle({30, 50}, 10, 40), none, none, 0, Kind::silhouette, 0);
+  b.arc(circle({70, 50}, 10, 40), none, none, 0, Kind::silhouette, 1);
+  const Drawing drawing = strokes_of(b.graph, {}, {1, 3}, {1, 0});
+  ASSERT_EQ(drawing.objects, std::vector<int>{1});
+  for (const float width : drawing.widths) EXPECT_FLOAT_EQ(width, 6.0F);
+}
+
+TEST(MakeStrokes, CuspEndsThinOutAndJointsDoNot) {
+  GraphBuilder b;
+  const int cusp = b.node(NodeKind::cusp, {90, 50});
+  const int joint = b.node(NodeKind::joint, {10, 50});
+  b.line(joint, cusp);
+  b.line(joint, b.node(NodeKind::joint, {10, 10}), 0, Kind::boundary);
+  const Drawing drawing = strokes_of(b.graph);
+  ASSERT_EQ(count_of(drawing), 2U);
+  const auto end = static_cast<std::size_t>(drawing.offsets[1]);
+  EXPECT_FLOAT_EQ(drawing.widths[0], 2.0F);
+  EXPECT_LT(drawing.widths[end - 1], 0.5F);
+  EXPECT_FLOAT_EQ(drawing.widths[end - 4], 2.0F);
+  EXPECT_NEAR(drawing.image[end - 4].x(), 84, 1e-9);
+}
+
+TEST(MakeStrokes, DanglingSpecksAreDroppedAndGapsStayClosed) {
+  GraphBuilder b;
+  const int a = b.node(NodeKind::joint, {10, 50});
+  const int c = b.node(NodeKind::joint, {50, 50});
+  const int d = b.node(NodeKind::joint, {52, 50});
+  const int e = b.node(NodeKind::joint, {90, 50});
+  b.line(a, c);
+  b.line(c, d, 0, Kind::boundary);
+  b.line(d, e);
+  b.line(e, b.node(NodeKind::cusp, {92, 50}), 0, Kind::boundary);
+  b.arc(circle({50, 80}, 0.3, 20), none, none);
+  const Drawing drawing = strokes_of(b.graph);
+  ASSERT_EQ(count_of(drawing), 3U);
+  EXPECT_EQ(drawing.kinds[2], Kind::boundary);
+  EXPECT_EQ(first_of(drawing, 2), Vec2(50, 50));
+}
+
+TEST(MakeStrokes, ChainOfDanglingSpecksGoesWhole) {
+  GraphBuilder b;
+  const int a = b.node(NodeKind::joint, {50, 50});
+  const int c = b.node(NodeKind::joint, {52, 50});
+  b.line(b.node(NodeKind::joint, {10, 50}), a);
+  b.line(a, c, 0, Kind::boundary);
+  b.line(c, b.node(NodeKind::joint, {54, 50}), 0, Kind::crease);
+  EXPECT_EQ(count_of(strokes_of(b.graph)), 1U);
+}
+
+TEST(MakeStrokes, ClosedStrokeIsCutAtFrame) {
+  GraphBuilder b;
+  b.arc(circle({50, 50}, 60, 400), none, none);
+  const Drawing drawing = strokes_of(b.graph);
+  ASSERT_EQ(count_of(drawing), 4U);
+  for (std::size_t s = 0; s < 4; ++s) {
+    EXPECT_EQ(drawing.closed[s], 0);
+    for (const Vec2& end : {first_of(drawing, s), last_of(drawing, s)}) {
+      const double to_frame = std::min({end.x(), end.y(), size_px - end.x(), size_px - end.y()});
+      EXPECT_NEAR(to_frame, 0, 1e-12);
+    }
+  }
+}
+
+TEST(MakeStrokes, ClosedStrokeCutOnceStaysOnePiece) {
+  GraphBuilder b;
+  b.arc(circle({90, 50}, 20, 400), none, none);
+  EXPECT_EQ(count_of(strokes_of(b.graph)), 1U);
+  EXPECT_EQ(count_of(strokes_of(GraphBuilder().graph)), 0U);
+}
+
+TEST(MakeStrokes, WhatIsOutsideOrNotFiniteGivesNothing) {
+  GraphBuilder b;
+  b.arc(circle({-50, 50}, 20, 40), none, none);
+  b.arc({{NAN, 50}, {50, NAN}, {NAN, 10}}, b.node(NodeKind::end, {0, 0}),
+        b.node(NodeKind::end, {0, 0}));
+  EXPECT_EQ(count_of(strokes_of(b.graph)), 0U);
+}
+
+TEST(ClipAtFrame, WorldPointsFollowInPerspective) {
+  const Camera camera = perspective_camera();
+  StrokePath path;
+  for (const Vec3& p : {Vec3(0, 0, -2), Vec3(9, 1, -7)}) {
+    path.points.push_back({p, {}, camera.project(p).xy, 1});
+  }
+  const std::vector<StrokePath> parts = clip_at_frame(path, camera);
+  ASSERT_EQ(parts.size(), 1U);
+  const StrokePoint& cut = parts[0].points.back();
+  EXPECT_NEAR(cut.image.x(), size_px, 1e-12);
+  EXPECT_NEAR((camera.project(cut.position).xy - cut.image).norm(), 0, 1e-9);
+}
+
+double farthest_from(const std::vector<StrokePoint>& line, const Vec2& p) {
+  double nearest = INFINITY;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const Vec2 a = line[i].image;
+    const Vec2 chord = line[(i + 1) % line.size()].image - a;
+    const double t = std::clamp((p - a).dot(chord) / chord.squaredNorm(), 0.0, 1.0);
+    nearest = std::min(nearest, (p - a - t * chord).norm());
+  }
+  return nearest;
+}
+
+TEST(Simplify, StaysWithinToleranceAndNeedsFewerPoints) {
+  StrokePath path;
+  path.closed = true;
+  for (const Vec2& p : circle({50, 50}, 40, 2000)) path.points.push_back({{}, {}, p, 1});
+  std::size_t last_count = 2000;
+  for (const double tolerance : {0.01, 0.1, 1.0}) {
+    const StrokePath simple = simplify(path, tolerance);
+    for (const StrokePoint& p : path.points) {
+      EXPECT_LE(farthest_from(simple.points, p.image), tolerance + 1e-12);
+    }
+    // Chords of sagitta s on radius r span 2 sqrt(2 s / r); twice as many points are generous.
+    const double fewest = pi / std::sqrt(2 * tolerance / 40);
+    EXPECT_LE(static_cast<double>(simple.points.size()), 2 * fewest + 3);
+    EXPECT_LT(simple.points.size(), last_count);
+    last_count = simple.points.size();
+  }
+}
+
+TEST(Simplify, KeepsEndsAndTriangles) {
+  StrokePath line;
+  for (const double x : {0.0, 1.0, 2.0, 3.0}) line.points.push_back({{}, {}, {x, 0}, 1});
+  EXPECT_EQ(simplify(line, 0.1).points.size(), 2U);
+  StrokePath loop = line;
+  loop.closed = true;
+  EXPECT_EQ(simplify(loop, 10).points.size(), 3U);
+}
+
+// Brightness 0 on the left half, 1 on the right.
+ToneMap half_lit() {
+  ToneMap tone;
+  tone.width = tone.height = size_px;
+  tone.level.assign(size_px * size_px, Tone::midtone);
+  tone.band.assign(size_px * size_px, Band::nothing);
+  for (int i = 0; i < size_px * size_px; ++i) {
+    tone.brightness.push_back(i % size_px < size_px / 2 ? 0.0F : 1.0F);
+  }
+  return tone;
+}
+
+TEST(MakeStrokes, HatchesSwellInTheDarkAndThinOut) {
+  Hatches hatches;
+  for (int i = 0; i <= 80; ++i) hatches.curves.push({Vec3::Zero(), {}, Vec2(10.0 + i, 30)});
+  hatches.curves.close_list();
+  hatches.kinds = {Kind::cross_hatch};
+  hatches.objects = {0};
+  const Drawing drawing = make_strokes({}, hatches, half_lit(), flat_camera(), {}, {}, {});
+  ASSERT_EQ(count_of(drawing), 1U);
+  for (std::size_t i = 0; i < drawing.image.size(); ++i) {
+    const double x = drawing.image[i].x();
+    if (x < 16 || x > 84) continue;
+    EXPECT_NEAR(drawing.widths[i], x < 50 ? 1.4 : 0.6, 1e-6);
+  }
+  EXPECT_LT(drawing.widths.front(), 0.3F);
+  EXPECT_LT(drawing.widths.back(), 0.3F);
+}
+
+TEST(StrokeOptions, WrongFieldIsNamed) {
+  StrokeOptions options;
+  options.speck_px = NAN;
+  try {
+    validate(options);
+    FAIL();
+  } catch (const InvalidInput& error) {
+    EXPECT_NE(std::string(error.what()).find("speck_px"), std::string::npos);
+  }
+  options = {};
+  options.hidden_lines = {{3, 1}};
+  EXPECT_THROW(validate(options), InvalidInput);
+  options = {};
+  options.hatch_width_by_light = 1.5;
+  EXPECT_THROW(validate(options), InvalidInput);
+}
+
+}  // namespace
+}  // namespace illustrate

@@ -1,0 +1,129 @@
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "cameras.h"
+#include "check_graph.h"
+#include "contour/network.h"
+#include "shapes.h"
+#include "visibility/crossings.h"
+#include "visibility/label_network.h"
+
+namespace illustrate {
+namespace {
+
+LabelledGraph graph_of(const Surface& surface, const Camera& camera, Counts& counts) {
+  const Bvh bvh(surface.positions, surface.triangles);
+  const CurveNetwork network =
+      build_network(surface, feature_edges(surface), {}, camera, {}, counts);
+  LabelledGraph graph = label_network(network, surface, bvh, camera, counts);
+  check_graph(graph);
+  return graph;
+}
+
+int most_hidden(const LabelledGraph& graph) {
+  int most = 0;
+  for (const GraphArc& arc : graph.arcs) most = std::max(most, arc.invisibility);
+  return most;
+}
+
+TEST(Orientation, TiesAreSettledByIndexAndKeepTheParity) {
+  const GridPoint a{0, 0, 3}, b{0, 0, 1}, c{0, 0, 2};
+  EXPECT_NE(orientation(a, b, c), 0);
+  EXPECT_EQ(orientation(a, b, c), -orientation(b, a, c));
+  EXPECT_EQ(orientation(a, b, c), orientation(b, c, a));
+}
+
+// Any two closed polygons cross an even number of times, also on a grid so coarse that everything
+// touches.
+TEST(Crossings, OfClosedCurvesAreEvenInNumber) {
+  std::mt19937 random(7);
+  for (int trial = 0; trial < 300; ++trial) {
+    CurveNetwork network;
+    ImageStrands strands;
+    for (int s = 0; s < 2; ++s) {
+      for (int i = 0; i < 7; ++i) {
+        const std::int64_t x = random() % 4, y = random() % 4;
+        network.points.push({Vec3::Zero(), {}});
+        strands.image.emplace_back(x, -y);
+        strands.depth.push_back(s);
+        strands.grid.push_back({x, y, static_cast<int>(strands.grid.size())});
+      }
+      network.points.close_list();
+      network.strands.push_back({});
+    }
+    int between = 0;
+    for (const Crossing& c : find_crossings(network, strands)) {
+      between += c.front.strand != c.back.strand;
+    }
+    EXPECT_EQ(between % 2, 0);
+  }
+}
+
+TEST(Labels, OfASphereAreZero) {
+  Counts counts;
+  const LabelledGraph graph = graph_of(shapes::sphere_surface(1, 4),
+                                       cameras::perspective(Vec3(3, 2, 1), Vec3::Zero()), counts);
+  EXPECT_EQ(graph.arcs.size(), 1U);
+  EXPECT_EQ(most_hidden(graph), 0);
+}
+
+TEST(Labels, BehindAnotherSphereAreTwo) {
+  Surface pair = shapes::joined(shapes::sphere_surface(1, 4, Vec3(0, 0, 0)),
+                                shapes::sphere_surface(1, 4, Vec3(0.9, 5, 0.3)));
+  Counts counts;
+  const LabelledGraph graph = graph_of(pair, cameras::orthographic(Vec3(0, -1, 0), 3), counts);
+  EXPECT_EQ(counts["crossings"], 2);
+  EXPECT_EQ(most_hidden(graph), 2);
+  EXPECT_EQ(counts["unbalanced_loops"], 0);
+}
+
+TEST(Labels, OfANestedSphereComeFromARay) {
+  Surface pair = shapes::joined(shapes::sphere_surface(1, 4, Vec3(0, 0, 0)),
+                                shapes::sphere_surface(0.4, 4, Vec3(0.1, 5, 0.1)));
+  Counts counts;
+  const LabelledGraph graph = graph_of(pair, cameras::orthographic(Vec3(0, -1, 0), 3), counts);
+  EXPECT_EQ(counts["crossings"], 0);
+  EXPECT_EQ(most_hidden(graph), 2);
+}
+
+// R = 1, r = 0.4: the labels round the inner loop in the three regimes (method, section 4).
+TEST(Labels, OfATorusAreThoseOfItsRegime) {
+  const Surface torus = shapes::torus_surface(1, 0.4, 256, 128);
+  const auto labels = [&](double b, std::int64_t cusps, std::int64_t crossings) {
+    Counts counts;
+    const Vec3 direction(std::sqrt(1 - b * b), 0.013, b);
+    const LabelledGraph graph = graph_of(torus, cameras::orthographic(direction, 2), counts);
+    EXPECT_EQ(counts["cusps"], cusps) << b;
+    EXPECT_EQ(counts["crossings"], crossings) << b;
+    EXPECT_EQ(counts["unbalanced_loops"], 0) << b;
+    EXPECT_EQ(counts["loops"], 2) << b;
+    return most_hidden(graph);
+  };
+  EXPECT_EQ(labels(0.8, 0, 0), 0);
+  EXPECT_EQ(labels(0.5, 4, 2), 2);
+  EXPECT_EQ(labels(0.2, 4, 0), 2);
+}
+
+TEST(Labels, OfAnOpenSheetChangeByOneBehindItsBoundary) {
+  const Surface sheets =
+      shapes::joined(shapes::plain_surface(shapes::moved(shapes::plane(4, 4), Vec3(0, 0, 0))),
+                     shapes::plain_surface(shapes::moved(shapes::plane(4, 4), Vec3(0.7, 0.4, -3))));
+  Counts counts;
+  const LabelledGraph graph = graph_of(sheets, cameras::orthographic(Vec3(0, 0.01, 1), 3), counts);
+  EXPECT_EQ(counts["crossings"], 2);
+  EXPECT_EQ(most_hidden(graph), 1);
+}
+
+TEST(Labels, OfAPolygonCubeAreZeroAlongItsOutline) {
+  Surface cube = shapes::plain_surface(shapes::cube());
+  cube.object_is_smooth = {0};
+  Counts counts;
+  const LabelledGraph graph =
+      graph_of(cube, cameras::perspective(Vec3(4, 5, 6), Vec3::Zero()), counts);
+  EXPECT_EQ(graph.arcs.size(), 6U);
+  EXPECT_EQ(most_hidden(graph), 0);
+}
+
+}  // namespace
+}  // namespace illustrate

@@ -1,0 +1,116 @@
+#include "visibility/arrangement.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace illustrate {
+namespace {
+
+bool runs_before(const Visit& a, const Visit& b) {
+  return std::tie(a.place.segment, a.place.fraction, a.crossing, a.front) <
+         std::tie(b.place.segment, b.place.fraction, b.crossing, b.front);
+}
+
+class PathFinder {
+ public:
+  explicit PathFinder(const CurveNetwork& network)
+      : network_(network),
+        next_(network.strands.size(), none),
+        previous_(network.strands.size(), none),
+        used_(network.strands.size(), 0) {
+    for (std::size_t t = 0; t < network.ties.size(); ++t) {
+      next_[idx(network.ties[t].a)] = static_cast<int>(t);
+      previous_[idx(network.ties[t].b)] = static_cast<int>(t);
+    }
+  }
+
+  std::vector<Path> run() {
+    std::vector<Path> paths;
+    for (const bool open : {true, false}) {
+      for (std::size_t s = 0; s < network_.strands.size(); ++s) {
+        if (!used_[s] && (!open || previous_[s] == none))
+          paths.push_back(follow(static_cast<int>(s)));
+      }
+    }
+    return paths;
+  }
+
+ private:
+  Path follow(int first) {
+    Path path;
+    path.cyclic = network_.strands[idx(first)].closed() || previous_[idx(first)] != none;
+    const int entry = previous_[idx(first)];
+    int jump = entry == none ? 0 : network_.ties[idx(entry)].jump;
+    for (int s = first;;) {
+      used_[idx(s)] = 1;
+      path.strands.push_back(s);
+      path.jumps.push_back(jump);
+      const int tie = next_[idx(s)];
+      if (tie == none) break;
+      s = network_.ties[idx(tie)].b;
+      jump = network_.ties[idx(tie)].jump;
+      if (used_[idx(s)]) break;
+    }
+    return path;
+  }
+
+  const CurveNetwork& network_;
+  std::vector<int> next_;
+  std::vector<int> previous_;
+  std::vector<std::uint8_t> used_;
+};
+
+}  // namespace
+
+void Arrangement::sort_visits() {
+  visits.assign(network->strands.size(), {});
+  for (std::size_t c = 0; c < crossings.size(); ++c) {
+    if (dropped[c]) continue;
+    const Crossing& x = crossings[c];
+    visits[idx(x.front.strand)].push_back({static_cast<int>(c), true, x.front});
+    visits[idx(x.back.strand)].push_back({static_cast<int>(c), false, x.back});
+  }
+  for (std::vector<Visit>& list : visits) std::sort(list.begin(), list.end(), runs_before);
+}
+
+int Arrangement::point_count(int strand) const {
+  return network->points.offsets[idx(strand) + 1] - network->points.offsets[idx(strand)];
+}
+
+std::size_t Arrangement::point(int strand, int i) const {
+  return idx(network->points.offsets[idx(strand)] + i % point_count(strand));
+}
+
+Vec2 Arrangement::image_at(const StrandPlace& place) const {
+  const Vec2& a = image.image[point(place.strand, place.segment)];
+  const Vec2& b = image.image[point(place.strand, place.segment + 1)];
+  return a + place.fraction * (b - a);
+}
+
+Vec3 Arrangement::world_at(const StrandPlace& place) const {
+  const std::size_t i = point(place.strand, place.segment);
+  const std::size_t j = point(place.strand, place.segment + 1);
+  const Vec3 &a = network->points.values[i].position, &b = network->points.values[j].position;
+  const double f =
+      world_fraction(place.fraction, image.depth[i], image.depth[j], image.perspective);
+  return a + f * (b - a);
+}
+
+Arrangement arrange(const CurveNetwork& network, const Camera& camera) {
+  Arrangement result;
+  result.network = &network;
+  result.image = project_strands(network, camera);
+  result.crossings = find_crossings(network, result.image);
+  result.dropped.assign(result.crossings.size(), 0);
+  result.paths = PathFinder(network).run();
+  result.sort_visits();
+  return result;
+}
+
+int back_change(const Arrangement& arrangement, const Crossing& crossing) {
+  const Strand& front = arrangement.network->strands[idx(crossing.front.strand)];
+  const int to_left = front.left_layers - front.right_layers;
+  return crossing.enters_left ? to_left : -to_left;
+}
+
+}  // namespace illustrate

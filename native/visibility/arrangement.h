@@ -1,0 +1,49 @@
+// Strands, their crossings in order, and the paths along which quantitative invisibility is a
+// potential.
+#pragma once
+
+#include "visibility/crossings.h"
+
+namespace illustrate {
+
+// One passage of a strand through a crossing.
+struct Visit {
+  int crossing;
+  bool front;
+  StrandPlace place;
+};
+
+// Strands tied one after another, each by a known change: a potential runs along them.
+struct Path {
+  std::vector<int> strands;
+  std::vector<int>
+      jumps;  // change of invisibility on entering strands[i]; [0] only counts when cyclic
+  bool cyclic = false;  // also a single closed strand
+};
+
+struct Arrangement {
+  const CurveNetwork* network = nullptr;
+  ImageStrands image;
+  std::vector<Crossing> crossings;
+  std::vector<std::uint8_t> dropped;  // (crossings) 1: repaired away
+  std::vector<Path> paths;
+  std::vector<std::vector<Visit>> visits;  // per strand, in order, without dropped ones
+
+  // Must be called after `dropped` has changed.
+  void sort_visits();
+
+  // Image and world points of a strand's place.
+  Vec2 image_at(const StrandPlace& place) const;
+  Vec3 world_at(const StrandPlace& place) const;
+  // Index into network->points.values of point i of a strand, cyclic for closed ones.
+  std::size_t point(int strand, int i) const;
+  int point_count(int strand) const;
+};
+
+// `network` must outlive the result.
+Arrangement arrange(const CurveNetwork& network, const Camera& camera);
+
+// Change of invisibility of the back strand at a crossing, in its direction.
+int back_change(const Arrangement& arrangement, const Crossing& crossing);
+
+}  // namespace illustrate

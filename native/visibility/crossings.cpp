@@ -1,0 +1,133 @@
+#include "visibility/crossings.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "visibility/segment_pairs.h"
+
+namespace illustrate {
+namespace {
+
+__extension__ using Wide = __int128;
+
+Wide turn(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
+  return Wide(b.x - a.x) * (c.y - a.y) - Wide(b.y - a.y) * (c.x - a.x);
+}
+
+int sign(std::int64_t x) { return (x > 0) - (x < 0); }
+
+// The sign of a vanishing determinant of i < j < k when every point is moved by its own
+// infinitesimal.
+int perturbed(const GridPoint& i, const GridPoint& j, const GridPoint& k) {
+  if (k.x != j.x) return sign(k.x - j.x);
+  if (j.y != k.y) return sign(j.y - k.y);
+  if (i.x != k.x) return sign(i.x - k.x);
+  return 1;
+}
+
+struct Segment {
+  int strand;
+  int segment;
+  int a;  // its two points among all points
+  int b;
+};
+
+std::vector<Segment> all_segments(const CurveNetwork& network) {
+  std::vector<Segment> result;
+  for (std::size_t s = 0; s < network.strands.size(); ++s) {
+    const int begin = network.points.offsets[s], end = network.points.offsets[s + 1];
+    const int strand = static_cast<int>(s);
+    for (int p = begin; p + 1 < end; ++p) result.push_back({strand, p - begin, p, p + 1});
+    if (network.strands[s].closed()) result.push_back({strand, end - 1 - begin, end - 1, begin});
+  }
+  return result;
+}
+
+SegmentBox box_of(const GridPoint& a, const GridPoint& b) {
+  return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+}
+
+class CrossingFinder {
+ public:
+  CrossingFinder(const CurveNetwork& network, const ImageStrands& strands)
+      : strands_(strands), segments_(all_segments(network)) {}
+
+  std::vector<Crossing> run() {
+    std::vector<SegmentBox> boxes;
+    for (const Segment& s : segments_) {
+      boxes.push_back(box_of(strands_.grid[idx(s.a)], strands_.grid[idx(s.b)]));
+    }
+    std::vector<std::pair<int, int>> pairs;
+    overlapping_boxes(boxes, [&](int i, int j) {
+      if (cross(segments_[idx(i)], segments_[idx(j)])) pairs.emplace_back(i, j);
+    });
+    std::sort(pairs.begin(), pairs.end());
+    std::vector<Crossing> result;
+    for (const auto& [i, j] : pairs)
+      result.push_back(crossing(segments_[idx(i)], segments_[idx(j)]));
+    return result;
+  }
+
+ private:
+  const GridPoint& grid(int point) const { return strands_.grid[idx(point)]; }
+
+  bool cross(const Segment& s, const Segment& t) const {
+    const GridPoint &a = grid(s.a), &b = grid(s.b), &c = grid(t.a), &d = grid(t.b);
+    if (a.id == b.id || c.id == d.id) return false;
+    if (a.id == c.id || a.id == d.id || b.id == c.id || b.id == d.id) return false;
+    return orientation(a, b, c) != orientation(a, b, d) &&
+           orientation(c, d, a) != orientation(c, d, b);
+  }
+
+  // Share of s at which it crosses t.
+  double fraction(const Segment& s, const Segment& t) const {
+    const auto from = static_cast<long double>(turn(grid(t.a), grid(t.b), grid(s.a)));
+    const auto to = static_cast<long double>(turn(grid(t.a), grid(t.b), grid(s.b)));
+    if (from == to) return 0.5;
+    return std::clamp(static_cast<double>(from / (from - to)), 0.0, 1.0);
+  }
+
+  double depth(const Segment& s, double image_fraction) const {
+    const double a = strands_.depth[idx(s.a)], b = strands_.depth[idx(s.b)];
+    return a + world_fraction(image_fraction, a, b, strands_.perspective) * (b - a);
+  }
+
+  Crossing crossing(const Segment& s, const Segment& t) const {
+    const double fs = fraction(s, t), ft = fraction(t, s);
+    const StrandPlace ps{s.strand, s.segment, fs}, pt{t.strand, t.segment, ft};
+    const bool s_in_front = depth(s, fs) <= depth(t, ft);
+    const Segment& front = s_in_front ? s : t;
+    const Segment& back = s_in_front ? t : s;
+    const bool from_right = orientation(grid(front.a), grid(front.b), grid(back.a)) < 0;
+    const Vec2 &a = strands_.image[idx(s.a)], &b = strands_.image[idx(s.b)];
+    return {s_in_front ? ps : pt, s_in_front ? pt : ps, a + fs * (b - a), from_right};
+  }
+
+  const ImageStrands& strands_;
+  std::vector<Segment> segments_;
+};
+
+}  // namespace
+
+int orientation(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
+  std::array<const GridPoint*, 3> p{&a, &b, &c};
+  int parity = 1;
+  const auto order = [&](std::size_t i, std::size_t j) {
+    if (p[i]->id > p[j]->id) {
+      std::swap(p[i], p[j]);
+      parity = -parity;
+    }
+  };
+  order(0, 1);
+  order(1, 2);
+  order(0, 1);
+  const Wide determinant = turn(*p[0], *p[1], *p[2]);
+  if (determinant != 0) return determinant > 0 ? parity : -parity;
+  return parity * perturbed(*p[0], *p[1], *p[2]);
+}
+
+std::vector<Crossing> find_crossings(const CurveNetwork& network, const ImageStrands& strands) {
+  return CrossingFinder(network, strands).run();
+}
+
+}  // namespace illustrate

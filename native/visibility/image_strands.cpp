@@ -1,0 +1,55 @@
+#include "visibility/image_strands.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/tolerances.h"
+
+namespace illustrate {
+namespace {
+
+// Twice this many pixels, in grid units, stay below 2^46: products of differences fit 128 bits.
+// Only what nearly touches the eye lies farther out.
+constexpr double farthest_px = 5e8;
+
+double within_reach(double x) {
+  return std::isfinite(x) ? std::clamp(x, -farthest_px, farthest_px) : 0;
+}
+
+std::int64_t to_grid(double px) { return std::llround(px / tolerance::image_grid_px); }
+
+void share_node_ids(const CurveNetwork& network, std::vector<GridPoint>& grid) {
+  for (std::size_t s = 0; s < network.strands.size(); ++s) {
+    const Strand& strand = network.strands[s];
+    if (strand.closed()) continue;
+    grid[idx(network.points.offsets[s])].id = strand.start_node;
+    grid[idx(network.points.offsets[s + 1] - 1)].id = strand.end_node;
+  }
+}
+
+}  // namespace
+
+ImageStrands project_strands(const CurveNetwork& network, const Camera& camera) {
+  ImageStrands result;
+  result.perspective = camera.is_perspective();
+  const int nodes = static_cast<int>(network.nodes.size());
+  for (const CurvePoint& p : network.points.values) {
+    const ImagePoint seen = camera.project(p.position);
+    const Vec2 xy(within_reach(seen.xy.x()), within_reach(seen.xy.y()));
+    result.image.push_back(xy);
+    result.depth.push_back(std::isfinite(seen.depth) ? seen.depth : 0);
+    const int id = nodes + static_cast<int>(result.grid.size());
+    result.grid.push_back({to_grid(xy.x()), -to_grid(xy.y()), id});
+  }
+  share_node_ids(network, result.grid);
+  return result;
+}
+
+double world_fraction(double image_fraction, double depth_a, double depth_b, bool perspective) {
+  if (!perspective) return image_fraction;
+  const double denominator = depth_b + image_fraction * (depth_a - depth_b);
+  const double fraction = image_fraction * depth_a / denominator;
+  return fraction >= 0 && fraction <= 1 ? fraction : image_fraction;
+}
+
+}  // namespace illustrate

@@ -1,0 +1,25 @@
+// Stage `visibility`: crossings in the image and the number of layers in front of every arc
+// (paper section 4.4; departure: labels that cannot contradict each other take the place of the
+// vote).
+//
+// Image points are rounded to a grid of 2^-16 px; crossings are decided with exact predicates and a
+// symbolic perturbation by index, so that two closed curves always cross an even number of times.
+// Quantitative invisibility is then a potential: it changes only where a curve passes behind
+// another and at cusps. One ray, or the outside of the drawing, gives the base of each connected
+// component. A cycle whose changes do not sum to zero is broken where it shows least.
+#pragma once
+
+#include "contour/curve_network.h"
+#include "core/progress.h"
+#include "mesh/bvh.h"
+#include "surface/surface.h"
+#include "view/camera.h"
+#include "visibility/labelled_graph.h"
+
+namespace illustrate {
+
+// Adds "crossings", "rays", "loops", "unbalanced_loops", "repairs" to `counts`.
+LabelledGraph label_network(const CurveNetwork& network, const Surface& surface, const Bvh& bvh,
+                            const Camera& camera, Counts& counts, const Progress& progress = {});
+
+}  // namespace illustrate

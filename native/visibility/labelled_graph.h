@@ -1,0 +1,37 @@
+// The labelled graph: every curve of a view cut into arcs of constant quantitative invisibility.
+#pragma once
+
+#include "contour/curve_network.h"
+#include "core/report.h"
+
+namespace illustrate {
+
+struct GraphNode {
+  NodeKind kind;
+  Vec2 image;
+  // crossing: front in, front out, back in, back out ("in" arcs end here, "out" arcs start); cusp:
+  // near, far, none, none; else none: arc_nodes decides.
+  std::array<int, 4> arcs{none, none, none, none};
+};
+
+struct GraphArc {
+  Kind kind;
+  int object;
+  int strand;             // of the network it comes from
+  int start_node = none;  // both none: a closed loop without nodes
+  int end_node = none;
+  int invisibility = 0;  // layers of surface in front
+  int left_layers = 0;   // as in Strand
+  int right_layers = 0;
+};
+
+// points[i] and image[i] run along arcs[i]; closed loops do not repeat their first point.
+struct LabelledGraph {
+  std::vector<GraphNode> nodes;
+  std::vector<GraphArc> arcs;
+  Ragged<CurvePoint> points;
+  Ragged<Vec2> image;
+  double repair_max_px = 0;  // the farthest that a repair moved a point
+};
+
+}  // namespace illustrate

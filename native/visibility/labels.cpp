@@ -1,0 +1,251 @@
+#include "visibility/labels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+namespace illustrate {
+namespace {
+
+constexpr std::size_t most_arcs_asked = 1000;  // of one path, the longest ones
+constexpr double asked_thrice_px = 30;         // longer arcs are asked at three places
+constexpr double outline_weight = 1e4;  // the outside of the drawing is certain: px of length
+constexpr double hidden_break_px = 12;  // what a break costs, in px of wrong label
+constexpr double visible_break_px = 30;
+constexpr int most_layers = 64;
+constexpr double least_weight = 1e-6;  // an arc without length still prefers its ray
+constexpr int outline_directions = 16;
+constexpr double full_turn = 6.283185307179586;
+
+// What is known of an arc: so many layers, worth so much.
+struct Evidence {
+  int layers;
+  double weight;
+};
+
+// The labels along a path as the cheapest way through (arc, layers): from one arc to the next the
+// label changes as the rules say, within an arc it may jump at the price of a break.
+class LeastContradiction {
+ public:
+  LeastContradiction(LabelledPath& path, const std::vector<Evidence>& evidence, bool cyclic)
+      : path_(path),
+        arcs_(path.labels.arcs),
+        evidence_(evidence),
+        cyclic_(cyclic),
+        states_(state_count()) {}
+
+  void solve() {
+    double best = infinity;
+    for (int start = 0; start < (cyclic_ ? states_ : 1); ++start) try_start(start, best);
+  }
+
+ private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  int state_count() const {
+    int low = 0, high = 0, most = 0;
+    for (std::size_t i = 0; i < arcs_.size(); ++i) {
+      low = std::min(low, arcs_[i].offset);
+      high = std::max(high, arcs_[i].offset);
+      most = std::max(most, evidence_[i].layers);
+    }
+    return std::min(most + high - low + 3, most_layers);
+  }
+
+  double wrong(std::size_t arc, int layers) const {
+    return evidence_[arc].weight * std::abs(layers - evidence_[arc].layers);
+  }
+
+  double broken(std::size_t arc, int from, int to) const {
+    const double price = from == 0 || to == 0 ? visible_break_px : hidden_break_px;
+    return (wrong(arc, from) + wrong(arc, to)) / 2 + price;
+  }
+
+  // The label at an arc's end from the costs of those at its start; remembers where each came from.
+  std::vector<double> through(std::size_t arc, const std::vector<double>& in) {
+    std::vector<double> out(in.size());
+    for (int to = 0; to < states_; ++to) {
+      double best = in[idx(to)] + wrong(arc, to);
+      int best_from = to;
+      for (int from = 0; from < states_; ++from) {
+        if (from == to || in[idx(from)] == infinity) continue;
+        const double cost = in[idx(from)] + broken(arc, from, to);
+        if (cost < best) {
+          best = cost;
+          best_from = from;
+        }
+      }
+      out[idx(to)] = best;
+      origin_[arc * idx(states_) + idx(to)] = best_from;
+    }
+    return out;
+  }
+
+  std::vector<double> to_next(std::size_t arc, const std::vector<double>& out) const {
+    std::vector<double> in(out.size(), infinity);
+    const int change = path_.labels.change_behind(arc);
+    for (int q = 0; q < states_; ++q) {
+      if (q + change >= 0 && q + change < states_) in[idx(q + change)] = out[idx(q)];
+    }
+    return in;
+  }
+
+  // Cyclic paths start with exactly `start` layers and have to come back to them.
+  void try_start(int start, double& best) {
+    origin_.assign(arcs_.size() * idx(states_), 0);
+    std::vector<double> cost(idx(states_), cyclic_ ? infinity : 0);
+    cost[idx(start)] = 0;
+    for (std::size_t arc = 0; arc < arcs_.size(); ++arc) {
+      cost = through(arc, cost);
+      if (arc + 1 < arcs_.size()) cost = to_next(arc, cost);
+    }
+    int last = static_cast<int>(std::min_element(cost.begin(), cost.end()) - cost.begin());
+    if (cyclic_) last = start - path_.labels.change_behind(arcs_.size() - 1);
+    if (last < 0 || last >= states_ || !(cost[idx(last)] < best)) return;
+    best = cost[idx(last)];
+    trace_back(last);
+  }
+
+  void trace_back(int last) {
+    path_.at_start.assign(arcs_.size(), 0);
+    path_.at_end.assign(arcs_.size(), 0);
+    for (std::size_t arc = arcs_.size(); arc-- > 0;) {
+      path_.at_end[arc] = last;
+      path_.at_start[arc] = origin_[arc * idx(states_) + idx(last)];
+      if (arc > 0) last = path_.at_start[arc] - path_.labels.change_behind(arc - 1);
+    }
+  }
+
+  LabelledPath& path_;
+  const std::vector<PathArc>& arcs_;
+  const std::vector<Evidence>& evidence_;
+  bool cyclic_;
+  int states_;
+  std::vector<int> origin_;  // [arc, label at its end] -> label at its start
+};
+
+// Points of the drawing that are extreme in some direction: nothing can lie in front of their
+// strands.
+std::map<int, std::vector<int>> outline_points(const Arrangement& arrangement) {
+  std::map<int, std::vector<int>> result;
+  const CurveNetwork& network = *arrangement.network;
+  for (int d = 0; d < outline_directions; ++d) {
+    const double angle = full_turn * (d + 0.137) / outline_directions;
+    const Vec2 direction(std::cos(angle), std::sin(angle));
+    int best_strand = none, best_point = none;
+    double best = 0;
+    for (std::size_t s = 0; s < network.strands.size(); ++s) {
+      for (int i = 0; i < arrangement.point_count(static_cast<int>(s)); ++i) {
+        const Vec2& p = arrangement.image.image[arrangement.point(static_cast<int>(s), i)];
+        const double reach = p.dot(direction);
+        if (best_strand != none && reach <= best) continue;
+        best = reach;
+        best_strand = static_cast<int>(s);
+        best_point = i;
+      }
+    }
+    if (best_strand != none) result[best_strand].push_back(best_point);
+  }
+  return result;
+}
+
+class Labeller {
+ public:
+  Labeller(const Arrangement& arrangement, LayerRays& rays)
+      : arrangement_(arrangement), rays_(rays), outline_(outline_points(arrangement)) {}
+
+  LabelledPath label(const Path& path) {
+    LabelledPath result;
+    result.labels = relative_labels(arrangement_, path);
+    const std::vector<Evidence> evidence = gather(result.labels.arcs);
+    LeastContradiction(result, evidence, path.cyclic).solve();
+    return result;
+  }
+
+ private:
+  // Evidence for the longest arcs, by rays; weight 0 for the others.
+  std::vector<Evidence> gather(const std::vector<PathArc>& arcs) {
+    std::vector<std::size_t> order(arcs.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+      return arcs[i].length_px != arcs[j].length_px ? arcs[i].length_px > arcs[j].length_px : i < j;
+    });
+    std::vector<Evidence> evidence(arcs.size(), {0, 0});
+    for (std::size_t k = 0; k < std::min(most_arcs_asked, order.size()); ++k) {
+      const PathArc& arc = arcs[order[k]];
+      evidence[order[k]] = {layers(arc), arc.length_px + least_weight};
+    }
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      if (is_outline(arcs[i])) evidence[i] = {0, outline_weight};
+    }
+    return evidence;
+  }
+
+  int layers(const PathArc& arc) {
+    if (arc.length_px < asked_thrice_px) return rays_.count(arrangement_, arc.samples[1]);
+    std::array<int, 3> counts;
+    for (std::size_t k = 0; k < 3; ++k) counts[k] = rays_.count(arrangement_, arc.samples[k]);
+    std::sort(counts.begin(), counts.end());
+    return counts[1];
+  }
+
+  bool is_outline(const PathArc& arc) const {
+    const auto found = outline_.find(arc.strand);
+    if (found == outline_.end()) return false;
+    const std::vector<Visit>& visits = arrangement_.visits[idx(arc.strand)];
+    const bool closed = arrangement_.network->strands[idx(arc.strand)].closed();
+    const auto contains = [&](int point) {
+      const bool behind = arc.begin == none || visits[idx(arc.begin)].place.segment < point;
+      const bool before = arc.end == none || visits[idx(arc.end)].place.segment >= point;
+      const bool wraps = closed && arc.begin != none && arc.end <= arc.begin;
+      return wraps ? behind || before : behind && before;
+    };
+    return std::any_of(found->second.begin(), found->second.end(), contains);
+  }
+
+  const Arrangement& arrangement_;
+  LayerRays& rays_;
+  std::map<int, std::vector<int>> outline_;
+};
+
+}  // namespace
+
+std::vector<LabelledPath> label_paths(const Arrangement& arrangement, LayerRays& rays,
+                                      const Progress& progress) {
+  Labeller labeller(arrangement, rays);
+  std::vector<LabelledPath> result;
+  for (std::size_t p = 0; p < arrangement.paths.size(); ++p) {
+    result.push_back(labeller.label(arrangement.paths[p]));
+    if (p % 16 == 0)
+      progress.report(static_cast<double>(p) / static_cast<double>(arrangement.paths.size()));
+  }
+  return result;
+}
+
+std::vector<int> contradictions(const Arrangement& arrangement,
+                                const std::vector<LabelledPath>& paths) {
+  std::vector<int> front(arrangement.crossings.size(), 0), back(arrangement.crossings.size(), 0);
+  for (const LabelledPath& path : paths) {
+    for (std::size_t i = 0; i < path.labels.arcs.size(); ++i) {
+      const PathArc& arc = path.labels.arcs[i];
+      if (arc.begin == none) continue;
+      const Visit& visit = arrangement.visits[idx(arc.strand)][idx(arc.begin)];
+      const int layers = path.at_start[i];
+      const int change = back_change(arrangement, arrangement.crossings[idx(visit.crossing)]);
+      if (visit.front) {
+        front[idx(visit.crossing)] = layers;
+      } else {
+        back[idx(visit.crossing)] = std::min(layers, layers - change);
+      }
+    }
+  }
+  std::vector<int> result;
+  for (std::size_t c = 0; c < front.size(); ++c) {
+    if (!arrangement.dropped[c] && back[c] < front[c]) result.push_back(static_cast<int>(c));
+  }
+  return result;
+}
+
+}  // namespace illustrate

@@ -1,0 +1,33 @@
+// Layers of surface in front of a curve, counted by a ray to the eye.
+#pragma once
+
+#include "mesh/bvh.h"
+#include "surface/surface.h"
+#include "visibility/arrangement.h"
+
+namespace illustrate {
+
+class LayerRays {
+ public:
+  LayerRays(const Surface& surface, const Bvh& bvh, const Camera& camera)
+      : surface_(surface), bvh_(bvh), camera_(camera) {}
+
+  // At an inner place of a strand. The ray starts a little to the side where the strand's own
+  // surface is not, and takes no notice of what is nearer than the mesh can resolve: the contour
+  // lies on the smooth surface, not on its triangles.
+  int count(const Arrangement& arrangement, const StrandPlace& place);
+
+  std::int64_t rays() const { return rays_; }
+
+ private:
+  Vec3 beside(const Vec3& p, const Vec2& along_px) const;
+  double blind_distance(const Strand& strand, int triangle, const Vec3& p) const;
+
+  const Surface& surface_;
+  const Bvh& bvh_;
+  const Camera& camera_;
+  std::vector<RayHit> hits_;
+  std::int64_t rays_ = 0;
+};
+
+}  // namespace illustrate

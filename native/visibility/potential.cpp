@@ -1,0 +1,98 @@
+#include "visibility/potential.h"
+
+namespace illustrate {
+namespace {
+
+class PathWalker {
+ public:
+  PathWalker(const Arrangement& arrangement, const Path& path)
+      : arrangement_(arrangement), path_(path) {}
+
+  PathLabels run() {
+    for (std::size_t i = 0; i < path_.strands.size(); ++i) {
+      if (i > 0) offset_ += path_.jumps[i];
+      walk(path_.strands[i]);
+    }
+    if (path_.cyclic) labels_.residual = offset_ + path_.jumps[0];
+    return std::move(labels_);
+  }
+
+ private:
+  void walk(int strand) {
+    const std::vector<Visit>& visits = arrangement_.visits[idx(strand)];
+    const int count = static_cast<int>(visits.size());
+    const bool closed = arrangement_.network->strands[idx(strand)].closed();
+    if (!closed || count == 0) add_arc(strand, none, count == 0 ? none : 0);
+    for (int v = 0; v < count; ++v) {
+      const Visit& visit = visits[idx(v)];
+      if (!visit.front) {
+        offset_ += back_change(arrangement_, arrangement_.crossings[idx(visit.crossing)]);
+      }
+      const bool last = v + 1 == count;
+      add_arc(strand, v, last ? (closed ? 0 : none) : v + 1);
+    }
+  }
+
+  StrandPlace place(int strand, int visit, int point) const {
+    if (visit != none) return arrangement_.visits[idx(strand)][idx(visit)].place;
+    return {strand, point, 0};
+  }
+
+  void add_arc(int strand, int begin, int end) {
+    const int count = arrangement_.point_count(strand);
+    const bool closed = arrangement_.network->strands[idx(strand)].closed();
+    const StrandPlace from = place(strand, begin, 0);
+    StrandPlace to = place(strand, end, closed ? count : count - 1);
+    const bool wraps = closed && begin != none && end != none && end <= begin;
+    if (wraps) to.segment += count;
+    measure({strand, begin, end, offset_, 0, {}}, from, to);
+  }
+
+  // Image length and the places at its quarters.
+  void measure(PathArc arc, const StrandPlace& from, const StrandPlace& to) {
+    std::vector<StrandPlace> places{from};
+    for (int i = from.segment + 1; i <= to.segment; ++i) places.push_back({arc.strand, i, 0});
+    places.push_back(to);
+    std::vector<double> reach{0};
+    for (std::size_t i = 1; i < places.size(); ++i) {
+      const Vec2 step = image_of(places[i]) - image_of(places[i - 1]);
+      reach.push_back(reach.back() + step.norm());
+    }
+    arc.length_px = reach.back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double wanted = reach.back() * static_cast<double>(k + 1) / 4;
+      std::size_t i = 1;
+      while (i + 1 < reach.size() && reach[i] < wanted) ++i;
+      const double step = reach[i] - reach[i - 1];
+      arc.samples[k] =
+          between(places[i - 1], places[i], step > 0 ? (wanted - reach[i - 1]) / step : 0.5);
+    }
+    labels_.arcs.push_back(arc);
+  }
+
+  Vec2 image_of(const StrandPlace& p) const {
+    if (p.fraction == 0) return arrangement_.image.image[arrangement_.point(p.strand, p.segment)];
+    return arrangement_.image_at(p);
+  }
+
+  // A place within a stretch of one segment, whose `to` may be written as the start of the next
+  // one.
+  StrandPlace between(const StrandPlace& from, const StrandPlace& to, double share) const {
+    const double end = to.segment == from.segment ? to.fraction : 1;
+    const int count = arrangement_.point_count(from.strand);
+    return {from.strand, from.segment % count, from.fraction + share * (end - from.fraction)};
+  }
+
+  const Arrangement& arrangement_;
+  const Path& path_;
+  PathLabels labels_;
+  int offset_ = 0;
+};
+
+}  // namespace
+
+PathLabels relative_labels(const Arrangement& arrangement, const Path& path) {
+  return PathWalker(arrangement, path).run();
+}
+
+}  // namespace illustrate

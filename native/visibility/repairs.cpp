@@ -1,0 +1,234 @@
+#include "visibility/repairs.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace illustrate {
+namespace {
+
+constexpr double twist_px = 0.5;
+constexpr double lens_px = 0.3;
+constexpr int longest_repair = 60;  // points between two crossings that are taken for one
+
+// Where a crossing is met along a path: which strand of it, and which visit of that strand.
+struct Stop {
+  int path;
+  int step;   // index into Path::strands
+  int visit;  // index into Arrangement::visits
+};
+
+double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 along = b - a;
+  const double square = along.squaredNorm();
+  const double t = square > 0 ? std::clamp((p - a).dot(along) / square, 0.0, 1.0) : 0;
+  return (p - a - t * along).norm();
+}
+
+double farthest(const std::vector<Vec2>& from, const std::vector<Vec2>& to) {
+  double result = 0;
+  for (const Vec2& p : from) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < to.size(); ++i) {
+      nearest = std::min(nearest, distance_to_segment(p, to[i], to[i + 1]));
+    }
+    result = std::max(result, nearest);
+  }
+  return result;
+}
+
+// The image points of a path from one stop to a later one.
+struct Stretch {
+  std::vector<Vec2> points;
+  int cusps = 0;
+  bool found = false;
+};
+
+class Repairer {
+ public:
+  Repairer(Arrangement& arrangement, double& moved_px)
+      : arrangement_(arrangement),
+        moved_px_(moved_px),
+        path_of_(arrangement.visits.size()),
+        step_of_(arrangement.visits.size()) {
+    for (std::size_t p = 0; p < arrangement.paths.size(); ++p) {
+      const std::vector<int>& strands = arrangement.paths[p].strands;
+      for (std::size_t i = 0; i < strands.size(); ++i) {
+        path_of_[idx(strands[i])] = static_cast<int>(p);
+        step_of_[idx(strands[i])] = static_cast<int>(i);
+      }
+    }
+  }
+
+  int twists() {
+    index_stops();
+    int dropped = 0;
+    for (std::size_t c = 0; c < arrangement_.crossings.size(); ++c) {
+      if (!arrangement_.dropped[c] && is_twist(static_cast<int>(c)))
+        dropped += drop(static_cast<int>(c));
+    }
+    arrangement_.sort_visits();
+    return dropped;
+  }
+
+  // All contradictory lenses, or those of the given crossings.
+  int lenses(const std::vector<int>* wanted) {
+    index_stops();
+    int dropped = 0;
+    for (std::size_t k = 0; k < (wanted ? wanted->size() : arrangement_.crossings.size()); ++k) {
+      const int c = wanted ? (*wanted)[k] : static_cast<int>(k);
+      if (arrangement_.dropped[idx(c)]) continue;
+      const int partner = lens_partner(c, wanted == nullptr);
+      if (partner != none) dropped += drop(c) + drop(partner);
+    }
+    arrangement_.sort_visits();
+    return dropped;
+  }
+
+ private:
+  // stops_[2 c] where crossing c is front, stops_[2 c + 1] where it is back.
+  void index_stops() {
+    stops_.assign(2 * arrangement_.crossings.size(), {none, none, none});
+    for (std::size_t s = 0; s < arrangement_.visits.size(); ++s) {
+      const std::vector<Visit>& visits = arrangement_.visits[s];
+      for (std::size_t v = 0; v < visits.size(); ++v) {
+        stops_[2 * idx(visits[v].crossing) + (visits[v].front ? 0 : 1)] = {path_of_[s], step_of_[s],
+                                                                           static_cast<int>(v)};
+      }
+    }
+  }
+
+  int strand(const Stop& stop) const {
+    return arrangement_.paths[idx(stop.path)].strands[idx(stop.step)];
+  }
+  const Visit& visit(const Stop& stop) const {
+    return arrangement_.visits[idx(strand(stop))][idx(stop.visit)];
+  }
+
+  int drop(int c) {
+    arrangement_.dropped[idx(c)] = 1;
+    return 1;
+  }
+
+  // The next stop along the path; visit none where an open path ends.
+  Stop next(const Stop& stop) const {
+    const Path& path = arrangement_.paths[idx(stop.path)];
+    Stop result = stop;
+    ++result.visit;
+    for (std::size_t guard = 0; guard <= path.strands.size(); ++guard) {
+      if (result.visit < static_cast<int>(arrangement_.visits[idx(strand(result))].size()))
+        return result;
+      const bool last = result.step + 1 == static_cast<int>(path.strands.size());
+      if (last && !path.cyclic) break;
+      result = {stop.path, last ? 0 : result.step + 1, 0};
+    }
+    return {stop.path, none, none};
+  }
+
+  // Forward from `from` to `to`, which lie on one path; not found when it is longer than a repair
+  // may be.
+  Stretch stretch(const Stop& from, const Stop& to) const {
+    const Path& path = arrangement_.paths[idx(from.path)];
+    Stretch result;
+    result.points.push_back(arrangement_.crossings[idx(visit(from).crossing)].image);
+    int step = from.step, point = visit(from).place.segment + 1;
+    bool leads_round = is_after(from, to);
+    while (!result.found) {
+      const int s = path.strands[idx(step)];
+      const bool here = step == to.step && !leads_round;
+      const int end = here ? visit(to).place.segment : arrangement_.point_count(s) - 1;
+      for (; point <= end; ++point) {
+        if (static_cast<int>(result.points.size()) == longest_repair) return result;
+        result.points.push_back(arrangement_.image.image[arrangement_.point(s, point)]);
+      }
+      result.found = here;
+      const bool last = step + 1 == static_cast<int>(path.strands.size());
+      if (here || (last && !path.cyclic)) break;
+      step = last ? 0 : step + 1;
+      if (path.jumps[idx(step)] != 0) ++result.cusps;
+      point = 0;
+      leads_round = false;
+    }
+    result.points.push_back(arrangement_.crossings[idx(visit(to).crossing)].image);
+    return result;
+  }
+
+  // Whether `from` lies behind `to` on the same strand, so that the way between them leads round.
+  bool is_after(const Stop& from, const Stop& to) const {
+    return from.step == to.step && from.visit >= to.visit;
+  }
+
+  bool is_twist(int c) {
+    const Stop a = stops_[2 * idx(c)], b = stops_[2 * idx(c) + 1];
+    if (a.path != b.path) return false;
+    return is_small_loop(c, a, b) || is_small_loop(c, b, a);
+  }
+
+  bool is_small_loop(int c, const Stop& from, const Stop& to) {
+    const Stretch way = stretch(from, to);
+    if (!way.found || way.cusps > 1) return false;
+    const Vec2& centre = arrangement_.crossings[idx(c)].image;
+    double reach = 0;
+    for (const Vec2& p : way.points) reach = std::max(reach, (p - centre).norm());
+    if (reach > twist_px) return false;
+    moved_px_ = std::max(moved_px_, reach);
+    return true;
+  }
+
+  // The crossing that forms a thin lens with c, none if there is none.
+  int lens_partner(int c, bool only_contradictory) {
+    for (const std::size_t role : {0U, 1U}) {
+      const Stop here = stops_[2 * idx(c) + role];
+      const Stop there = next(here);
+      if (there.visit == none) continue;
+      const int partner = visit(there).crossing;
+      if (partner == c || arrangement_.dropped[idx(partner)]) continue;
+      const bool same_role = visit(there).front == (role == 0);
+      if (only_contradictory && same_role) continue;
+      const Stop other_here = stops_[2 * idx(c) + 1 - role];
+      const Stop other_there = stops_[2 * idx(partner) + (visit(there).front ? 1 : 0)];
+      if (is_thin(here, there, other_here, other_there)) return partner;
+    }
+    return none;
+  }
+
+  bool is_thin(const Stop& a, const Stop& b, const Stop& c, const Stop& d) {
+    if (c.path != d.path) return false;
+    const bool forward = same(next(c), d), backward = same(next(d), c);
+    if (!forward && !backward) return false;
+    const Stretch one = stretch(a, b), two = forward ? stretch(c, d) : stretch(d, c);
+    if (!one.found || !two.found) return false;
+    const double gap = std::max(farthest(one.points, two.points), farthest(two.points, one.points));
+    if (gap > lens_px) return false;
+    moved_px_ = std::max(moved_px_, gap);
+    return true;
+  }
+
+  static bool same(const Stop& a, const Stop& b) {
+    return a.path == b.path && a.step == b.step && a.visit == b.visit;
+  }
+
+  Arrangement& arrangement_;
+  double& moved_px_;
+  std::vector<int> path_of_;
+  std::vector<int> step_of_;
+  std::vector<Stop> stops_;
+};
+
+}  // namespace
+
+int drop_twists_and_lenses(Arrangement& arrangement, double& moved_px) {
+  Repairer repairer(arrangement, moved_px);
+  int total = 0;
+  for (int round = 0; round < 4; ++round) {
+    const int dropped = repairer.twists() + repairer.lenses(nullptr);
+    total += dropped;
+    if (dropped == 0) break;
+  }
+  return total;
+}
+
+int drop_lenses(Arrangement& arrangement, const std::vector<int>& crossings, double& moved_px) {
+  return Repairer(arrangement, moved_px).lenses(&crossings);
+}
+
+}  // namespace illustrate

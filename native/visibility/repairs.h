@@ -1,0 +1,18 @@
+// Crossings that only the interpolation of the contour has made: sub-pixel twists and lenses.
+#pragma once
+
+#include "visibility/arrangement.h"
+
+namespace illustrate {
+
+// Drops twists (a path crosses itself, all between stays within half a pixel, at most one cusp) and
+// lenses whose two crossings contradict each other: consecutive on both strands, everything between
+// closer than a third of a pixel, front and back exchanged. Returns the number of crossings
+// dropped; `moved_px` grows to the farthest distance bridged.
+int drop_twists_and_lenses(Arrangement& arrangement, double& moved_px);
+
+// Drops the lens that each of these crossings belongs to, where it belongs to one. Returns the
+// number of crossings dropped.
+int drop_lenses(Arrangement& arrangement, const std::vector<int>& crossings, double& moved_px);
+
+}  // namespace illustrate
