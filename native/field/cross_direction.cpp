@@ -1,0 +1,47 @@
+#include <cmath>
+
+#include "field/cross_field.h"
+
+namespace illustrate {
+namespace {
+
+// v, tangent at normal `from`, carried to normal `to` by the shortest rotation.
+Vec3 carried(const Vec3& v, const Vec3& from, const Vec3& to) {
+  const double closeness = 1 + from.dot(to);
+  if (closeness < 1e-9) return v;
+  return v - v.dot(to) / closeness * (from + to);
+}
+
+// The branch of the cross of `direction` about `normal` that is nearest to `towards`.
+Vec3 nearest_branch(const Vec3& direction, const Vec3& normal, const Vec3& towards) {
+  const Vec3 across = normal.cross(direction);
+  const double along = towards.dot(direction), aside = towards.dot(across);
+  if (std::abs(along) >= std::abs(aside)) return along < 0 ? Vec3(-direction) : direction;
+  return aside < 0 ? Vec3(-across) : across;
+}
+
+}  // namespace
+
+Vec3 cross_direction(const Surface& surface, const CrossField& field, const SurfacePoint& at,
+                     const Vec3& towards) {
+  const Vec3 normal = normal_at(surface, at);
+  const Triangle& vertices = surface.triangles[static_cast<std::size_t>(at.triangle)];
+  const std::array<double, 3> weights{1 - at.b1 - at.b2, at.b1, at.b2};
+  std::array<Vec3, 3> corners;
+  int heaviest = 0;
+  for (int k = 0; k < 3; ++k) {
+    const auto corner = static_cast<std::size_t>(k);
+    const auto vertex = static_cast<std::size_t>(vertices[corner]);
+    const Vec3 own = surface.corner_sign(at.triangle, k) * surface.normals[vertex];
+    corners[corner] = carried(field.directions[vertex], own, normal);
+    if (weights[corner] > weights[static_cast<std::size_t>(heaviest)]) heaviest = k;
+  }
+  const Vec3 base = nearest_branch(corners[static_cast<std::size_t>(heaviest)], normal, towards);
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t k = 0; k < 3; ++k) sum += weights[k] * nearest_branch(corners[k], normal, base);
+  const Vec3 tangent = sum - sum.dot(normal) * normal;
+  const double length = tangent.norm();
+  return length > 0 ? nearest_branch(tangent / length, normal, towards) : base;
+}
+
+}  // namespace illustrate

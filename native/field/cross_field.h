@@ -1,0 +1,57 @@
+// Stage `field`: a smooth cross field for hatching (paper section 5).
+//
+// The cross at vertex i is an angle theta_i against a reference direction in its tangent plane,
+// phi_ij the direction of edge ij projected at i. The energy
+//   E = - sum over edges of cos 4((theta_i - phi_ij) - (theta_j - phi_ji))
+// does not change when a theta turns by pi/2. Vertices where the curvature directions can be relied
+// on keep them; the rest is found by NLopt's LD_LBFGS from a start by a hierarchy of graphs.
+#pragma once
+
+#include "core/progress.h"
+#include "surface/surface.h"
+
+namespace illustrate {
+
+struct FieldOptions {
+  // A vertex is reliable where |k2| <= parabolic_ratio |k1| (quasi-parabolic; 0: nowhere), where
+  // |k1| >= least_curvature / the diagonal of the object, and where the mean of 1 + e over its
+  // edges, in [0, 2], is at most largest_energy.
+  double parabolic_ratio = 0.2;
+  double least_curvature = 1;
+  double largest_energy = 0.05;
+  // Soft pull of creases and boundaries, for each hundredth of the object's diagonal of their
+  // length; no part of the reported energies.
+  double alignment_weight = 0.1;
+  Vec3 default_direction = Vec3::UnitZ();  // projected, where nothing is reliable
+  int max_evaluations = 500;
+  int threads = 0;
+};
+void validate(const FieldOptions& options);  // throws InvalidInput naming the field
+
+struct CrossField {
+  std::vector<double> theta;           // (n) radians against `reference`
+  Points reference;                    // (n) unit tangent
+  Points directions;                   // (n) one unit tangent of the cross
+  std::vector<std::uint8_t> reliable;  // (n)
+  double energy = 0;                   // E over all edges of the triangles, without soft alignments
+  double energy_initial = 0;
+  bool converged = false;
+  int evaluations = 0;
+  std::vector<int> singular_triangles;  // (s)
+  std::vector<int> singular_indices;    // (s) quarter turns; closed, orientable: sum is 4 chi
+};
+
+// Never NaN, never an error. A connected part without a reliable vertex starts from the default
+// direction, turned as a whole towards its features, and keeps that start unless there is a field
+// of less energy (a plane: there is none). No part ends with more energy than it started with.
+// Throws Cancelled through `progress`.
+CrossField solve_cross_field(const Surface& surface, const Curvature& curvature,
+                             const FieldOptions& options, const Progress& progress = {});
+
+// The branch of the cross at a point that is nearest to `towards` (a world direction), as a unit
+// tangent of the triangle's sheet at that point; the three corners' crosses are combed to agree
+// before they are interpolated.
+Vec3 cross_direction(const Surface& surface, const CrossField& field, const SurfacePoint& at,
+                     const Vec3& towards);
+
+}  // namespace illustrate

@@ -1,0 +1,163 @@
+#include "field/portfolio.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "field/diffusion.h"
+#include "field/hierarchy.h"
+
+namespace illustrate {
+namespace {
+
+// Few enough vertices for many starts; enough for a singularity of every bump of an organic mesh.
+constexpr std::size_t coarse_size = 2000;
+constexpr int random_starts = 48;
+constexpr int shakes = 20;
+// Many loose parts leave a large coarse graph: no more starts or shakes than touch this many
+// crosses.
+constexpr std::size_t pool_crosses = 200000;
+constexpr std::size_t kept_starts = 5;
+constexpr std::uint64_t seed = 2;
+
+// Lengths of the heat flow for starts: across the whole coarse graph, and over some of its
+// vertices.
+constexpr double eigenvector_tau = 1e5;
+constexpr double far_tau = 3000;
+constexpr double middle_tau = 300;
+constexpr double near_tau = 60;
+
+// Disturbances that move singularities without making new ones.
+constexpr double shaking_heat = 0.5;
+constexpr int shaking_sweeps = 60;
+
+// On the way down: sweeps for each level; how many crosses all the fields that are carried on may
+// have together; the largest graph that they are diffused on once more.
+constexpr int sweeps_per_level = 6;
+constexpr int final_coarse_sweeps = 20;
+constexpr std::size_t carried_crosses = 120000;
+constexpr std::size_t diffused_size = 8000;
+
+using Pool = std::vector<CrossNumbers>;
+
+// (n) number of each vertex's connected part.
+std::vector<int> parts_of(const FieldGraph& graph, int& count) {
+  std::vector<int> parts(graph.size(), none), stack;
+  count = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i] != none) continue;
+    stack.push_back(static_cast<int>(i));
+    parts[i] = count;
+    while (!stack.empty()) {
+      const auto top = static_cast<std::size_t>(stack.back());
+      stack.pop_back();
+      for (const Link& link : graph.links[top]) {
+        int& part = parts[static_cast<std::size_t>(link.vertex)];
+        if (part != none) continue;
+        part = count;
+        stack.push_back(link.vertex);
+      }
+    }
+    ++count;
+  }
+  return parts;
+}
+
+std::vector<double> part_energies(const FieldGraph& graph, const std::vector<int>& parts, int count,
+                                  const CrossNumbers& z) {
+  std::vector<double> sums(static_cast<std::size_t>(count), 0);
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    const CrossNumber attraction = graph.attraction(i, z) + graph.pulls[i];
+    sums[static_cast<std::size_t>(parts[i])] -= 0.5 * product(std::conj(z[i]), attraction).real();
+  }
+  return sums;
+}
+
+// The pool with its crosses exchanged part by part, so that the first field has the best of each
+// part, the second the second best, and so on; only the first `kept` stay.
+Pool ranked(const FieldGraph& graph, const std::vector<int>& parts, int count, const Pool& pool,
+            std::size_t kept) {
+  std::vector<std::vector<double>> energies;
+  for (const CrossNumbers& z : pool) energies.push_back(part_energies(graph, parts, count, z));
+  kept = std::min(kept, pool.size());
+  std::vector<std::vector<std::size_t>> orders(static_cast<std::size_t>(count));
+  for (std::size_t part = 0; part < orders.size(); ++part) {
+    orders[part].resize(pool.size());
+    std::iota(orders[part].begin(), orders[part].end(), std::size_t{0});
+    std::stable_sort(orders[part].begin(), orders[part].end(), [&](std::size_t a, std::size_t b) {
+      return energies[a][part] < energies[b][part];
+    });
+  }
+  Pool result(kept, CrossNumbers(graph.size()));
+  for (std::size_t k = 0; k < kept; ++k) {
+    for (std::size_t i = 0; i < graph.size(); ++i) {
+      result[k][i] = pool[orders[static_cast<std::size_t>(parts[i])][k]][i];
+    }
+  }
+  return result;
+}
+
+CrossNumbers random_field(std::size_t size, SeededNumbers& numbers) {
+  CrossNumbers z(size);
+  for (CrossNumber& cross : z) cross = normalized(numbers.number(), 1);
+  return z;
+}
+
+// The pool of the coarsest graph: given starts, random ones, then the best of them shaken.
+Pool coarse_pool(const FieldGraph& graph, const std::vector<int>& parts, int count,
+                 const Pool& given, const Progress& progress) {
+  SeededNumbers numbers(seed);
+  Pool pool;
+  const auto diffused = [&](CrossNumbers z, double tau) {
+    diffuse(graph, tau, z);
+    sweep(graph, final_coarse_sweeps, z);
+    return z;
+  };
+  for (const CrossNumbers& z : given) {
+    for (const double tau : {far_tau, middle_tau}) pool.push_back(diffused(z, tau));
+  }
+  const auto room = static_cast<int>(pool_crosses / std::max<std::size_t>(1, graph.size()));
+  for (int k = 0; k < std::min(random_starts, room); ++k) {
+    progress.report(0.5 * k / random_starts);
+    CrossNumbers z = random_field(graph.size(), numbers);
+    diffuse_once(graph, eigenvector_tau, z);
+    pool.push_back(diffused(std::move(z), far_tau));
+  }
+  pool = ranked(graph, parts, count, pool, kept_starts);
+  for (int k = 0; k < std::min(shakes, room); ++k) {
+    progress.report(0.5 + 0.5 * k / shakes);
+    const auto turn = static_cast<std::size_t>(k) % pool.size();
+    CrossNumbers z = pool[turn];
+    anneal(graph, shaking_heat, shaking_sweeps, numbers, z);
+    pool[turn] = ranked(graph, parts, count, {pool[turn], diffused(std::move(z), near_tau)}, 1)[0];
+  }
+  return ranked(graph, parts, count, pool, kept_starts);
+}
+
+}  // namespace
+
+CrossNumbers portfolio_start(const FieldGraph& graph, const std::vector<CrossNumbers>& starts,
+                             const Progress& progress) {
+  const Hierarchy hierarchy(graph, coarse_size, progress.part(0, 0.2));
+  const FieldGraph& coarsest = hierarchy.graph(hierarchy.coarsest());
+  Pool given;
+  for (const CrossNumbers& start : starts) given.push_back(hierarchy.restricted(start));
+  int count = 0;
+  std::vector<int> parts = parts_of(coarsest, count);
+  Pool pool = coarse_pool(coarsest, parts, count, given, progress.part(0.2, 0.6));
+  const Progress way_down = progress.part(0.6, 1);
+  for (std::size_t level = hierarchy.coarsest(); level-- > 0;) {
+    const FieldGraph& finer = hierarchy.graph(level);
+    parts = hierarchy.prolonged(parts, level);
+    for (CrossNumbers& z : pool) {
+      way_down.report(static_cast<double>(finer.size()) / static_cast<double>(graph.size()));
+      z = hierarchy.prolonged(z, level);
+      if (finer.size() <= diffused_size) diffuse(finer, near_tau, z);
+      sweep(finer, sweeps_per_level, z);
+    }
+    const std::size_t kept = std::max<std::size_t>(1, carried_crosses / finer.size());
+    if (pool.size() > 1) pool = ranked(finer, parts, count, pool, std::min(kept, pool.size()));
+  }
+  return std::move(pool[0]);
+}
+
+}  // namespace illustrate

@@ -1,0 +1,139 @@
+#include "field/starts.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace illustrate {
+namespace {
+
+// A direction that is shorter than this after projection (of unit length before) is taken for the
+// normal.
+constexpr double least_projection = 1e-3;
+
+// Wanted crosses that cancel to less than this share of their weight prefer no angle.
+constexpr double least_agreement = 0.05;
+
+int root(std::vector<int>& parents, int i) {
+  while (parents[static_cast<std::size_t>(i)] != i) {
+    int& parent = parents[static_cast<std::size_t>(i)];
+    parent = parents[static_cast<std::size_t>(parent)];
+    i = parent;
+  }
+  return i;
+}
+
+// Mean of 1 + e over the edges of each vertex, in [0, 2].
+std::vector<double> mean_edge_energies(const std::vector<FieldEdge>& edges, const CrossNumbers& z) {
+  std::vector<double> sums(z.size(), 0), counts(z.size(), 0);
+  for (const FieldEdge& edge : edges) {
+    for (const int end : {edge.from, edge.to}) {
+      sums[static_cast<std::size_t>(end)] += 1 + edge_energy(edge, z);
+      counts[static_cast<std::size_t>(end)] += 1;
+    }
+  }
+  for (std::size_t i = 0; i < z.size(); ++i) sums[i] /= std::max(1.0, counts[i]);
+  return sums;
+}
+
+}  // namespace
+
+FieldParts connected_parts(std::size_t vertices, const std::vector<FieldEdge>& edges) {
+  std::vector<int> parents(vertices);
+  std::iota(parents.begin(), parents.end(), 0);
+  for (const FieldEdge& edge : edges) {
+    const int a = root(parents, edge.from), b = root(parents, edge.to);
+    parents[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+  }
+  FieldParts parts{std::vector<int>(vertices), 0};
+  for (std::size_t i = 0; i < vertices; ++i) {  // a root is the lowest vertex of its part
+    const auto r = static_cast<std::size_t>(root(parents, static_cast<int>(i)));
+    parts.of_vertex[i] = r == i ? parts.count++ : parts.of_vertex[r];
+  }
+  return parts;
+}
+
+std::vector<double> object_diagonals(const Surface& surface) {
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (std::size_t i = 0; i < surface.positions.size(); ++i) {
+    const auto object = static_cast<std::size_t>(surface.objects[i]);
+    if (object >= boxes.size()) boxes.resize(object + 1);
+    boxes[object].extend(surface.positions[i]);
+  }
+  std::vector<double> diagonals;
+  for (const int object : surface.objects) {
+    diagonals.push_back(boxes[static_cast<std::size_t>(object)].diagonal().norm());
+  }
+  return diagonals;
+}
+
+PrincipalCrosses principal_crosses(const TangentFrames& frames, const Curvature& curvature,
+                                   const CrossNumbers& default_crosses) {
+  PrincipalCrosses result{default_crosses, std::vector<std::uint8_t>(frames.size(), 0)};
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const CrossNumber w = direction_in_frame(frames, i, curvature.w1[i], 0, 0.5);
+    result.defined[i] = w != CrossNumber(0) && std::isfinite(curvature.k1[i]) &&
+                        std::isfinite(curvature.k2[i]) && curvature.k1[i] != 0;
+    if (result.defined[i]) result.z[i] = fourth_power(w);
+  }
+  return result;
+}
+
+CrossNumbers default_crosses(const TangentFrames& frames, const Vec3& direction) {
+  const Vec3 first = direction.normalized();
+  const Vec3 second(first.z(), first.x(), first.y());  // the axis before, when the first is an axis
+  CrossNumbers z(frames.size());
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    const CrossNumber instead = direction_in_frame(frames, i, second);
+    z[i] = fourth_power(direction_in_frame(frames, i, first, instead, least_projection));
+  }
+  return z;
+}
+
+std::vector<std::uint8_t> reliable_vertices(const Curvature& curvature,
+                                            const std::vector<FieldEdge>& edges,
+                                            const PrincipalCrosses& principal,
+                                            const std::vector<double>& diagonals,
+                                            const FieldOptions& options) {
+  std::vector<std::uint8_t> reliable(principal.z.size(), 0);
+  if (options.parabolic_ratio <= 0) return reliable;
+  const std::vector<double> mean_energies = mean_edge_energies(edges, principal.z);
+  for (std::size_t i = 0; i < reliable.size(); ++i) {
+    const double k1 = std::abs(curvature.k1[i]), k2 = std::abs(curvature.k2[i]);
+    const bool is_parabolic = k2 <= options.parabolic_ratio * k1;
+    const bool is_curved = k1 * diagonals[i] >= options.least_curvature;
+    const bool is_regular = mean_energies[i] <= options.largest_energy;
+    reliable[i] = principal.defined[i] && is_parabolic && is_curved && is_regular;
+  }
+  return reliable;
+}
+
+std::vector<double> part_energies(const FieldParts& parts, const std::vector<FieldEdge>& edges,
+                                  const CrossNumbers& z) {
+  std::vector<double> sums(static_cast<std::size_t>(parts.count), 0);
+  for (const FieldEdge& edge : edges) {
+    const int part = parts.of_vertex[static_cast<std::size_t>(edge.from)];
+    sums[static_cast<std::size_t>(part)] += edge_energy(edge, z);
+  }
+  return sums;
+}
+
+void turn_parts(const FieldParts& parts, const std::vector<std::uint8_t>& may_turn,
+                const CrossNumbers& wanted, CrossNumbers& z) {
+  CrossNumbers turns(static_cast<std::size_t>(parts.count), 0);
+  std::vector<double> weights(turns.size(), 0);
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    const auto part = static_cast<std::size_t>(parts.of_vertex[i]);
+    turns[part] += product(wanted[i], std::conj(z[i]));
+    weights[part] += std::abs(wanted[i]);
+  }
+  for (std::size_t part = 0; part < turns.size(); ++part) {
+    const bool prevails = std::abs(turns[part]) > least_agreement * weights[part];
+    turns[part] = may_turn[part] && prevails ? normalized(turns[part], 1) : CrossNumber(1);
+  }
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    const CrossNumber turn = turns[static_cast<std::size_t>(parts.of_vertex[i])];
+    if (turn != CrossNumber(1)) z[i] = product(turn, z[i]);
+  }
+}
+
+}  // namespace illustrate
