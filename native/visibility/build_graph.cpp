@@ -15,7 +15,7 @@ class GraphBuilder {
     add_crossing_nodes();
     ends_.resize(network_.strands.size(), {none, none});
     for (const LabelledPath& path : paths) add_path(path);
-    for (const Tie& tie : network_.ties) join_cusp(tie);
+    for (const Path& path : arrangement_.paths) join_cusps(path);
     return std::move(graph_);
   }
 
@@ -52,7 +52,7 @@ class GraphBuilder {
     for (std::size_t i = 0; i < path.labels.arcs.size(); ++i) {
       const PathArc& arc = path.labels.arcs[i];
       if (path.is_broken(i)) {
-        add_broken(arc, path.at_start[i], path.at_end[i]);
+        add_broken(arc, arc.samples[idx(path.break_sample[i])], path.at_start[i], path.at_end[i]);
       } else {
         start(arc, path.at_start[i]);
         push_points(arc, begin_place(arc), end_place(arc));
@@ -63,11 +63,10 @@ class GraphBuilder {
 
   // Two arcs that meet at a joint in the middle, where the label jumps against all rules: the last
   // resort.
-  void add_broken(const PathArc& arc, int at_start, int at_end) {
+  void add_broken(const PathArc& arc, StrandPlace middle, int at_start, int at_end) {
     const int node = static_cast<int>(graph_.nodes.size());
     graph_.nodes.push_back(
-        {NodeKind::joint, arrangement_.image_at(arc.samples[1]), {none, none, none, none}});
-    StrandPlace middle = arc.samples[1];
+        {NodeKind::joint, arrangement_.image_at(middle), {none, none, none, none}});
     if (wraps(arc) && middle.segment < begin_place(arc).segment) {
       middle.segment += arrangement_.point_count(arc.strand);
     }
@@ -164,12 +163,22 @@ class GraphBuilder {
     graph_.image.push(arrangement_.image_at(place));
   }
 
-  void join_cusp(const Tie& tie) {
-    GraphNode& node = graph_.nodes[idx(tie.node)];
-    if (node.kind != NodeKind::cusp) return;
-    const int before = ends_[idx(tie.a)][1], behind = ends_[idx(tie.b)][0];
-    node.arcs[0] = tie.jump > 0 ? before : behind;
-    node.arcs[1] = tie.jump > 0 ? behind : before;
+  // A cusp that was repaired away stays as a joint.
+  void join_cusps(const Path& path) {
+    for (std::size_t i = path.cyclic ? 0 : 1; i < path.strands.size(); ++i) {
+      const int n = network_.strands[idx(path.strands[i])].start_node;
+      if (n == none || graph_.nodes[idx(n)].kind != NodeKind::cusp) continue;
+      GraphNode& node = graph_.nodes[idx(n)];
+      const std::size_t count = path.strands.size();
+      const int before = ends_[idx(path.strands[(i + count - 1) % count])][1];
+      const int behind = ends_[idx(path.strands[i])][0];
+      if (path.jumps[i] == 0) {
+        node.kind = NodeKind::joint;
+      } else {
+        node.arcs[0] = path.jumps[i] > 0 ? before : behind;
+        node.arcs[1] = path.jumps[i] > 0 ? behind : before;
+      }
+    }
   }
 
   const Arrangement& arrangement_;

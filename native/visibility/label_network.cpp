@@ -11,14 +11,10 @@ namespace {
 
 constexpr int most_rounds = 4;
 
-std::int64_t count_cycles(const std::vector<LabelledPath>& labels, const Arrangement& arrangement,
-                          bool unbalanced_only) {
-  std::int64_t count = 0;
-  for (std::size_t p = 0; p < labels.size(); ++p) {
-    const bool counts = !unbalanced_only || labels[p].labels.residual != 0;
-    if (arrangement.paths[p].cyclic && counts) ++count;
-  }
-  return count;
+std::int64_t count_unbalanced(const Arrangement& arrangement) {
+  return std::count_if(arrangement.paths.begin(), arrangement.paths.end(), [&](const Path& path) {
+    return path.cyclic && relative_labels(arrangement, path).residual != 0;
+  });
 }
 
 std::int64_t count_breaks(const std::vector<LabelledPath>& labels) {
@@ -37,6 +33,8 @@ LabelledGraph label_network(const CurveNetwork& network, const Surface& surface,
   progress.report(0.3);
   double moved_px = 0;
   int repairs = drop_twists_and_lenses(arrangement, moved_px);
+  const std::int64_t unbalanced = count_unbalanced(arrangement);
+  repairs += collapse_swallowtails(arrangement, moved_px);
   LayerRays rays(surface, bvh, camera);
   std::vector<LabelledPath> labels;
   for (int round = 0;; ++round) {
@@ -50,8 +48,9 @@ LabelledGraph label_network(const CurveNetwork& network, const Surface& surface,
   graph.repair_max_px = moved_px;
   counts["crossings"] += std::count(arrangement.dropped.begin(), arrangement.dropped.end(), 0);
   counts["rays"] += rays.rays();
-  counts["loops"] += count_cycles(labels, arrangement, false);
-  counts["unbalanced_loops"] += count_cycles(labels, arrangement, true);
+  counts["loops"] += std::count_if(arrangement.paths.begin(), arrangement.paths.end(),
+                                   [](const Path& path) { return path.cyclic; });
+  counts["unbalanced_loops"] += unbalanced;
   counts["repairs"] += repairs + count_breaks(labels);
   return graph;
 }

@@ -5,14 +5,16 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <tuple>
 
 namespace illustrate {
 namespace {
 
 constexpr std::size_t most_arcs_asked = 1000;  // of one path, the longest ones
 constexpr double asked_thrice_px = 30;         // longer arcs are asked at three places
-constexpr double outline_weight = 1e4;  // the outside of the drawing is certain: px of length
-constexpr double hidden_break_px = 12;  // what a break costs, in px of wrong label
+constexpr double outline_weight = 1e4;    // the outside of the drawing is certain: px of length
+constexpr double beside_nothing_px = 40;  // an arc next to the empty background is nearly certain
+constexpr double hidden_break_px = 12;    // what a break costs, in px of wrong label
 constexpr double visible_break_px = 30;
 constexpr int most_layers = 64;
 constexpr double least_weight = 1e-6;  // an arc without length still prefers its ray
@@ -58,9 +60,15 @@ class LeastContradiction {
     return evidence_[arc].weight * std::abs(layers - evidence_[arc].layers);
   }
 
+  // A break stands at the end where the label is wrong, so it costs little but its price.
   double broken(std::size_t arc, int from, int to) const {
     const double price = from == 0 || to == 0 ? visible_break_px : hidden_break_px;
-    return (wrong(arc, from) + wrong(arc, to)) / 2 + price;
+    return std::min(wrong(arc, from), wrong(arc, to)) + price;
+  }
+
+  int break_sample(std::size_t arc, int from, int to) const {
+    const double before = wrong(arc, from), behind = wrong(arc, to);
+    return before == behind ? 2 : before > behind ? 0 : 4;
   }
 
   // The label at an arc's end from the costs of those at its start; remembers where each came from.
@@ -111,9 +119,11 @@ class LeastContradiction {
   void trace_back(int last) {
     path_.at_start.assign(arcs_.size(), 0);
     path_.at_end.assign(arcs_.size(), 0);
+    path_.break_sample.assign(arcs_.size(), 0);
     for (std::size_t arc = arcs_.size(); arc-- > 0;) {
       path_.at_end[arc] = last;
       path_.at_start[arc] = origin_[arc * idx(states_) + idx(last)];
+      path_.break_sample[arc] = break_sample(arc, path_.at_start[arc], last);
       if (arc > 0) last = path_.at_start[arc] - path_.labels.change_behind(arc - 1);
     }
   }
@@ -175,7 +185,7 @@ class Labeller {
     std::vector<Evidence> evidence(arcs.size(), {0, 0});
     for (std::size_t k = 0; k < std::min(most_arcs_asked, order.size()); ++k) {
       const PathArc& arc = arcs[order[k]];
-      evidence[order[k]] = {layers(arc), arc.length_px + least_weight};
+      evidence[order[k]] = ask(arc);
     }
     for (std::size_t i = 0; i < arcs.size(); ++i) {
       if (is_outline(arcs[i])) evidence[i] = {0, outline_weight};
@@ -183,12 +193,19 @@ class Labeller {
     return evidence;
   }
 
-  int layers(const PathArc& arc) {
-    if (arc.length_px < asked_thrice_px) return rays_.count(arrangement_, arc.samples[1]);
-    std::array<int, 3> counts;
-    for (std::size_t k = 0; k < 3; ++k) counts[k] = rays_.count(arrangement_, arc.samples[k]);
-    std::sort(counts.begin(), counts.end());
-    return counts[1];
+  // The middle one of three counts; one on the outline counts for more than its length.
+  Evidence ask(const PathArc& arc) {
+    std::array<LayerCount, 3> counts{rays_.count(arrangement_, arc.samples[2])};
+    counts[1] = counts[2] = counts[0];
+    if (arc.length_px >= asked_thrice_px) {
+      counts[0] = rays_.count(arrangement_, arc.samples[1]);
+      counts[2] = rays_.count(arrangement_, arc.samples[3]);
+    }
+    std::sort(counts.begin(), counts.end(), [](const LayerCount& a, const LayerCount& b) {
+      return std::tie(a.layers, b.beside_nothing) < std::tie(b.layers, a.beside_nothing);
+    });
+    const double extra = counts[1].beside_nothing ? beside_nothing_px : least_weight;
+    return {counts[1].layers, arc.length_px + extra};
   }
 
   bool is_outline(const PathArc& arc) const {

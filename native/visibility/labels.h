@@ -11,8 +11,9 @@ namespace illustrate {
 // differ where the path had to be broken: in the arc's middle the label jumps against all rules.
 struct LabelledPath {
   PathLabels labels;
-  std::vector<int> at_start;  // (arcs)
-  std::vector<int> at_end;    // (arcs)
+  std::vector<int> at_start;      // (arcs)
+  std::vector<int> at_end;        // (arcs)
+  std::vector<int> break_sample;  // (arcs) where the jump is, if there is one
 
   bool is_broken(std::size_t arc) const { return at_start[arc] != at_end[arc]; }
 };

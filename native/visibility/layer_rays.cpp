@@ -5,7 +5,9 @@
 namespace illustrate {
 namespace {
 
-constexpr double aside_px = 0.7;   // how far beside a fold the ray starts
+// How far beside a fold rays start. The interpolated contour of a rim narrower than the triangles
+// runs up to a pixel inside their outline, so the farther ray may find fewer layers.
+constexpr std::array<double, 2> asides_px{0.7, 2.0};
 constexpr double blind_px = 3;     // hits nearer than this are the curve's own surface
 constexpr double blind_edges = 3;  // the same in edges of the curve's triangle, for silhouettes
 constexpr double blind_diagonals = 0.01;  // and never more than this share of everything's diagonal
@@ -24,7 +26,7 @@ double longest_edge(const Surface& surface, int triangle) {
 }  // namespace
 
 // Image x runs along the view's first row, image y against its second.
-Vec3 LayerRays::beside(const Vec3& p, const Vec2& along_px) const {
+Vec3 LayerRays::beside(const Vec3& p, const Vec2& along_px, double aside_px) const {
   const Vec2 right_px(-along_px.y(), along_px.x());  // y is down
   const double scale = aside_px * camera_.pixel_size(p) / std::max(right_px.norm(), 1e-300);
   const Vec3 x = camera_.view().row(0).head<3>().normalized();
@@ -39,20 +41,30 @@ double LayerRays::blind_distance(const Strand& strand, int triangle, const Vec3&
   return std::max(pixels, std::min(edges, blind_diagonals * surface_.diagonal));
 }
 
-int LayerRays::count(const Arrangement& arrangement, const StrandPlace& place) {
+LayerCount LayerRays::count_from(const Vec3& origin, double blind) {
+  const Vec3 towards = camera_.to_eye(origin);
+  const double length = towards.norm();
+  hits_.clear();
+  bvh_.hits(origin, towards, -2 * surface_.diagonal / length, camera_.ray_end(origin), hits_);
+  ++rays_;
+  const auto in_front = std::count_if(
+      hits_.begin(), hits_.end(), [&](const RayHit& hit) { return hit.distance > blind / length; });
+  return {static_cast<int>(in_front), hits_.empty()};
+}
+
+LayerCount LayerRays::count(const Arrangement& arrangement, const StrandPlace& place) {
   const CurveNetwork& network = *arrangement.network;
   const Strand& strand = network.strands[idx(place.strand)];
   const std::size_t i = arrangement.point(place.strand, place.segment);
   const std::size_t j = arrangement.point(place.strand, place.segment + 1);
   const Vec3 p = arrangement.world_at(place);
-  const bool fold = strand.left_layers != strand.right_layers;
-  const Vec3 origin = fold ? beside(p, arrangement.image.image[j] - arrangement.image.image[i]) : p;
-  const Vec3 towards = camera_.to_eye(origin);
   const double blind = blind_distance(strand, network.points.values[i].on.triangle, p);
-  hits_.clear();
-  bvh_.hits(origin, towards, blind / towards.norm(), camera_.ray_end(origin), hits_);
-  ++rays_;
-  return static_cast<int>(hits_.size());
+  if (strand.left_layers == strand.right_layers) return {count_from(p, blind).layers, false};
+  const Vec2 along = arrangement.image.image[j] - arrangement.image.image[i];
+  const LayerCount near = count_from(beside(p, along, asides_px[0]), blind);
+  if (near.layers == 0) return near;
+  const LayerCount far = count_from(beside(p, along, asides_px[1]), blind);
+  return far.layers < near.layers ? far : near;
 }
 
 }  // namespace illustrate

@@ -7,6 +7,12 @@
 
 namespace illustrate {
 
+struct LayerCount {
+  int layers;
+  bool beside_nothing;  // the line of sight beside the curve meets no surface at all, before or
+                        // behind
+};
+
 class LayerRays {
  public:
   LayerRays(const Surface& surface, const Bvh& bvh, const Camera& camera)
@@ -15,12 +21,13 @@ class LayerRays {
   // At an inner place of a strand. The ray starts a little to the side where the strand's own
   // surface is not, and takes no notice of what is nearer than the mesh can resolve: the contour
   // lies on the smooth surface, not on its triangles.
-  int count(const Arrangement& arrangement, const StrandPlace& place);
+  LayerCount count(const Arrangement& arrangement, const StrandPlace& place);
 
   std::int64_t rays() const { return rays_; }
 
  private:
-  Vec3 beside(const Vec3& p, const Vec2& along_px) const;
+  LayerCount count_from(const Vec3& origin, double blind);
+  Vec3 beside(const Vec3& p, const Vec2& along_px, double aside_px) const;
   double blind_distance(const Strand& strand, int triangle, const Vec3& p) const;
 
   const Surface& surface_;

@@ -1,7 +1,11 @@
 #include "visibility/potential.h"
 
+#include <algorithm>
+
 namespace illustrate {
 namespace {
+
+constexpr double tip_px = 0.5;  // how near to an arc's ends its first and last samples are
 
 class PathWalker {
  public:
@@ -48,7 +52,7 @@ class PathWalker {
     measure({strand, begin, end, offset_, 0, {}}, from, to);
   }
 
-  // Image length and the places at its quarters.
+  // Image length and the sample places.
   void measure(PathArc arc, const StrandPlace& from, const StrandPlace& to) {
     std::vector<StrandPlace> places{from};
     for (int i = from.segment + 1; i <= to.segment; ++i) places.push_back({arc.strand, i, 0});
@@ -59,8 +63,10 @@ class PathWalker {
       reach.push_back(reach.back() + step.norm());
     }
     arc.length_px = reach.back();
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double wanted = reach.back() * static_cast<double>(k + 1) / 4;
+    const double tip = std::min(0.25, tip_px / std::max(reach.back(), tip_px));
+    const std::array<double, 5> shares{tip, 0.25, 0.5, 0.75, 1 - tip};
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      const double wanted = reach.back() * shares[k];
       std::size_t i = 1;
       while (i + 1 < reach.size() && reach[i] < wanted) ++i;
       const double step = reach[i] - reach[i - 1];

@@ -14,7 +14,8 @@ struct PathArc {
   int end;
   int offset;  // invisibility minus the path's base
   double length_px;
-  std::array<StrandPlace, 3> samples;  // at a quarter, half and three quarters of its length
+  std::array<StrandPlace, 5>
+      samples;  // just behind its start, at its quarters, just before its end
 };
 
 struct PathLabels {

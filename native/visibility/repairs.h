@@ -15,4 +15,9 @@ int drop_twists_and_lenses(Arrangement& arrangement, double& moved_px);
 // number of crossings dropped.
 int drop_lenses(Arrangement& arrangement, const std::vector<int>& crossings, double& moved_px);
 
+// Joins pairs of cusps that turn the same way less than a pixel apart, on cycles whose changes do
+// not sum to zero: swallowtails whose crossing the interpolation has lost. The smallest go first.
+// Returns the number of pairs; the cusps' jumps become 0.
+int collapse_swallowtails(Arrangement& arrangement, double& moved_px);
+
 }  // namespace illustrate

@@ -1,0 +1,63 @@
+#include <algorithm>
+#include <cmath>
+
+#include "visibility/potential.h"
+#include "visibility/repairs.h"
+
+namespace illustrate {
+namespace {
+
+constexpr double swallowtail_px = 1.0;
+
+// A strand between two cusps of one jump; `step` enters it.
+struct Swallowtail {
+  double reach_px;
+  std::size_t step;
+};
+
+double reach_of(const Arrangement& arrangement, int strand) {
+  const Vec2& start = arrangement.image.image[arrangement.point(strand, 0)];
+  double reach = 0;
+  for (int i = 1; i < arrangement.point_count(strand); ++i) {
+    reach = std::max(reach, (arrangement.image.image[arrangement.point(strand, i)] - start).norm());
+  }
+  return reach;
+}
+
+std::vector<Swallowtail> swallowtails_of(const Arrangement& arrangement, const Path& path,
+                                         int jump) {
+  std::vector<Swallowtail> result;
+  const std::size_t count = path.strands.size();
+  for (std::size_t i = 0; count > 1 && i < count; ++i) {
+    if (path.jumps[i] != jump || path.jumps[(i + 1) % count] != jump) continue;
+    const double reach = reach_of(arrangement, path.strands[i]);
+    if (reach <= swallowtail_px) result.push_back({reach, i});
+  }
+  std::sort(result.begin(), result.end(), [](const Swallowtail& a, const Swallowtail& b) {
+    return a.reach_px != b.reach_px ? a.reach_px < b.reach_px : a.step < b.step;
+  });
+  return result;
+}
+
+}  // namespace
+
+int collapse_swallowtails(Arrangement& arrangement, double& moved_px) {
+  int collapsed = 0;
+  for (Path& path : arrangement.paths) {
+    int residual = path.cyclic ? relative_labels(arrangement, path).residual : 0;
+    if (std::abs(residual) < 2) continue;
+    const int jump = residual > 0 ? 1 : -1;
+    for (const Swallowtail& s : swallowtails_of(arrangement, path, jump)) {
+      int& first = path.jumps[s.step];
+      int& second = path.jumps[(s.step + 1) % path.strands.size()];
+      if (std::abs(residual) < 2 || first == 0 || second == 0) continue;
+      first = second = 0;
+      residual -= 2 * jump;
+      moved_px = std::max(moved_px, s.reach_px);
+      ++collapsed;
+    }
+  }
+  return collapsed;
+}
+
+}  // namespace illustrate
