@@ -13,7 +13,8 @@ namespace {
 
 using shapes::pi;
 
-// --- light ----------------------------------------------------------------------------------------
+// --- light
+// ----------------------------------------------------------------------------------------
 
 TEST(Light, HeadlightIsTheCosineToTheEye) {
   const Camera camera = cameras::orthographic(Vec3::UnitZ(), 2);
@@ -77,13 +78,15 @@ TEST(Light, BadFieldsAreNamed) {
   EXPECT_NO_THROW(validate(light, 0));
 }
 
-// --- the visible image ----------------------------------------------------------------------------
+// --- the visible image
+// ----------------------------------------------------------------------------
 
 Vec2 centre_of(const VisibleImage& image, int cell) {
   return Vec2(cell % image.width + 0.5, cell / image.width + 0.5) * image.cell_px;
 }
 
-// Greatest error in depth of an icosphere seen from the front, where it is not seen at a grazing angle.
+// Greatest error in depth of an icosphere seen from the front, where it is not seen at a grazing
+// angle.
 double sphere_error(int level) {
   const Surface sphere = shapes::sphere_surface(1, level);
   const Camera camera = cameras::orthographic(Vec3::UnitZ(), 1.25, 200);
@@ -132,9 +135,9 @@ TEST(VisibleImage, NeighboursLeaveNoCracks) {
 }
 
 TEST(VisibleImage, NearestObjectWinsUnlessHidden) {
-  const Surface both = shapes::joined(
-      shapes::plain_surface(shapes::plane(2, 2)),
-      shapes::plain_surface(shapes::moved(shapes::plane(2, 2), Vec3(0, 0, 0.5))));
+  const Surface both =
+      shapes::joined(shapes::plain_surface(shapes::plane(2, 2)),
+                     shapes::plain_surface(shapes::moved(shapes::plane(2, 2), Vec3(0, 0, 0.5))));
   const Camera camera = cameras::orthographic(Vec3::UnitZ(), 0.9, 64);
   for (const int triangle : render_visible(both, camera, 1, {}, 1).triangle) {
     EXPECT_EQ(both.triangle_objects[triangle], 1);
@@ -198,7 +201,8 @@ TEST(StepAlong, SamplesAreEvenAndInTheFrame) {
   }
 }
 
-// --- tone -----------------------------------------------------------------------------------------
+// --- tone
+// -----------------------------------------------------------------------------------------
 
 TEST(ToneRegions, LevelsOfASphereUnderAHeadlight) {
   const Surface sphere = shapes::sphere_surface(1, 5);
@@ -241,12 +245,13 @@ LabelledGraph straight_arc(const Camera& camera, Kind kind, double z, int left, 
   return graph;
 }
 
-// A half plane x >= 0 at z = .5 before a whole one at z = 0, seen from above: 100 px per world unit, the fold's edge at column 100.
+// A half plane x >= 0 at z = .5 before a whole one at z = 0, seen from above: 100 px per world
+// unit, the fold's edge at column 100.
 struct Fold {
   Camera camera = cameras::orthographic(Vec3::UnitZ(), 1, 200);
-  Surface surface = shapes::joined(
-      shapes::plain_surface(shapes::plane(2, 2)),
-      shapes::plain_surface(shapes::moved(shapes::plane(2, 2), Vec3(1, 0, 0.5))));
+  Surface surface =
+      shapes::joined(shapes::plain_surface(shapes::plane(2, 2)),
+                     shapes::plain_surface(shapes::moved(shapes::plane(2, 2), Vec3(1, 0, 0.5))));
   std::vector<std::uint8_t> hidden;
 
   ToneMap tone(const LabelledGraph& graph, const ToneOptions& options = {}) const {
@@ -309,8 +314,9 @@ TEST(Bands, IntersectionDarkensTheSheetTurnedAway) {
   for (std::size_t v = 0; v < flat.positions.size(); ++v) {
     if (flat.positions[v].x() > 0) flat.normals[v] = Vec3(2, 0, 1).normalized();
   }
-  const ToneMap tone = tone_regions(flat, render_visible(flat, camera, 1, {}, 1),
-                                    straight_arc(camera, Kind::intersection, 0, 0, 0), camera, {}, {});
+  const ToneMap tone =
+      tone_regions(flat, render_visible(flat, camera, 1, {}, 1),
+                   straight_arc(camera, Kind::intersection, 0, 0, 0), camera, {}, {});
   EXPECT_EQ(columns(tone, Band::undercut), std::make_pair(100, 109));
   EXPECT_EQ(columns(tone, Band::mach_band), std::make_pair(96, 99));
 }

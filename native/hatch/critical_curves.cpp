@@ -1,0 +1,101 @@
+#include "hatch/critical_curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tone/step_along.h"
+
+namespace illustrate {
+namespace {
+
+constexpr double cell_px = 8;
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+}  // namespace
+
+bool is_critical(Kind kind) {
+  return kind == Kind::silhouette || kind == Kind::boundary || kind == Kind::crease ||
+         kind == Kind::intersection;
+}
+
+CriticalCurves::CriticalCurves(const LabelledGraph& graph, double width_px, double height_px)
+    : width_(width_px),
+      height_(height_px),
+      columns_(static_cast<int>(std::ceil(width_px / cell_px))),
+      rows_(static_cast<int>(std::ceil(height_px / cell_px))) {
+  for (int arc = 0; arc < static_cast<int>(graph.arcs.size()); ++arc) {
+    if (graph.arcs[arc].invisibility == 0 && is_critical(graph.arcs[arc].kind)) add_arc(graph, arc);
+  }
+  fill_grid();
+}
+
+int CriticalCurves::column_of(double x) const {
+  return static_cast<int>(std::clamp(std::floor(x / cell_px), 0.0, columns_ - 1.0));
+}
+
+int CriticalCurves::row_of(double y) const {
+  return static_cast<int>(std::clamp(std::floor(y / cell_px), 0.0, rows_ - 1.0));
+}
+
+void CriticalCurves::add_arc(const LabelledGraph& graph, int arc) {
+  const Span<const Vec2> line = graph.image[arc];
+  for (std::size_t i = 1; i < line.size(); ++i) add_pieces(line[i - 1], line[i]);
+  if (graph.arcs[arc].start_node == none && line.size() > 1) add_pieces(line.back(), line.front());
+}
+
+void CriticalCurves::add_pieces(const Vec2& a, const Vec2& b) {
+  const Frame frame{Vec2::Constant(-cell_px), Vec2(width_ + cell_px, height_ + cell_px)};
+  double from, to;
+  if (!clip_to_frame(frame, a, b, from, to)) return;
+  const auto at = [&](double t) { return t >= 1 ? b : Vec2(a + t * (b - a)); };
+  const int count =
+      std::max(1, static_cast<int>(std::ceil((to - from) * (b - a).norm() / cell_px)));
+  Vec2 start = at(from);
+  for (int i = 1; i <= count; ++i) {
+    const Vec2 end = at(from + (to - from) * i / count);
+    pieces_.push_back({start, end});
+    start = end;
+  }
+}
+
+void CriticalCurves::fill_grid() {
+  const auto visit = [&](const Piece& piece, const auto& use) {
+    const Vec2 low = piece.a.cwiseMin(piece.b), high = piece.a.cwiseMax(piece.b);
+    for (int row = row_of(low.y()); row <= row_of(high.y()); ++row) {
+      for (int i = column_of(low.x()); i <= column_of(high.x()); ++i) use(row * columns_ + i);
+    }
+  };
+  cells_.offsets.assign(static_cast<std::size_t>(columns_) * rows_ + 1, 0);
+  for (const Piece& piece : pieces_) visit(piece, [&](int cell) { ++cells_.offsets[cell + 1]; });
+  for (std::size_t i = 1; i < cells_.offsets.size(); ++i)
+    cells_.offsets[i] += cells_.offsets[i - 1];
+  cells_.values.resize(cells_.offsets.back());
+  std::vector<int> next(cells_.offsets.begin(), cells_.offsets.end() - 1);
+  for (int i = 0; i < static_cast<int>(pieces_.size()); ++i) {
+    visit(pieces_[i], [&](int cell) { cells_.values[next[cell]++] = i; });
+  }
+}
+
+double CriticalCurves::first_crossing(const Vec2& a, const Vec2& b) const {
+  double first = std::numeric_limits<double>::infinity();
+  const Vec2 run = b - a;
+  const int row_end = row_of(std::max(a.y(), b.y())),
+            column_end = column_of(std::max(a.x(), b.x()));
+  for (int row = row_of(std::min(a.y(), b.y())); row <= row_end; ++row) {
+    for (int i = column_of(std::min(a.x(), b.x())); i <= column_end; ++i) {
+      for (const int index : cells_[row * columns_ + i]) {
+        const Piece& piece = pieces_[index];
+        const double side_a = cross(piece.b - piece.a, a - piece.a);
+        const double side_b = cross(piece.b - piece.a, b - piece.a);
+        const double side_c = cross(run, piece.a - a), side_d = cross(run, piece.b - a);
+        if ((side_a > 0) == (side_b > 0) || (side_c > 0) == (side_d > 0)) continue;
+        first = std::min(first, std::clamp(side_a / (side_a - side_b), 0.0, 1.0));
+      }
+    }
+  }
+  return first;
+}
+
+}  // namespace illustrate

@@ -1,0 +1,38 @@
+// The visible critical curves of a view: what ends hatches and separates neighbours (paper
+// section 6.4).
+#pragma once
+
+#include "visibility/labelled_graph.h"
+
+namespace illustrate {
+
+// Whether arcs of this kind are critical: silhouettes, boundaries, creases and self-intersections.
+bool is_critical(Kind kind);
+
+// Pieces of the visible critical arcs in a grid over the frame, each no longer than a cell.
+class CriticalCurves {
+ public:
+  CriticalCurves(const LabelledGraph& graph, double width_px, double height_px);
+
+  // The least t in [0, 1] where a + t (b - a) meets a curve; infinite where none does.
+  double first_crossing(const Vec2& a, const Vec2& b) const;
+  bool separate(const Vec2& a, const Vec2& b) const { return first_crossing(a, b) <= 1; }
+
+ private:
+  struct Piece {
+    Vec2 a;
+    Vec2 b;
+  };
+  int column_of(double x) const;
+  int row_of(double y) const;
+  void add_arc(const LabelledGraph& graph, int arc);
+  void add_pieces(const Vec2& a, const Vec2& b);
+  void fill_grid();
+
+  double width_, height_;
+  int columns_, rows_;
+  std::vector<Piece> pieces_;
+  Ragged<int> cells_;  // pieces that touch each cell's bounding box
+};
+
+}  // namespace illustrate

@@ -1,0 +1,71 @@
+#include "hatch/hatch_area.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace illustrate {
+namespace {
+
+// Depths in pixel sizes: a point is hidden when it is farther behind all cells around it than
+// `hidden_px`; cells of one sheet differ by less than `sheet_px`.
+constexpr double hidden_px = 0.5;
+constexpr double sheet_px = 4;
+
+}  // namespace
+
+// The cell of an image point, then the eight around it, within the frame.
+template <class Use>
+void HatchArea::around(const Vec2& image, const Use& use) const {
+  const int centre_column = static_cast<int>(image.x() / visible_.cell_px);
+  const int centre_row = static_cast<int>(image.y() / visible_.cell_px);
+  use(visible_.index(centre_column, centre_row));
+  for (int row = centre_row - 1; row <= centre_row + 1; ++row) {
+    for (int column = centre_column - 1; column <= centre_column + 1; ++column) {
+      if (row == centre_row && column == centre_column) continue;
+      if (row < 0 || column < 0 || row >= visible_.height || column >= visible_.width) continue;
+      use(visible_.index(column, row));
+    }
+  }
+}
+
+bool HatchArea::may_pass(const HatchPoint& point, Area area) const {
+  if (!is_in_frame(point)) return false;
+  const int centre = visible_.cell_of(point.image);
+  const bool is_covered = visible_.triangle[centre] != none;
+  if (is_covered && !wanted(centre, area)) return false;
+  double farthest = 0;
+  bool is_wanted = is_covered;
+  around(point.image, [&](int cell) {
+    farthest = std::max(farthest, visible_.depth[cell]);
+    is_wanted = is_wanted || wanted(cell, area);
+  });
+  if (!is_wanted) return false;
+  const double slack = hidden_px * camera_.pixel_size(point.position);
+  return camera_.project(point.position).depth <= farthest + slack;
+}
+
+SurfacePoint HatchArea::visible_point(const Vec2& image) const {
+  const int centre = visible_.cell_of(image);
+  SurfacePoint best;
+  if (centre == none || visible_.triangle[centre] == none) return best;
+  double least_error = std::numeric_limits<double>::infinity();
+  int last = none;
+  around(image, [&](int cell) {
+    const int triangle = visible_.triangle[cell];
+    if (triangle == none || triangle == last || least_error < 1e-6) return;
+    last = triangle;
+    const SurfacePoint on = surface_point_under(surface_, map_, triangle, image);
+    const Vec3 position = position_at(surface_, on);
+    if (!(camera_.near_distance(position) > 0)) return;
+    const ImagePoint seen = camera_.project(position);
+    const double error = (seen.xy - image).norm();
+    const double apart = std::abs(seen.depth - visible_.depth[centre]);
+    if (error >= least_error || apart > sheet_px * camera_.pixel_size(position)) return;
+    least_error = error;
+    best = on;
+  });
+  return best;
+}
+
+}  // namespace illustrate

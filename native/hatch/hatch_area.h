@@ -1,0 +1,55 @@
+// Where hatches are wanted, and what is seen there.
+#pragma once
+
+#include "hatch/hatches.h"
+#include "tone/tone_regions.h"
+
+namespace illustrate {
+
+// In which cells hatches may run.
+enum class Area : std::uint8_t {
+  hatched,   // midtones, shadows and undercuts, no Mach bands
+  undercut,  // undercuts only
+};
+
+class HatchArea {
+ public:
+  HatchArea(const Surface& surface, const Camera& camera, const VisibleImage& visible,
+            const ToneMap& tone)
+      : surface_(surface),
+        camera_(camera),
+        visible_(visible),
+        tone_(tone),
+        map_(image_map(camera)) {}
+
+  bool wanted(int cell, Area area) const {
+    if (tone_.band[cell] != Band::nothing) return tone_.band[cell] == Band::undercut;
+    return area == Area::hatched &&
+           (tone_.level[cell] == Tone::midtone || tone_.level[cell] == Tone::shadow);
+  }
+
+  // Whether a hatch may pass a point of the surface: in the frame, in a wanted cell, and not deeper
+  // than everything that is seen around it. A point at the outline whose own cell is empty goes
+  // with the cells around.
+  bool may_pass(const HatchPoint& point, Area area) const;
+
+  // Before the near plane and inside the image.
+  bool is_in_frame(const HatchPoint& point) const {
+    return camera_.near_distance(point.position) > 0 && visible_.cell_of(point.image) != none;
+  }
+
+  // The visible point of the surface under an image point, `none` where nothing is seen.
+  SurfacePoint visible_point(const Vec2& image) const;
+
+ private:
+  template <class Use>
+  void around(const Vec2& image, const Use& use) const;
+
+  const Surface& surface_;
+  const Camera& camera_;
+  const VisibleImage& visible_;
+  const ToneMap& tone_;
+  ImageMap map_;
+};
+
+}  // namespace illustrate

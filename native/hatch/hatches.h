@@ -1,0 +1,21 @@
+// Hatch strokes as exact curves on the surface.
+#pragma once
+
+#include "core/ragged.h"
+#include "core/types.h"
+
+namespace illustrate {
+
+struct HatchPoint {
+  Vec3 position;
+  SurfacePoint on;
+  Vec2 image;
+};
+
+struct Hatches {
+  Ragged<HatchPoint> curves;
+  std::vector<Kind> kinds;  // hatch, cross_hatch or undercut
+  std::vector<int> objects;
+};
+
+}  // namespace illustrate

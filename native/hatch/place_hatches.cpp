@@ -1,0 +1,283 @@
+#include "hatch/place_hatches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/errors.h"
+#include "hatch/trace_hatch.h"
+#include "tone/step_along.h"
+
+namespace illustrate {
+namespace {
+
+// Clearance that a new hatch's seed needs from parallel ones, in spacings: seeds of the queue lie
+// beside a hatch at exactly one, the fill pass closes what is left, and undercuts are filled
+// between hatches that are there already.
+constexpr double queue_clearance = 0.95;
+constexpr double fill_clearance = 0.75;
+constexpr double undercut_clearance = 0.65;
+
+// Seeds beside a critical curve start so far from it that they surely lie on the side they are
+// meant for.
+constexpr double curve_offset_px = 2;
+
+// The fill pass looks at points this many spacings apart.
+constexpr double fill_step = 0.25;
+
+// No drawing needs more; beyond it placement stops.
+constexpr std::size_t most_points = 20'000'000;
+
+void require(bool good, const char* message) {
+  if (!good) throw InvalidInput(message);
+}
+
+class Placer {
+ public:
+  Placer(const Surface& surface, const CrossField& field, const Camera& camera,
+         const VisibleImage& visible, const ToneMap& tone, const LabelledGraph& graph,
+         const std::vector<double>& spacing_scale, const std::vector<std::uint8_t>& unhatched,
+         const HatchOptions& options, const Progress& progress)
+      : surface_(surface),
+        camera_(camera),
+        visible_(visible),
+        graph_(graph),
+        spacing_scale_(spacing_scale),
+        unhatched_(unhatched),
+        options_(options),
+        progress_(progress),
+        area_(surface, camera, visible, tone),
+        walker_(surface, field, camera),
+        curves_(graph, camera.width_px(), camera.height_px()),
+        grid_(camera.width_px(), camera.height_px(), options.spacing_px),
+        tracer_(surface, walker_, area_, curves_, grid_, options) {}
+
+  Hatches place(Counts& counts) {
+    expected_px_ = std::max(1.0, 2 * covered_px() / options_.spacing_px);
+    seed_along_curves();
+    seed_along_hatches();
+    fill(Area::hatched);
+    fill(Area::undercut);
+    counts["hatch_steps"] += tracer_.steps();
+    counts["hatches"] += static_cast<std::int64_t>(hatches_.kinds.size());
+    return std::move(hatches_);
+  }
+
+ private:
+  // One area's spacing, rules and shortest hatch on one object.
+  struct Style {
+    double spacing_px;
+    double min_length_px;
+    HatchRules rules;
+  };
+
+  Style style_of(int object, Area area) const {
+    const bool dense = area == Area::undercut;
+    const double scale = spacing_scale_.empty() ? 1 : spacing_scale_[object];
+    const double base = dense ? options_.undercut_spacing_px : options_.spacing_px;
+    const double spacing = std::max(1.0, base * scale);
+    const double step = std::min(options_.step_px, spacing / 4);
+    return {spacing,
+            dense ? options_.min_length_px / 2 : options_.min_length_px,
+            {area, options_.test_factor * spacing, step, next_max_length_px()}};
+  }
+
+  // Neighbours that start in a row must not end in a row: golden-ratio steps between .6 and 1 of
+  // the greatest length.
+  double next_max_length_px() const {
+    const double turns = 0.6180339887498949 * static_cast<double>(hatches_.kinds.size());
+    return options_.max_length_px * (0.6 + 0.4 * (turns - std::floor(turns)));
+  }
+
+  double covered_px() const {
+    const auto cells = std::count_if(visible_.triangle.begin(), visible_.triangle.end(),
+                                     [](int triangle) { return triangle != none; });
+    return static_cast<double>(cells) * visible_.cell_px * visible_.cell_px;
+  }
+
+  // The seed under an image point, `none` where no hatch is wanted.
+  SurfacePoint seed_at(const Vec2& image, Area area) const {
+    const int cell = visible_.cell_of(image);
+    if (cell == none || visible_.triangle[cell] == none || !area_.wanted(cell, area)) return {};
+    if (!unhatched_.empty() && unhatched_[surface_.triangle_objects[visible_.triangle[cell]]]) {
+      return {};
+    }
+    return area_.visible_point(image);
+  }
+
+  // A new hatch, where it is clear of parallel ones and long enough.
+  void grow(const SurfacePoint& seed, const Vec3& towards, double clearance, Area area) {
+    if (hatches_.curves.values.size() > most_points) return;
+    const int object = surface_.triangle_objects[seed.triangle];
+    const Style style = style_of(object, area);
+    const HatchSample first{walker_.point(seed), walker_.start(seed, towards).tangent};
+    if (!area_.may_pass(first.point, area)) return;
+    if (tracer_.is_near_parallel(first, clearance * style.spacing_px)) return;
+    const HatchLine line = tracer_.trace(seed, towards, style.rules);
+    double length = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      length += (line[i].point.image - line[i - 1].point.image).norm();
+    }
+    if (line.size() < 2 || length < style.min_length_px) return;
+    add(line, object, area, length);
+  }
+
+  void add(const HatchLine& line, int object, Area area, double length) {
+    const int hatch = static_cast<int>(hatches_.kinds.size());
+    for (const HatchSample& sample : line) {
+      grid_.add({sample.point.image, sample.tangent, static_cast<int>(tangents_.size())});
+      hatches_.curves.push(sample.point);
+      tangents_.push_back(sample.tangent);
+    }
+    hatches_.curves.close_list();
+    hatches_.kinds.push_back(area == Area::undercut ? Kind::undercut : Kind::hatch);
+    hatches_.objects.push_back(object);
+    placed_px_ += length;
+    if (hatch % 32 == 0) progress_.report(std::min(0.95, placed_px_ / expected_px_));
+  }
+
+  // Hatches leave critical curves as nearly at right angles as the cross allows.
+  void seed_along_curves() {
+    const Vec2 size(camera_.width_px(), camera_.height_px());
+    for (int arc = 0; arc < static_cast<int>(graph_.arcs.size()); ++arc) {
+      if (graph_.arcs[arc].invisibility != 0 || !is_critical(graph_.arcs[arc].kind)) continue;
+      progress_.report(0);
+      step_along(graph_.image[arc], graph_.arcs[arc].start_node == none, options_.spacing_px,
+                 Frame{Vec2::Zero(), size}, [&](const CurveSample& at) {
+                   const Vec2 across(-at.heading.y(), at.heading.x());
+                   seed_across(at.image + curve_offset_px * across, across);
+                   seed_across(at.image - curve_offset_px * across, across);
+                 });
+    }
+  }
+
+  void seed_across(const Vec2& image, const Vec2& across) {
+    const SurfacePoint seed = seed_at(image, Area::hatched);
+    if (seed.triangle == none) return;
+    const Vec3 position = position_at(surface_, seed), normal = normal_at(surface_, seed);
+    const Vec3 one = walker_.start(seed, normal.unitOrthogonal()).tangent;
+    const Vec3 other = normal.cross(one);
+    const auto alignment = [&](const Vec3& direction) {
+      return std::abs(walker_.image_direction(position, direction).normalized().dot(across));
+    };
+    grow(seed, alignment(one) >= alignment(other) ? one : other, queue_clearance, Area::hatched);
+  }
+
+  // First come, first served: beside every hatch at one spacing, and across it.
+  void seed_along_hatches() {
+    for (; next_ < hatches_.kinds.size(); ++next_) {
+      const double spacing = style_of(hatches_.objects[next_], Area::hatched).spacing_px;
+      const auto begin = static_cast<std::size_t>(hatches_.curves.offsets[next_]);
+      const auto end = static_cast<std::size_t>(hatches_.curves.offsets[next_ + 1]);
+      double walked = spacing / 2;
+      for (std::size_t i = begin; i + 1 < end; ++i) {
+        const Vec2 from = hatches_.curves.values[i].image;
+        const Vec2 run = hatches_.curves.values[i + 1].image - from;
+        walked += run.norm();
+        if (walked < spacing || !(run.norm() > 0)) continue;
+        walked = 0;
+        seed_beside(i, run.normalized() * spacing);
+      }
+    }
+  }
+
+  void seed_beside(std::size_t point, const Vec2& run) {
+    const HatchPoint from = hatches_.curves.values[point];
+    const Vec3 tangent = tangents_[point];
+    const Vec2 aside(-run.y(), run.x());
+    for (const Vec2& image : {Vec2(from.image + aside), Vec2(from.image - aside)}) {
+      const SurfacePoint seed = seed_at(image, Area::hatched);
+      if (seed.triangle == none || curves_.separate(from.image, image)) continue;
+      grow(seed, tangent, queue_clearance, Area::hatched);
+    }
+    const Vec3 across = normal_at(surface_, from.on).cross(tangent);
+    grow(from.on, across, queue_clearance, Area::hatched);
+  }
+
+  // Points of a fine lattice over the image, in an order that spreads evenly: steps of the golden
+  // ratio round the list.
+  void fill(Area area) {
+    const double base = area == Area::undercut ? options_.undercut_spacing_px : options_.spacing_px;
+    const double step = std::max(1.0, fill_step * base);
+    const auto columns = static_cast<std::int64_t>(camera_.width_px() / step);
+    const std::int64_t count = columns * static_cast<std::int64_t>(camera_.height_px() / step);
+    if (count < 1) return;
+    auto stride = static_cast<std::int64_t>(0.6180339887498949 * static_cast<double>(count)) | 1;
+    while (gcd(stride, count) != 1) ++stride;
+    for (std::int64_t i = 0, at = 0; i < count; ++i, at = (at + stride) % count) {
+      if (i % 4096 == 0) progress_.report(std::min(0.95, placed_px_ / expected_px_));
+      fill_at(Vec2(double(at % columns) + 0.5, double(at / columns) + 0.5) * step, area);
+    }
+  }
+
+  static std::int64_t gcd(std::int64_t a, std::int64_t b) { return b == 0 ? a : gcd(b, a % b); }
+
+  // Both families where none of their hatches is near; what grows here seeds its neighbours first.
+  void fill_at(const Vec2& image, Area area) {
+    const SurfacePoint seed = seed_at(image, area);
+    if (seed.triangle == none) return;
+    const double clearance = area == Area::undercut ? undercut_clearance : fill_clearance;
+    const Vec3 normal = normal_at(surface_, seed);
+    const Vec3 one = walker_.start(seed, normal.unitOrthogonal()).tangent;
+    for (const Vec3& towards : {one, Vec3(normal.cross(one))}) grow(seed, towards, clearance, area);
+    if (area == Area::hatched) seed_along_hatches();
+  }
+
+  const Surface& surface_;
+  const Camera& camera_;
+  const VisibleImage& visible_;
+  const LabelledGraph& graph_;
+  const std::vector<double>& spacing_scale_;
+  const std::vector<std::uint8_t>& unhatched_;
+  const HatchOptions& options_;
+  const Progress& progress_;
+  HatchArea area_;
+  Walker walker_;
+  CriticalCurves curves_;
+  NeighbourGrid grid_;
+  Tracer tracer_;
+  Hatches hatches_;
+  std::vector<Vec3> tangents_;  // of hatches_.curves.values
+  std::size_t next_ = 0;        // hatch whose seeds come next
+  double placed_px_ = 0;
+  double expected_px_ = 1;
+};
+
+}  // namespace
+
+void validate(const HatchOptions& options) {
+  const auto between = [](double value, double low, double high) {
+    return value >= low && value <= high;
+  };
+  require(between(options.spacing_px, 1, 1e4), "spacing_px must be in [1, 10000]");
+  require(between(options.undercut_spacing_px, 1, 1e4),
+          "undercut_spacing_px must be in [1, 10000]");
+  require(between(options.test_factor, 0.1, 1), "test_factor must be in [0.1, 1]");
+  require(between(options.step_px, 0.25, 20), "step_px must be in [0.25, 20]");
+  require(between(options.max_turn_deg, 1, 360), "max_turn_deg must be in [1, 360]");
+  require(between(options.max_length_px, 1, 2e4), "max_length_px must be in [1, 20000]");
+  require(between(options.min_length_px, 0, 1e6), "min_length_px must be in [0, 1000000]");
+}
+
+Hatches place_hatches(const Surface& surface, const CrossField& field, const Camera& camera,
+                      const VisibleImage& visible, const ToneMap& tone, const LabelledGraph& graph,
+                      const std::vector<double>& spacing_scale,
+                      const std::vector<std::uint8_t>& unhatched, const HatchOptions& options,
+                      Counts& counts, const Progress& progress) {
+  validate(options);
+  const std::size_t objects = surface.object_is_smooth.size();
+  require(spacing_scale.empty() || spacing_scale.size() == objects,
+          "spacing_scale must have one entry per object");
+  for (const double scale : spacing_scale) {
+    require(scale > 0 && std::isfinite(scale), "spacing_scale must be finite and positive");
+  }
+  require(unhatched.empty() || unhatched.size() == objects,
+          "unhatched must have one entry per object");
+  Placer placer(surface, field, camera, visible, tone, graph, spacing_scale, unhatched, options,
+                progress);
+  Hatches hatches = placer.place(counts);
+  progress.report(1);
+  return hatches;
+}
+
+}  // namespace illustrate

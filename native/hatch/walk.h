@@ -1,0 +1,58 @@
+// Walking along the cross field over the triangles of the surface.
+#pragma once
+
+#include "field/cross_field.h"
+#include "hatch/hatches.h"
+#include "tone/image_map.h"
+
+namespace illustrate {
+
+// A place on the surface, and where the walk goes: a unit tangent. `facing` is +1 where the normal
+// of the sheet points to the eye.
+struct Walk {
+  SurfacePoint on;
+  Vec3 tangent;
+  double facing = 1;
+};
+
+enum class WalkEnd : std::uint8_t {
+  whole,       // the whole length was walked
+  edge,        // boundary, crease, or a triangle without area
+  silhouette,  // the surface turns away from the eye here
+};
+
+// The line is straight inside each triangle, in the direction of the cross at its middle (second
+// order), and goes on in the triangle across the edge. Across the seam of a double cover only the
+// sheet's normal changes sign.
+class Walker {
+ public:
+  Walker(const Surface& surface, const CrossField& field, const Camera& camera);
+
+  // At a place, along the branch of the cross nearest to `towards`.
+  Walk start(const SurfacePoint& on, const Vec3& towards) const;
+  // The same the other way.
+  static Walk turned(Walk walk);
+
+  // Moves `walk` by `length_px` of the image, or up to where the walk ends.
+  WalkEnd advance(Walk& walk, double length_px) const;
+
+  HatchPoint point(const SurfacePoint& on) const;
+  // How a world direction at p shows in the image, px per world unit.
+  Vec2 image_direction(const Vec3& p, const Vec3& direction) const;
+  const ImageMap& map() const { return map_; }
+
+ private:
+  struct Rates;
+  Rates rates(const SurfacePoint& on, const Vec3& direction) const;
+  Rates rates_along_middle(const Walk& walk, int entry_edge, double rest_px) const;
+  double facing_at(const SurfacePoint& on) const;
+  bool cross_edge(Walk& walk, int edge, int& entry_edge) const;
+
+  const Surface& surface_;
+  const CrossField& field_;
+  const Camera& camera_;
+  ImageMap map_;
+  std::vector<double> front_;  // (n) normal . to_eye: positive where a vertex faces the eye
+};
+
+}  // namespace illustrate

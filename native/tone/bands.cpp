@@ -1,0 +1,169 @@
+#include "tone/bands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tone/step_along.h"
+
+namespace illustrate {
+namespace {
+
+// Depths are compared in pixel sizes. The triangles stand out from the smooth outline by less than
+// `behind`; a fold that recedes from its own edge does so by less than `recession` pixels of depth
+// for each pixel of the image.
+constexpr double behind = 3;
+constexpr double recession = 3;
+constexpr double sample_step_px = 1;
+
+enum class Side : std::uint8_t { neither, left, right };
+
+struct FoldSample {
+  Vec2 image;
+  Vec2 beyond;  // unit, across the curve, away from the fold
+  double depth;
+  double pixel;  // world length of a pixel there
+};
+
+// To the left of a curve as the viewer sees it run, y pointing down.
+Vec2 left_of(const Vec2& heading) { return {heading.y(), -heading.x()}; }
+
+class BandMarker {
+ public:
+  BandMarker(const Surface& surface, const VisibleImage& visible, const LabelledGraph& graph,
+             const Camera& camera, const ToneOptions& options, std::vector<Band>& band)
+      : surface_(surface),
+        visible_(visible),
+        graph_(graph),
+        camera_(camera),
+        options_(options),
+        band_(band),
+        map_(image_map(camera)),
+        nearest_(band.size(), std::numeric_limits<float>::infinity()) {}
+
+  void mark(int arc) {
+    const GraphArc& data = graph_.arcs[arc];
+    if (data.invisibility != 0 || data.kind == Kind::seam) return;
+    const bool meets = data.kind == Kind::intersection;
+    const std::vector<FoldSample> samples = samples_of(arc);
+    const Side beyond = meets ? side_turned_away(samples) : side_beyond(data);
+    if (beyond == Side::neither) return;
+    for (FoldSample sample : samples) {
+      if (beyond == Side::right) sample.beyond = -sample.beyond;
+      if (meets ? !std::isfinite(depth_at(sample, 2)) : !covers_another(sample)) continue;
+      mark_round(sample, meets ? -std::numeric_limits<double>::infinity() : behind);
+    }
+  }
+
+ private:
+  static Side side_beyond(const GraphArc& arc) {
+    if (arc.left_layers == arc.right_layers) return Side::neither;
+    return arc.left_layers > arc.right_layers ? Side::right : Side::left;
+  }
+
+  // `beyond` of the samples is the left side until the fold is known.
+  std::vector<FoldSample> samples_of(int arc) const {
+    const double margin = std::max(options_.mach_band_px, options_.undercut_px);
+    const Vec2 size(camera_.width_px(), camera_.height_px());
+    const Frame frame{Vec2::Constant(-margin), size + Vec2::Constant(margin)};
+    const Span<const CurvePoint> points = graph_.points[arc];
+    std::vector<FoldSample> samples;
+    step_along(graph_.image[arc], graph_.arcs[arc].start_node == none, sample_step_px, frame,
+               [&](const CurveSample& at) {
+                 const std::size_t next = at.segment + 1 == points.size() ? 0 : at.segment + 1;
+                 const Vec3& a = points[at.segment].position;
+                 const Vec3 p = a + at.fraction * (points[next].position - a);
+                 samples.push_back({at.image, left_of(at.heading), camera_.project(p).depth,
+                                    camera_.pixel_size(p)});
+               });
+    return samples;
+  }
+
+  // Depth of what is seen `cells` cells beyond the curve; infinite where nothing is.
+  double depth_at(const FoldSample& sample, double cells) const {
+    const double reach = cells * std::max(1.0, visible_.cell_px);
+    const int cell = visible_.cell_of(sample.image + reach * sample.beyond);
+    return cell == none ? std::numeric_limits<double>::infinity() : visible_.depth[cell];
+  }
+
+  bool covers_another(const FoldSample& sample) const {
+    for (const double cells : {2.0, 3.5}) {
+      const double depth = depth_at(sample, cells);
+      if (std::isfinite(depth) && depth > sample.depth + behind * sample.pixel) return true;
+    }
+    return false;
+  }
+
+  // |n . view| of what is seen at an image point, 1 where nothing is.
+  double facing_at(const Vec2& image) const {
+    const int cell = visible_.cell_of(image);
+    if (cell == none || visible_.triangle[cell] == none) return 1;
+    const SurfacePoint at = surface_point_under(surface_, map_, visible_.triangle[cell], image);
+    const Vec3 to_eye = camera_.to_eye(position_at(surface_, at));
+    return std::abs(normal_at(surface_, at).dot(to_eye)) / to_eye.norm();
+  }
+
+  Side side_turned_away(const std::vector<FoldSample>& samples) const {
+    const double reach = 2 * std::max(1.0, visible_.cell_px);
+    double left = 0, right = 0;
+    for (const FoldSample& sample : samples) {
+      left += facing_at(sample.image + reach * sample.beyond);
+      right += facing_at(sample.image - reach * sample.beyond);
+    }
+    return left < right ? Side::left : Side::right;
+  }
+
+  void mark_round(const FoldSample& sample, double least_depth) {
+    const double reach = std::max(options_.mach_band_px, options_.undercut_px);
+    const double cell_px = visible_.cell_px;
+    const auto cells = [cell_px](double px, int end) {
+      return static_cast<int>(std::clamp(std::floor(px / cell_px), 0.0, end - 1.0));
+    };
+    const int row_end = cells(sample.image.y() + reach, visible_.height);
+    const int column_end = cells(sample.image.x() + reach, visible_.width);
+    for (int row = cells(sample.image.y() - reach, visible_.height); row <= row_end; ++row) {
+      for (int i = cells(sample.image.x() - reach, visible_.width); i <= column_end; ++i) {
+        mark_cell(sample, least_depth, Vec2(i + 0.5, row + 0.5) * cell_px, visible_.index(i, row));
+      }
+    }
+  }
+
+  void mark_cell(const FoldSample& sample, double least_depth, const Vec2& centre, int cell) {
+    const Vec2 offset = centre - sample.image;
+    const double distance = offset.norm();
+    if (distance >= nearest_[cell] || visible_.triangle[cell] == none) return;
+    const double deeper = (visible_.depth[cell] - sample.depth) / sample.pixel;
+    const bool is_beyond = offset.dot(sample.beyond) > 0;
+    const bool is_fold = !is_beyond && deeper < behind + recession * distance;
+    const bool is_undercut = is_beyond && deeper > least_depth;
+    Band mark = Band::nothing;
+    if (is_fold && distance <= options_.mach_band_px) mark = Band::mach_band;
+    if (is_undercut && distance <= options_.undercut_px) mark = Band::undercut;
+    if (mark == Band::nothing) return;
+    band_[cell] = mark;
+    nearest_[cell] = static_cast<float>(distance);
+  }
+
+  const Surface& surface_;
+  const VisibleImage& visible_;
+  const LabelledGraph& graph_;
+  const Camera& camera_;
+  const ToneOptions& options_;
+  std::vector<Band>& band_;
+  ImageMap map_;
+  std::vector<float> nearest_;  // distance to the curve that marked a cell
+};
+
+}  // namespace
+
+void mark_bands(const Surface& surface, const VisibleImage& visible, const LabelledGraph& graph,
+                const Camera& camera, const ToneOptions& options, std::vector<Band>& band) {
+  BandMarker marker(surface, visible, graph, camera, options, band);
+  for (int arc = 0; arc < static_cast<int>(graph.arcs.size()); ++arc) marker.mark(arc);
+  for (Band& mark : band) {
+    const bool wanted = mark == Band::mach_band ? options.mach_bands : options.undercuts;
+    if (!wanted) mark = Band::nothing;
+  }
+}
+
+}  // namespace illustrate

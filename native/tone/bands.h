@@ -1,0 +1,20 @@
+// Mach bands and undercuts: the two sides of a fold (paper section 6.3).
+#pragma once
+
+#include "tone/tone_regions.h"
+
+namespace illustrate {
+
+// Where a visible curve of the graph hides one side of itself from the other (`left_layers` !=
+// `right_layers`) and another surface is seen beyond it, cells of the fold within mach_band_px
+// become Mach band, cells of the other surface within undercut_px undercut. A cell near several
+// folds goes with the nearest.
+//
+// A visible self-intersection hides nothing: two sheets meet there. Over the whole arc the sheet
+// that is turned farther from the viewer takes the undercut, the other one the Mach band.
+//
+// band: (height * width), set to Band::nothing by the caller.
+void mark_bands(const Surface& surface, const VisibleImage& visible, const LabelledGraph& graph,
+                const Camera& camera, const ToneOptions& options, std::vector<Band>& band);
+
+}  // namespace illustrate

@@ -1,0 +1,46 @@
+// Stage `tone`: highlights, midtones, shadows; Mach bands and undercuts (paper sections 6.1, 6.3).
+//
+// A visible silhouette, boundary or self-intersection separates a fold from what lies beyond it.
+// Where that is another surface, a narrow band on the fold's near side is a Mach band (not hatched)
+// and a wider one beyond it an undercut (densely cross-hatched, also in a highlight).
+#pragma once
+
+#include "core/progress.h"
+#include "tone/light.h"
+#include "tone/visible_image.h"
+#include "visibility/labelled_graph.h"
+
+namespace illustrate {
+
+struct ToneOptions {
+  double highlight_threshold = 0.8;  // brightness above: highlight, no hatching
+  double shadow_threshold = 0.4;     // at or below: shadow, two directions; else midtone, one
+  bool mach_bands = true;
+  bool undercuts = true;
+  double mach_band_px = 4;  // in [0, 100]
+  double undercut_px = 10;  // in [0, 100]
+  int threads = 0;
+};
+void validate(const ToneOptions& options);  // throws InvalidInput naming the field
+
+enum class Tone : std::uint8_t { highlight = 0, midtone = 1, shadow = 2, nothing = 255 };
+enum class Band : std::uint8_t { nothing = 0, mach_band = 1, undercut = 2 };
+
+struct ToneMap {
+  int width = 0;
+  int height = 0;
+  double cell_px = 1;
+  std::vector<Tone> level;  // (height * width)
+  std::vector<Band> band;
+  std::vector<float> brightness;  // 0 where nothing is seen
+
+  // Cell of an image point, none outside the frame.
+  int cell_of(const Vec2& image) const;
+};
+
+ToneMap tone_regions(const Surface& surface, const VisibleImage& visible,
+                     const LabelledGraph& graph, const Camera& camera,
+                     const std::vector<Light>& lights, const ToneOptions& options,
+                     const Progress& progress = {});
+
+}  // namespace illustrate

@@ -1,0 +1,196 @@
+#include "tone/visible_image.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/errors.h"
+#include "core/parallel.h"
+#include "tone/image_map.h"
+
+namespace illustrate {
+namespace {
+
+// A vertex on the grid of cells. p and q are depth / w and 1 / w: both are linear across the image.
+struct GridVertex {
+  double x, y, depth, p, q;
+  double near_distance;
+};
+
+struct Projector {
+  Projector(const Camera& view, double size) : camera(view), map(image_map(view)), cell_px(size) {}
+
+  GridVertex operator()(const Vec3& position) const {
+    const Vec3 h = apply(map, position);
+    const double depth = -(camera.view().row(2) * position.homogeneous()).value();
+    const double scale = 1 / (h[2] * cell_px);
+    return {h[0] * scale, h[1] * scale, depth,
+            depth / h[2], 1 / h[2],     camera.near_distance(position)};
+  }
+
+  const Camera& camera;
+  ImageMap map;
+  double cell_px;
+};
+
+// Twice the signed area of (a, b, point). Both triangles at an edge get the same number but for its
+// sign, so no cell centre falls between them.
+double edge_function(const GridVertex& a, const GridVertex& b, double x, double y) {
+  const bool swapped = b.x < a.x || (b.x == a.x && b.y < a.y);
+  const GridVertex& low = swapped ? b : a;
+  const GridVertex& high = swapped ? a : b;
+  const double value = (high.x - low.x) * (y - low.y) - (high.y - low.y) * (x - low.x);
+  return swapped ? -value : value;
+}
+
+// The first and one past the last cell whose centre lies in [low, high], within [begin, end).
+std::pair<int, int> cells_between(double low, double high, int begin, int end) {
+  const double first = std::clamp(std::ceil(low - 0.5), double(begin), double(end));
+  const double last = std::clamp(std::floor(high - 0.5) + 1, double(begin), double(end));
+  return {static_cast<int>(first), static_cast<int>(last)};
+}
+
+// Rows [row_begin, row_end) of the image, triangle by triangle; of equal depths the first triangle
+// stays.
+class RowPainter {
+ public:
+  RowPainter(VisibleImage& image, int row_begin, int row_end)
+      : image_(image), row_begin_(row_begin), row_end_(row_end) {}
+
+  void draw(int triangle, const GridVertex& a, const GridVertex& b, const GridVertex& c) {
+    const auto [low_y, high_y] = std::minmax({a.y, b.y, c.y});
+    const auto [row, row_end] = cells_between(low_y, high_y, row_begin_, row_end_);
+    if (!(row < row_end)) return;
+    const auto [low_x, high_x] = std::minmax({a.x, b.x, c.x});
+    const auto [column, column_end] = cells_between(low_x, high_x, 0, image_.width);
+    if (!(column < column_end)) return;
+    const double area = edge_function(a, b, c.x, c.y);
+    if (area == 0 || !std::isfinite(area)) return;
+    for (int j = row; j < row_end; ++j) {
+      for (int i = column; i < column_end; ++i)
+        draw_cell(triangle, a, b, c, area > 0 ? 1 : -1, i, j);
+    }
+  }
+
+ private:
+  void draw_cell(int triangle, const GridVertex& a, const GridVertex& b, const GridVertex& c,
+                 double side, int column, int row) {
+    const double x = column + 0.5, y = row + 0.5;
+    const double wa = side * edge_function(b, c, x, y);
+    const double wb = side * edge_function(c, a, x, y);
+    const double wc = side * edge_function(a, b, x, y);
+    if (!(wa >= 0 && wb >= 0 && wc >= 0)) return;
+    const auto [nearest, farthest] = std::minmax({a.depth, b.depth, c.depth});
+    const double depth = std::clamp(
+        (wa * a.p + wb * b.p + wc * c.p) / (wa * a.q + wb * b.q + wc * c.q), nearest, farthest);
+    const int cell = image_.index(column, row);
+    if (!(depth < image_.depth[cell])) return;
+    image_.depth[cell] = depth;
+    image_.triangle[cell] = triangle;
+  }
+
+  VisibleImage& image_;
+  int row_begin_, row_end_;
+};
+
+// The part of a triangle before the near plane, as a fan. At most four corners.
+void draw_clipped(RowPainter& painter, const Projector& project, const Surface& surface,
+                  int triangle, const std::array<const GridVertex*, 3>& corners) {
+  std::array<GridVertex, 4> kept;
+  int count = 0;
+  for (int k = 0; k < 3; ++k) {
+    const GridVertex& a = *corners[k];
+    const GridVertex& b = *corners[next_corner(k)];
+    if (a.near_distance > 0) kept[count++] = a;
+    if ((a.near_distance > 0) == (b.near_distance > 0)) continue;
+    const double t = a.near_distance / (a.near_distance - b.near_distance);
+    const Vec3& from = surface.positions[surface.triangles[triangle][k]];
+    const Vec3& to = surface.positions[surface.triangles[triangle][next_corner(k)]];
+    kept[count++] = project(from + t * (to - from));
+  }
+  for (int k = 2; k < count; ++k) painter.draw(triangle, kept[0], kept[k - 1], kept[k]);
+}
+
+void draw_all(RowPainter& painter, const Projector& project, const Surface& surface,
+              const std::vector<GridVertex>& vertices, const std::vector<std::uint8_t>& hidden) {
+  for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
+    if (!hidden.empty() && hidden[surface.triangle_objects[t]]) continue;
+    const Triangle& corner = surface.triangles[t];
+    const GridVertex& a = vertices[corner[0]];
+    const GridVertex& b = vertices[corner[1]];
+    const GridVertex& c = vertices[corner[2]];
+    const int before = (a.near_distance > 0) + (b.near_distance > 0) + (c.near_distance > 0);
+    if (before == 3) {
+      painter.draw(t, a, b, c);
+    } else if (before > 0) {
+      draw_clipped(painter, project, surface, t, {&a, &b, &c});
+    }
+  }
+}
+
+}  // namespace
+
+int VisibleImage::cell_of(const Vec2& image) const {
+  const double column = std::floor(image.x() / cell_px), row = std::floor(image.y() / cell_px);
+  if (!(column >= 0 && row >= 0 && column < width && row < height)) return none;
+  return index(static_cast<int>(column), static_cast<int>(row));
+}
+
+VisibleImage render_visible(const Surface& surface, const Camera& camera, double cell_px,
+                            const std::vector<std::uint8_t>& hidden, int threads) {
+  if (!(cell_px >= 0.25 && std::isfinite(cell_px))) {
+    throw InvalidInput("cell_px must be finite and at least 0.25");
+  }
+  if (!hidden.empty() && hidden.size() != surface.object_is_smooth.size()) {
+    throw InvalidInput("hidden must have one entry per object");
+  }
+  VisibleImage image;
+  image.width = static_cast<int>(std::ceil(camera.width_px() / cell_px));
+  image.height = static_cast<int>(std::ceil(camera.height_px() / cell_px));
+  image.cell_px = cell_px;
+  const std::size_t cells = static_cast<std::size_t>(image.width) * image.height;
+  image.triangle.assign(cells, none);
+  image.depth.assign(cells, std::numeric_limits<double>::infinity());
+
+  const Projector project(camera, cell_px);
+  std::vector<GridVertex> vertices(surface.positions.size());
+  parallel_for(vertices.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) vertices[i] = project(surface.positions[i]);
+  });
+  // Shares of cells, each rounded to whole rows.
+  const auto row_of = [&](std::size_t cell) {
+    return static_cast<int>((cell + image.width - 1) / image.width);
+  };
+  parallel_for(cells, threads, [&](std::size_t begin, std::size_t end) {
+    RowPainter painter(image, row_of(begin), row_of(end));
+    draw_all(painter, project, surface, vertices, hidden);
+  });
+  return image;
+}
+
+SurfacePoint surface_point_under(const Surface& surface, const Camera& camera, int triangle,
+                                 const Vec2& image) {
+  return surface_point_under(surface, image_map(camera), triangle, image);
+}
+
+SurfacePoint surface_point_under(const Surface& surface, const ImageMap& map, int triangle,
+                                 const Vec2& image) {
+  Vec2 edge[3];
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 h = apply(map, surface.positions[surface.triangles[triangle][k]]);
+    edge[k] = h.head<2>() - h[2] * image;
+  }
+  double weight[3];
+  for (int k = 0; k < 3; ++k) {
+    const Vec2& a = edge[next_corner(k)];
+    const Vec2& b = edge[previous_corner(k)];
+    weight[k] = a.x() * b.y() - a.y() * b.x();
+  }
+  const double total = weight[0] + weight[1] + weight[2];
+  if (total == 0 || !std::isfinite(1 / total)) return {triangle, 1 / 3.0, 1 / 3.0};
+  for (double& w : weight) w = std::max(0.0, w / total);
+  const double sum = weight[0] + weight[1] + weight[2];
+  return {triangle, weight[1] / sum, weight[2] / sum};
+}
+
+}  // namespace illustrate
