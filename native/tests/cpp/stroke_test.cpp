@@ -53,8 +53,7 @@ struct GraphBuilder {
   }
 
   // Between two nodes, straight.
-  int line(int start, int end, int invisibility = 0, Kind kind = Kind::silhouette,
-           int object = 0) {
+  int line(int start, int end, int invisibility = 0, Kind kind = Kind::silhouette, int object = 0) {
     const auto image = [&](int n) { return graph.nodes[static_cast<std::size_t>(n)].image; };
     return arc({image(start), image(end)}, start, end, invisibility, kind, object);
   }
@@ -97,8 +96,7 @@ struct CrossingGraph : GraphBuilder {
     const int back_in = line(low, crossing);
     const int front_out = line(crossing, right);
     const int back_out = line(crossing, high, 2);
-    graph.nodes[static_cast<std::size_t>(crossing)].arcs = {front_in, front_out, back_in,
-                                                             back_out};
+    graph.nodes[static_cast<std::size_t>(crossing)].arcs = {front_in, front_out, back_in, back_out};
   }
 };
 
@@ -177,9 +175,8 @@ TEST(MakeStrokes, LoopThroughOneNodeCloses) {
 
 TEST(MakeStrokes, KindsAreDrawnWhenAskedForAndSortedByKind) {
   GraphBuilder b;
-  const std::vector<Kind> kinds{Kind::seam,   Kind::flat_outline, Kind::material,
-                                Kind::mark,   Kind::intersection, Kind::crease,
-                                Kind::boundary};
+  const std::vector<Kind> kinds{Kind::seam,         Kind::flat_outline, Kind::material, Kind::mark,
+                                Kind::intersection, Kind::crease,       Kind::boundary};
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     b.arc(circle({50, 50}, 5 + 5.0 * static_cast<double>(i), 40), none, none, 0, kinds[i]);
   }

@@ -1,0 +1,271 @@
+#include "stroke/chains.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace illustrate {
+namespace {
+
+// Directions at a node are taken this far along an arc, so that rounding to the image grid and the
+// tiny hooks near cusps do not decide how a line goes on.
+constexpr double direction_px = 1.0;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+// Ends are numbered 2 arc for the start of an arc, 2 arc + 1 for its end.
+int number_of(const ArcEnd& end) { return 2 * end.arc + (end.at_start ? 0 : 1); }
+
+int node_of(const LabelledGraph& graph, const ArcEnd& end) {
+  const GraphArc& arc = graph.arcs[at(end.arc)];
+  return end.at_start ? arc.start_node : arc.end_node;
+}
+
+bool kind_is_drawn(Kind kind, const StrokeOptions& options) {
+  switch (kind) {
+    case Kind::seam:
+      return false;
+    case Kind::mark:
+      return options.marks;
+    case Kind::material:
+      return options.materials;
+    case Kind::flat_outline:
+      return options.flat_outlines;
+    default:
+      return true;
+  }
+}
+
+bool layers_are_drawn(int layers, const StrokeOptions& options) {
+  if (layers == 0) return true;
+  const auto& range = options.hidden_lines;
+  return range && (*range)[0] <= layers && layers <= (*range)[1];
+}
+
+bool are_one_line(const GraphArc& a, const GraphArc& b) {
+  return a.kind == b.kind && a.object == b.object && a.invisibility == b.invisibility;
+}
+
+// Unit direction in which an arc leaves the node at this end; zero for an arc of no length.
+Vec2 leaving_direction(const LabelledGraph& graph, const ArcEnd& end) {
+  const Span<const Vec2> image = graph.image[at(end.arc)];
+  const auto nth = [&](std::size_t i) { return image[end.at_start ? i : image.size() - 1 - i]; };
+  Vec2 away = Vec2::Zero();
+  for (std::size_t i = 1; i < image.size() && away.norm() < direction_px; ++i) {
+    away = nth(i) - nth(0);
+  }
+  const double length = away.norm();
+  return length > 0 ? Vec2(away / length) : Vec2(Vec2::Zero());
+}
+
+class Mates {
+ public:
+  Mates(const LabelledGraph& graph, const std::vector<std::uint8_t>& drawn)
+      : graph_(graph), drawn_(drawn), mates_(2 * graph.arcs.size(), none) {}
+
+  void pair_at_crossing(const GraphNode& node) {
+    const auto& arcs = node.arcs;
+    join({arcs[0], false}, {arcs[1], true});
+    join({arcs[2], false}, {arcs[3], true});
+  }
+
+  // Greedily, the smallest turn first; of equal turns the ends that come first.
+  void pair_by_turn(Span<const ArcEnd> ends) {
+    struct Candidate {
+      double
+          cosine;  // of the angle between the two directions away from the node: -1 is straight on
+      std::size_t a, b;
+    };
+    std::vector<Candidate> candidates;
+    for (std::size_t a = 0; a < ends.size(); ++a) {
+      for (std::size_t b = a + 1; b < ends.size(); ++b) {
+        if (!are_one_line(graph_.arcs[at(ends[a].arc)], graph_.arcs[at(ends[b].arc)])) continue;
+        const double cosine =
+            leaving_direction(graph_, ends[a]).dot(leaving_direction(graph_, ends[b]));
+        candidates.push_back({cosine, a, b});
+      }
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.cosine < b.cosine; });
+    for (const Candidate& c : candidates) join(ends[c.a], ends[c.b]);
+  }
+
+  ArcEnd of(const ArcEnd& end) const {
+    const int mate = mates_[at(number_of(end))];
+    return mate == none ? ArcEnd{} : ArcEnd{mate / 2, mate % 2 == 0};
+  }
+
+ private:
+  void join(const ArcEnd& a, const ArcEnd& b) {
+    if (a.arc == none || b.arc == none || !drawn_[at(a.arc)] || !drawn_[at(b.arc)]) return;
+    if (!are_one_line(graph_.arcs[at(a.arc)], graph_.arcs[at(b.arc)])) return;
+    int& mate_of_a = mates_[at(number_of(a))];
+    int& mate_of_b = mates_[at(number_of(b))];
+    if (mate_of_a != none || mate_of_b != none) return;
+    mate_of_a = number_of(b);
+    mate_of_b = number_of(a);
+  }
+
+  const LabelledGraph& graph_;
+  const std::vector<std::uint8_t>& drawn_;
+  std::vector<int> mates_;
+};
+
+// The end at which the chain through `arc` starts; on a closed one, the start of `arc`.
+ArcEnd first_end(const Mates& mates, int arc) {
+  ArcEnd first{arc, true};
+  for (ArcEnd before = mates.of(first); before.arc != none; before = mates.of(first)) {
+    first = {before.arc, !before.at_start};
+    if (first.arc == arc && first.at_start) break;
+  }
+  return first;
+}
+
+Chain follow(const LabelledGraph& graph, const Mates& mates, const ArcEnd& first) {
+  Chain chain;
+  ArcEnd last;
+  for (ArcEnd next = first; next.arc != none; next = mates.of(last)) {
+    if (!chain.arcs.empty() && next.arc == first.arc && next.at_start == first.at_start) {
+      chain.closed = true;
+      return chain;
+    }
+    chain.arcs.push_back(next.arc);
+    chain.reversed.push_back(next.at_start ? 0 : 1);
+    last = {next.arc, !next.at_start};
+  }
+  chain.start_node = node_of(graph, first);
+  chain.end_node = node_of(graph, last);
+  chain.closed = chain.start_node == none;  // a loop without nodes
+  return chain;
+}
+
+double image_length(const LabelledGraph& graph, const Chain& chain) {
+  double length = 0;
+  for (const int arc : chain.arcs) {
+    const Span<const Vec2> image = graph.image[at(arc)];
+    for (std::size_t i = 1; i < image.size(); ++i) length += (image[i] - image[i - 1]).norm();
+    if (graph.arcs[at(arc)].start_node == none) length += (image.back() - image.front()).norm();
+  }
+  return length;
+}
+
+// Drops dangling specks one after another: dropping one may leave the next dangling.
+class SpeckFilter {
+ public:
+  SpeckFilter(const LabelledGraph& graph, const std::vector<Chain>& chains,
+              const Ragged<ArcEnd>& ends)
+      : graph_(graph),
+        chains_(chains),
+        ends_(ends),
+        chain_of_(graph.arcs.size(), none),
+        kept_(chains.size(), 1) {
+    for (std::size_t c = 0; c < chains.size(); ++c) {
+      for (const int arc : chains[c].arcs) chain_of_[at(arc)] = static_cast<int>(c);
+    }
+  }
+
+  std::vector<std::uint8_t> drop(double speck_px) {
+    std::vector<std::size_t> specks;
+    for (std::size_t c = 0; c < chains_.size(); ++c) {
+      if (image_length(graph_, chains_[c]) < speck_px) specks.push_back(c);
+    }
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (const std::size_t c : specks) {
+        if (!kept_[c] || closes_a_gap(c)) continue;
+        kept_[c] = 0;
+        changed = true;
+      }
+    }
+    return kept_;
+  }
+
+ private:
+  bool closes_a_gap(std::size_t c) const {
+    const Chain& chain = chains_[c];
+    if (!chain.closed)
+      return meets_another(c, chain.start_node) && meets_another(c, chain.end_node);
+    for (const int arc : chain.arcs) {
+      const int node = graph_.arcs[at(arc)].start_node;
+      if (node != none && meets_another(c, node)) return true;
+    }
+    return false;
+  }
+
+  bool meets_another(std::size_t c, int node) const {
+    const int layers = graph_.arcs[at(chains_[c].arcs[0])].invisibility;
+    for (const ArcEnd& end : ends_[at(node)]) {
+      const int other = chain_of_[at(end.arc)];
+      if (other != static_cast<int>(c) && kept_[at(other)] &&
+          graph_.arcs[at(end.arc)].invisibility <= layers) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const LabelledGraph& graph_;
+  const std::vector<Chain>& chains_;
+  const Ragged<ArcEnd>& ends_;
+  std::vector<int> chain_of_;
+  std::vector<std::uint8_t> kept_;
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> drawn_arcs(const LabelledGraph& graph,
+                                     const std::vector<std::uint8_t>& undrawn,
+                                     const StrokeOptions& options) {
+  std::vector<std::uint8_t> drawn;
+  for (const GraphArc& arc : graph.arcs) {
+    const bool object_is_drawn = undrawn.empty() || arc.object == none || !undrawn[at(arc.object)];
+    drawn.push_back(object_is_drawn && kind_is_drawn(arc.kind, options) &&
+                    layers_are_drawn(arc.invisibility, options));
+  }
+  return drawn;
+}
+
+Ragged<ArcEnd> ends_at_nodes(const LabelledGraph& graph, const std::vector<std::uint8_t>& drawn) {
+  Ragged<ArcEnd> ends;
+  ends.offsets.assign(graph.nodes.size() + 1, 0);
+  const auto for_each_end = [&](auto&& visit) {
+    for (int a = 0; a < static_cast<int>(graph.arcs.size()); ++a) {
+      if (!drawn[at(a)] || graph.arcs[at(a)].start_node == none) continue;
+      visit(ArcEnd{a, true});
+      visit(ArcEnd{a, false});
+    }
+  };
+  for_each_end([&](const ArcEnd& end) { ++ends.offsets[at(node_of(graph, end) + 1)]; });
+  for (std::size_t n = 1; n < ends.offsets.size(); ++n) ends.offsets[n] += ends.offsets[n - 1];
+  ends.values.resize(at(ends.offsets.back()));
+  std::vector<int> next(ends.offsets.begin(), ends.offsets.end() - 1);
+  for_each_end([&](const ArcEnd& end) { ends.values[at(next[at(node_of(graph, end))]++)] = end; });
+  return ends;
+}
+
+std::vector<Chain> chain_arcs(const LabelledGraph& graph, const std::vector<std::uint8_t>& drawn,
+                              const Ragged<ArcEnd>& ends) {
+  Mates mates(graph, drawn);
+  for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
+    if (graph.nodes[n].kind == NodeKind::crossing) {
+      mates.pair_at_crossing(graph.nodes[n]);
+    } else {
+      mates.pair_by_turn(ends[n]);
+    }
+  }
+  std::vector<Chain> chains;
+  std::vector<std::uint8_t> chained(graph.arcs.size(), 0);
+  for (int a = 0; a < static_cast<int>(graph.arcs.size()); ++a) {
+    if (!drawn[at(a)] || chained[at(a)]) continue;
+    chains.push_back(follow(graph, mates, first_end(mates, a)));
+    for (const int arc : chains.back().arcs) chained[at(arc)] = 1;
+  }
+  return chains;
+}
+
+std::vector<std::uint8_t> chains_without_specks(const LabelledGraph& graph,
+                                                const std::vector<Chain>& chains,
+                                                const Ragged<ArcEnd>& ends, double speck_px) {
+  return SpeckFilter(graph, chains, ends).drop(speck_px);
+}
+
+}  // namespace illustrate

@@ -1,0 +1,179 @@
+#include "stroke/make_strokes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/errors.h"
+#include "stroke/chains.h"
+#include "stroke/stroke_path.h"
+
+namespace illustrate {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+// A stroke with what it says of itself.
+struct Stroke {
+  StrokePath path;
+  Kind kind;
+  int object;
+  int invisibility;
+};
+
+double scale_of(const std::vector<double>& width_scale, int object) {
+  return width_scale.empty() || object == none ? 1.0 : width_scale[at(object)];
+}
+
+double line_width(const GraphArc& arc, const std::vector<double>& width_scale,
+                  const StrokeOptions& options) {
+  const bool is_outline = arc.kind == Kind::silhouette || arc.kind == Kind::boundary;
+  const double width = is_outline ? options.line_width_px : options.feature_width_px;
+  const double hidden = arc.invisibility > 0 ? options.hidden_width_scale : 1.0;
+  return width * hidden * scale_of(width_scale, arc.object);
+}
+
+// The points of the chain's arcs, the shared ones at nodes once.
+std::vector<StrokePoint> points_of(const LabelledGraph& graph, const Chain& chain, double width) {
+  std::vector<StrokePoint> points;
+  for (std::size_t i = 0; i < chain.arcs.size(); ++i) {
+    const Span<const CurvePoint> curve = graph.points[at(chain.arcs[i])];
+    const Span<const Vec2> image = graph.image[at(chain.arcs[i])];
+    for (std::size_t k = i == 0 ? 0 : 1; k < curve.size(); ++k) {
+      const std::size_t p = chain.reversed[i] ? curve.size() - 1 - k : k;
+      points.push_back({curve[p].position, curve[p].on, image[p], width});
+    }
+  }
+  const bool repeats_first = chain.closed && graph.arcs[at(chain.arcs[0])].start_node != none;
+  if (repeats_first) points.pop_back();
+  return points;
+}
+
+// An end is free where no other line that is drawn comes to its node.
+bool is_free(const Ragged<ArcEnd>& ends, const Chain& chain, int node) {
+  return !chain.closed && ends[at(node)].size() == 1;
+}
+
+std::vector<Stroke> line_strokes(const LabelledGraph& graph, const std::vector<double>& width_scale,
+                                 const std::vector<std::uint8_t>& undrawn,
+                                 const StrokeOptions& options) {
+  const std::vector<std::uint8_t> drawn = drawn_arcs(graph, undrawn, options);
+  const Ragged<ArcEnd> ends = ends_at_nodes(graph, drawn);
+  const std::vector<Chain> chains = chain_arcs(graph, drawn, ends);
+  const auto kept = chains_without_specks(graph, chains, ends, options.speck_px);
+  std::vector<Stroke> strokes;
+  for (std::size_t c = 0; c < chains.size(); ++c) {
+    if (!kept[c]) continue;
+    const Chain& chain = chains[c];
+    const GraphArc& arc = graph.arcs[at(chain.arcs[0])];
+    StrokePath path;
+    path.points = points_of(graph, chain, line_width(arc, width_scale, options));
+    path.closed = chain.closed;
+    path.free_start = is_free(ends, chain, chain.start_node);
+    path.free_end = is_free(ends, chain, chain.end_node);
+    strokes.push_back({std::move(path), arc.kind, arc.object, arc.invisibility});
+  }
+  return strokes;
+}
+
+// Width by light; where the tone map sees nothing, the light of the point before counts on.
+class HatchWidth {
+ public:
+  HatchWidth(const ToneMap& tone, double width, double by_light)
+      : tone_(tone), width_(width), by_light_(by_light) {}
+
+  double operator()(const Vec2& image) {
+    const int cell = tone_.cell_of(image);
+    if (cell != none && tone_.level[at(cell)] != Tone::nothing) {
+      light_ = static_cast<double>(tone_.brightness[at(cell)]);
+    }
+    return width_ * (1 + by_light_ * (1 - 2 * light_));
+  }
+
+ private:
+  const ToneMap& tone_;
+  double width_;
+  double by_light_;
+  double light_ = 0.5;
+};
+
+std::vector<Stroke> hatch_strokes(const Hatches& hatches, const ToneMap& tone,
+                                  const std::vector<double>& width_scale,
+                                  const StrokeOptions& options) {
+  std::vector<Stroke> strokes;
+  for (std::size_t h = 0; h < hatches.curves.size(); ++h) {
+    const double width = options.hatch_width_px * scale_of(width_scale, hatches.objects[h]);
+    HatchWidth width_at(tone, width, options.hatch_width_by_light);
+    StrokePath path;
+    path.free_start = path.free_end = true;
+    for (const HatchPoint& p : hatches.curves[h]) {
+      path.points.push_back({p.position, p.on, p.image, width_at(p.image)});
+    }
+    strokes.push_back({std::move(path), hatches.kinds[h], hatches.objects[h], 0});
+  }
+  return strokes;
+}
+
+void append(Drawing& drawing, const StrokePath& path, const Stroke& stroke) {
+  for (const StrokePoint& p : path.points) {
+    drawing.points.push_back(p.position);
+    drawing.image.push_back(p.image);
+    drawing.widths.push_back(static_cast<float>(p.width));
+    drawing.on.push_back(p.on);
+  }
+  drawing.offsets.push_back(static_cast<int>(drawing.points.size()));
+  drawing.kinds.push_back(stroke.kind);
+  drawing.closed.push_back(path.closed ? 1 : 0);
+  drawing.objects.push_back(stroke.object);
+  drawing.invisibility.push_back(stroke.invisibility);
+}
+
+void require(bool holds, const char* message) {
+  if (!holds) throw InvalidInput(message);
+}
+
+bool is_size(double value) { return value >= 0 && std::isfinite(value); }
+
+}  // namespace
+
+void validate(const StrokeOptions& options) {
+  const std::array<std::pair<const char*, double>, 7> sizes{{
+      {"line_width_px", options.line_width_px},
+      {"feature_width_px", options.feature_width_px},
+      {"hatch_width_px", options.hatch_width_px},
+      {"hidden_width_scale", options.hidden_width_scale},
+      {"taper_px", options.taper_px},
+      {"speck_px", options.speck_px},
+      {"simplify_px", options.simplify_px},
+  }};
+  for (const auto& [name, value] : sizes) {
+    if (!is_size(value)) throw InvalidInput(std::string(name) + " must be at least 0 and finite");
+  }
+  require(options.hatch_width_by_light >= 0 && options.hatch_width_by_light <= 1,
+          "hatch_width_by_light must be in [0, 1]");
+  if (options.hidden_lines) {
+    require((*options.hidden_lines)[0] <= (*options.hidden_lines)[1],
+            "hidden_lines must be (low, high) with low <= high");
+  }
+}
+
+Drawing make_strokes(const LabelledGraph& graph, const Hatches& hatches, const ToneMap& tone,
+                     const Camera& camera, const std::vector<double>& width_scale,
+                     const std::vector<std::uint8_t>& undrawn, const StrokeOptions& options) {
+  validate(options);
+  std::vector<Stroke> strokes = line_strokes(graph, width_scale, undrawn, options);
+  for (Stroke& s : hatch_strokes(hatches, tone, width_scale, options))
+    strokes.push_back(std::move(s));
+  std::stable_sort(strokes.begin(), strokes.end(),
+                   [](const Stroke& a, const Stroke& b) { return a.kind < b.kind; });
+  Drawing drawing;
+  for (const Stroke& stroke : strokes) {
+    for (const StrokePath& part : clip_at_frame(stroke.path, camera)) {
+      const StrokePath path = simplify(part, options.simplify_px);
+      append(drawing, taper(path, options.taper_px, camera), stroke);
+    }
+  }
+  return drawing;
+}
+
+}  // namespace illustrate

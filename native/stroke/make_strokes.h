@@ -1,0 +1,45 @@
+// Stage `stroke`: arcs and hatches to strokes (paper section 4.4, "segments"; section 6.1 for width
+// by light).
+//
+// Arcs of one kind, one object and one number of layers are chained through nodes where the
+// direction goes on, the front strand of a crossing first. Specks shorter than `speck_px` are
+// dropped unless they close a gap between two strokes. Points are simplified within `simplify_px`,
+// ends of open strokes taper, everything is clipped at the frame.
+#pragma once
+
+#include <optional>
+
+#include "hatch/hatches.h"
+#include "stroke/drawing.h"
+#include "tone/tone_regions.h"
+#include "view/camera.h"
+#include "visibility/labelled_graph.h"
+
+namespace illustrate {
+
+struct StrokeOptions {
+  double line_width_px = 2.0;     // silhouettes, boundaries
+  double feature_width_px = 1.4;  // creases, intersections, marks, materials
+  double hatch_width_px = 1.0;    // where the light is middling
+  double hatch_width_by_light =
+      0.4;  // share by which hatches swell in the dark and thin in the light
+  double hidden_width_scale = 0.5;
+  double taper_px =
+      6;  // length over which open ends thin out, for hatches and lines that end freely
+  double speck_px = 3;
+  double simplify_px = 0.1;
+  bool marks = false;          // draw Kind::mark
+  bool materials = false;      // draw Kind::material
+  bool flat_outlines = false;  // draw Kind::flat_outline
+  std::optional<std::array<int, 2>>
+      hidden_lines;  // also arcs with so many layers in front, inclusive
+};
+void validate(const StrokeOptions& options);  // throws InvalidInput naming the field
+
+// `width_scale`: one factor per object, empty: 1; `undrawn`: objects whose lines are not drawn,
+// empty: none.
+Drawing make_strokes(const LabelledGraph& graph, const Hatches& hatches, const ToneMap& tone,
+                     const Camera& camera, const std::vector<double>& width_scale,
+                     const std::vector<std::uint8_t>& undrawn, const StrokeOptions& options);
+
+}  // namespace illustrate
