@@ -9,7 +9,8 @@ namespace illustrate {
 // Pairs of vertices with values, found by either order of the pair.
 class EdgeTable {
  public:
-  // `vertex_count` bounds the vertices; `edges` in any order, repeated ones keep their first number.
+  // `vertex_count` bounds the vertices; `edges` in any order, repeated ones keep their first
+  // number.
   EdgeTable(std::size_t vertex_count, const std::vector<Edge>& edges);
 
   // Number of the edge in the list it was made of, `none` where it is not in it.
@@ -20,7 +21,8 @@ class EdgeTable {
   std::vector<std::array<int, 2>> entries_;  // the larger vertex, the edge's number
 };
 
-// Kinds of edges known from the mesh itself, strongest first: open (boundary or seam), crease, mark, material.
+// Kinds of edges known from the mesh itself, strongest first: open (boundary or seam), crease,
+// mark, material.
 class BaseEdgeKinds {
  public:
   explicit BaseEdgeKinds(const SoundMesh& mesh);

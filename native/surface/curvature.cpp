@@ -9,7 +9,8 @@ namespace {
 
 using Mat2 = Eigen::Matrix2d;
 
-// Determinant of the parametrisation against the lengths of its tangents: below this there is no plane.
+// Determinant of the parametrisation against the lengths of its tangents: below this there is no
+// plane.
 constexpr double parallel_tangents = 1e-10;
 
 PrincipalCurvature undefined(const Vec3& normal) {
@@ -20,7 +21,8 @@ PrincipalCurvature undefined(const Vec3& normal) {
   return result;
 }
 
-// Eigenvalues of a symmetric matrix, the larger magnitude first, and the angle of the first direction.
+// Eigenvalues of a symmetric matrix, the larger magnitude first, and the angle of the first
+// direction.
 struct Eigen2 {
   double first, second, angle;
 };

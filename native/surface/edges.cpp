@@ -37,8 +37,8 @@ int edge_towards(const Surface& surface, int triangle, int neighbour, const Tria
   return none;
 }
 
-// The normal of a triangle that may be part of a flat area, else zero. A strip of a smooth cylinder is flat,
-// the cylinder is not: its normals turn across the strip.
+// The normal of a triangle that may be part of a flat area, else zero. A strip of a smooth cylinder
+// is flat, the cylinder is not: its normals turn across the strip.
 Vec3 flat_normal(const Surface& surface, int t) {
   const Triangle& triangle = surface.triangles[index(t)];
   const Vec3 normal = triangle_normal(surface, triangle);
@@ -52,12 +52,12 @@ Vec3 flat_normal(const Surface& surface, int t) {
 
 class FlatAreas {
  public:
-  explicit FlatAreas(Surface& surface)
-      : surface_(surface), areas_(surface.triangles.size(), none) {
+  explicit FlatAreas(Surface& surface) : surface_(surface), areas_(surface.triangles.size(), none) {
     for (int t = 0; t < static_cast<int>(areas_.size()); ++t) {
       normals_.push_back(flat_normal(surface, t));
     }
-    covered_ = std::any_of(surface.flips.begin(), surface.flips.end(), [](int f) { return f != 0; });
+    covered_ =
+        std::any_of(surface.flips.begin(), surface.flips.end(), [](int f) { return f != 0; });
   }
 
   void run() {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/parallel.h"
 #include "surface/polygons.h"
@@ -15,9 +16,11 @@ constexpr std::size_t index(int i) { return static_cast<std::size_t>(i); }
 constexpr std::size_t most_points = 100;
 // Of a vertex with very many neighbours only so many are followed, by stride.
 constexpr std::size_t most_neighbours = 48;
-// Points that a polynomial of degree 4 and 3 needs to be well determined (it has 15 and 10 coefficients).
+// Points that a polynomial of degree 4 and 3 needs to be well determined (it has 15 and 10
+// coefficients).
 constexpr std::size_t points_for_quartic = 22, points_for_cubic = 13;
-// Added to the diagonal, relative to the number of points: a fit that is not determined gets the smallest.
+// Added to the diagonal, relative to the number of points: a fit that is not determined gets the
+// smallest.
 constexpr double ridge = 1e-12;
 
 constexpr int most_coefficients = 15;
@@ -48,7 +51,8 @@ struct Moments {
   }
 };
 
-// Solves a symmetric positive definite system in place by L D L^T; the right-hand side becomes the solution.
+// Solves a symmetric positive definite system in place by L D L^T; the right-hand side becomes the
+// solution.
 template <int n>
 void solve(double (&a)[n][n], std::array<double, index(n)>& b) {
   constexpr double smallest_pivot = 1e-14;  // below the ridge: only rounding gets here
@@ -129,7 +133,8 @@ JetFitter::JetFitter(const Surface& surface, int rings)
   }
   std::size_t kept = 0;
   for (std::size_t v = 0; v + 1 < offsets_.size(); ++v) {
-    const auto begin = neighbours_.begin() + offsets_[v], end = neighbours_.begin() + offsets_[v + 1];
+    const auto begin = neighbours_.begin() + offsets_[v],
+               end = neighbours_.begin() + offsets_[v + 1];
     std::sort(begin, end);
     offsets_[v] = static_cast<int>(kept);
     for (auto i = begin; i != end; ++i) {
@@ -182,8 +187,7 @@ PrincipalCurvature JetFitter::fit(int vertex, Workspace& work) const {
                                                  : fit_polynomial<2>(work.local);
   const Vec3 du(1, 0, q[1]), dv(0, 1, q[2]), fitted = du.cross(dv).normalized();
   const Vec3 z = Vec3::UnitZ() / radius;
-  PrincipalCurvature k =
-      principal_curvature(du, dv, 2 * q[3] * z, q[4] * z, 2 * q[5] * z, fitted);
+  PrincipalCurvature k = principal_curvature(du, dv, 2 * q[3] * z, q[4] * z, 2 * q[5] * z, fitted);
   const Vec3 direction = k.w1.x() * x + k.w1.y() * y;  // back to the vertex's own tangent plane
   k.w1 = unit_or_zero(direction);
   if (k.w1.isZero()) k.w1 = x;
@@ -191,20 +195,21 @@ PrincipalCurvature JetFitter::fit(int vertex, Workspace& work) const {
   return k;
 }
 
-Curvature jet_curvature(const Surface& surface, const JetOptions& options,
-                        const Progress& progress) {
+void fit_jets(const Surface& surface, const std::vector<int>& vertices, const JetOptions& options,
+              const Progress& progress, Curvature& result) {
   progress.report(0);
-  const std::size_t n = surface.positions.size();
-  Curvature result{std::vector<double>(n), std::vector<double>(n), Points(n), Points(n)};
+  if (vertices.empty()) return;
   const JetFitter fitter(surface, options.rings);
   constexpr std::size_t between_reports = 20000;
+  const std::size_t n = vertices.size();
   for (std::size_t from = 0; from < n; from += between_reports) {
     progress.report(static_cast<double>(from) / static_cast<double>(n));
     parallel_for(std::min(between_reports, n - from), options.threads,
                  [&](std::size_t begin, std::size_t end) {
                    JetFitter::Workspace work;
-                   for (std::size_t v = from + begin; v < from + end; ++v) {
-                     const PrincipalCurvature k = fitter.fit(static_cast<int>(v), work);
+                   for (std::size_t i = from + begin; i < from + end; ++i) {
+                     const std::size_t v = index(vertices[i]);
+                     const PrincipalCurvature k = fitter.fit(vertices[i], work);
                      result.k1[v] = k.k1;
                      result.k2[v] = k.k2;
                      result.w1[v] = k.w1;
@@ -212,6 +217,15 @@ Curvature jet_curvature(const Surface& surface, const JetOptions& options,
                    }
                  });
   }
+}
+
+Curvature jet_curvature(const Surface& surface, const JetOptions& options,
+                        const Progress& progress) {
+  const std::size_t n = surface.positions.size();
+  Curvature result{std::vector<double>(n), std::vector<double>(n), Points(n), Points(n)};
+  std::vector<int> all(n);
+  std::iota(all.begin(), all.end(), 0);
+  fit_jets(surface, all, options, progress, result);
   return result;
 }
 

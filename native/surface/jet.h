@@ -25,7 +25,11 @@ class JetFitter {
   const Surface& surface_;
   int rings_;
   std::vector<int> offsets_, neighbours_;  // vertices joined to each vertex by an edge, sorted
-  std::vector<std::uint8_t> at_border_;     // (n) 1: on a boundary or on one side of a crease
+  std::vector<std::uint8_t> at_border_;    // (n) 1: on a boundary or on one side of a crease
 };
+
+// Writes the curvature of some vertices, and no other, into `result`. `surface` may own it.
+void fit_jets(const Surface& surface, const std::vector<int>& vertices, const JetOptions& options,
+              const Progress& progress, Curvature& result);
 
 }  // namespace illustrate

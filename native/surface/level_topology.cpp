@@ -20,22 +20,60 @@ const T& at(const std::vector<T>& values, int i) {
   return values[static_cast<std::size_t>(i)];
 }
 
-// Copies of a vertex that touch seams share the place of the first of them.
+// Copies of a vertex that seams end in share the place of the first of them.
 std::vector<int> seam_places(const SoundMesh& mesh) {
   if (mesh.seams.empty()) return {};
-  std::vector<int> on_seams;
-  for (const Edge& e : mesh.seams) on_seams.insert(on_seams.end(), e.begin(), e.end());
-  std::sort(on_seams.begin(), on_seams.end());
-  std::vector<int> first(mesh.positions.size(), none), places(mesh.positions.size());
+  const int sources =
+      1 + *std::max_element(mesh.source_vertices.begin(), mesh.source_vertices.end());
+  std::vector<std::uint8_t> split(static_cast<std::size_t>(sources), 0);
+  for (const Edge& e : mesh.seams) {
+    for (const int v : e) at(split, at(mesh.source_vertices, v)) = 1;
+  }
+  std::vector<int> first(split.size(), none), places(mesh.positions.size());
   std::iota(places.begin(), places.end(), 0);
-  const int sources = *std::max_element(mesh.source_vertices.begin(), mesh.source_vertices.end());
-  first.assign(static_cast<std::size_t>(sources) + 1, none);
-  for (const int v : on_seams) {
-    int& place = at(first, at(mesh.source_vertices, v));
+  for (int v = 0; v < static_cast<int>(places.size()); ++v) {
+    const int source = at(mesh.source_vertices, v);
+    if (source == none || !at(split, source)) continue;
+    int& place = at(first, source);
     if (place == none) place = v;
     at(places, v) = place;
   }
   return places;
+}
+
+// An edge by the places of its ends, and what becomes of its middle.
+struct PlacedEdge {
+  Edge places;
+  int child;
+  bool is_seam;
+  bool operator<(const PlacedEdge& e) const {
+    return places != e.places ? places < e.places : child < e.child;
+  }
+};
+
+// Middles of edges that a seam joins share the place of the first of them.
+void place_seam_middles(const RefinedMesh& parent, const TopologyLevel& level,
+                        std::vector<int>& places) {
+  std::vector<std::uint8_t> shared(parent.places.size(), 0);
+  for (int v = 0; v < level.GetNumVertices(); ++v) {
+    const int place = at(parent.places, v);
+    if (place != v) at(shared, place) = at(shared, v) = 1;
+  }
+  std::vector<PlacedEdge> edges;
+  for (int e = 0; e < level.GetNumEdges(); ++e) {
+    const auto ends = level.GetEdgeVertices(e);
+    if (!at(shared, ends[0]) || !at(shared, ends[1])) continue;
+    const int a = at(parent.places, ends[0]), b = at(parent.places, ends[1]);
+    edges.push_back({{std::min(a, b), std::max(a, b)},
+                     level.GetEdgeChildVertex(e),
+                     at(parent.edge_kinds, e) == EdgeKind::seam});
+  }
+  std::sort(edges.begin(), edges.end());
+  for (auto from = edges.begin(), to = from; from != edges.end(); from = to) {
+    while (to != edges.end() && to->places == from->places) ++to;
+    if (std::none_of(from, to, [](const PlacedEdge& e) { return e.is_seam; })) continue;
+    for (auto e = from; e != to; ++e) at(places, e->child) = from->child;
+  }
 }
 
 std::vector<int> child_places(const RefinedMesh& parent, const TopologyLevel& level, int vertices) {
@@ -45,18 +83,7 @@ std::vector<int> child_places(const RefinedMesh& parent, const TopologyLevel& le
   for (int v = 0; v < level.GetNumVertices(); ++v) {
     at(places, level.GetVertexChildVertex(v)) = level.GetVertexChildVertex(at(parent.places, v));
   }
-  std::vector<std::array<int, 3>> on_seams;  // places of both ends, child
-  for (int e = 0; e < level.GetNumEdges(); ++e) {
-    if (at(parent.edge_kinds, e) != EdgeKind::seam) continue;
-    const auto ends = level.GetEdgeVertices(e);
-    const auto [low, high] = std::minmax(at(parent.places, ends[0]), at(parent.places, ends[1]));
-    on_seams.push_back({low, high, level.GetEdgeChildVertex(e)});
-  }
-  std::sort(on_seams.begin(), on_seams.end());
-  for (std::size_t i = 1; i < on_seams.size(); ++i) {
-    const auto &a = on_seams[i - 1], &b = on_seams[i];
-    if (a[0] == b[0] && a[1] == b[1]) at(places, b[2]) = at(places, a[2]);
-  }
+  place_seam_middles(parent, level, places);
   return places;
 }
 
@@ -144,7 +171,8 @@ RefinedMesh base_level(const SoundMesh& mesh, const Far::TopologyRefiner& refine
   const BaseEdgeKinds kinds(mesh);
   for (int e = 0; e < level.GetNumEdges(); ++e) {
     const auto ends = level.GetEdgeVertices(e), faces = level.GetEdgeFaces(e);
-    const int face_a = faces.size() > 0 ? faces[0] : none, face_b = faces.size() > 1 ? faces[1] : none;
+    const int face_a = faces.size() > 0 ? faces[0] : none,
+              face_b = faces.size() > 1 ? faces[1] : none;
     result.edge_kinds.push_back(kinds.kind(ends[0], ends[1], face_a, face_b));
   }
   const std::vector<int> ptex = ptex_faces(mesh, scheme);

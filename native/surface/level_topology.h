@@ -1,5 +1,5 @@
-// What each level of OpenSubdiv's refinement inherits from the one before. Only for sources of this stage:
-// it names OpenSubdiv's types.
+// What each level of OpenSubdiv's refinement inherits from the one before. Only for sources of this
+// stage: it names OpenSubdiv's types.
 #pragma once
 
 #include <opensubdiv/far/topologyRefiner.h>
@@ -8,8 +8,8 @@
 
 namespace illustrate {
 
-// First ptex face of each base face, and the number of all: a face has one, unless it has another number of
-// corners than its scheme likes; then it has one a corner.
+// First ptex face of each base face, and the number of all: a face has one, unless it has another
+// number of corners than its scheme likes; then it has one a corner.
 std::vector<int> ptex_faces(const SoundMesh& mesh, Scheme scheme);
 
 // Kinds of edges, origins, domains, places and twins; no corners and no points yet.

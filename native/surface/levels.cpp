@@ -43,7 +43,8 @@ double median_edge(const SoundMesh& mesh) {
     for (int c = offsets[f]; c < offsets[f + 1]; ++c) {
       const int next = c + 1 == offsets[f + 1] ? offsets[f] : c + 1;
       const Vec3& a = mesh.positions[index(mesh.corner_vertices[index(c)])];
-      lengths.push_back((mesh.positions[index(mesh.corner_vertices[index(next)])] - a).stableNorm());
+      lengths.push_back(
+          (mesh.positions[index(mesh.corner_vertices[index(next)])] - a).stableNorm());
     }
   }
   if (lengths.empty()) return 0;
@@ -118,7 +119,8 @@ std::vector<int> choose_levels(const std::vector<SoundMesh>& meshes,
   std::vector<int> levels(meshes.size(), 0);
   std::vector<double> edges(meshes.size(), 0);
   std::vector<std::uint8_t> automatic(meshes.size(), 0);
-  const double usual = options.edge_length > 0 ? options.edge_length : automatic_edge_length(meshes);
+  const double usual =
+      options.edge_length > 0 ? options.edge_length : automatic_edge_length(meshes);
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     if (schemes[i] == Scheme::polygons) continue;
     levels[i] = explicit_level(meshes[i], options);

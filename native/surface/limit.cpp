@@ -20,8 +20,7 @@ Vec3 normal_of(const LimitPoint& p) {
 }
 
 void set_curvature(std::size_t i, const LimitPoint& p, const Vec3& normal, Curvature& curvature) {
-  const PrincipalCurvature k =
-      principal_curvature(p.du, p.dv, p.duu, p.duv, p.dvv, normal);
+  const PrincipalCurvature k = principal_curvature(p.du, p.dv, p.duu, p.duv, p.dvv, normal);
   curvature.k1[i] = k.k1;
   curvature.k2[i] = k.k2;
   curvature.w1[i] = k.w1;
@@ -68,9 +67,9 @@ void evaluate_semi_sharp(const Subdivision& subdivision, const RefinedMesh& mesh
   }
 }
 
-// Around extraordinary vertices the ratio of curvatures that a ring shows drifts from level to level
-// (it converges to 0, 1 or infinity); appendix A wants that of the control mesh: the first level on which the
-// vertex exists and all faces around are patches.
+// Around extraordinary vertices the ratio of curvatures that a ring shows drifts from level to
+// level (it converges to 0, 1 or infinity); appendix A wants that of the control mesh: the first
+// level on which the vertex exists and all faces around are patches.
 void inherit_extraordinary(const Subdivision& subdivision, const std::vector<int>& sector_of_vertex,
                            int birth, int level, SectorLimits& result) {
   const RefinedMesh mesh = subdivision.level(birth);

@@ -9,9 +9,9 @@ namespace illustrate {
 
 // For every sector of a mesh.
 struct SectorLimits {
-  Points positions;                   // (s) the same bits for all sectors of a place
-  Points normals;                     // (s) unit
-  Curvature curvature;                // (s) zero where `needs_jet`
+  Points positions;                     // (s) the same bits for all sectors of a place
+  Points normals;                       // (s) unit
+  Curvature curvature;                  // (s) zero where `needs_jet`
   std::vector<std::uint8_t> needs_jet;  // (s) 1: no closed form
 };
 

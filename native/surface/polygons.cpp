@@ -39,7 +39,8 @@ ImagePoints in_newell_plane(Span<const Vec3> polygon, const Vec3& normal) {
   return flat;
 }
 
-// Clips ears from a polygon in the plane, going round it, so that neighbouring ears do not share a corner.
+// Clips ears from a polygon in the plane, going round it, so that neighbouring ears do not share a
+// corner.
 class EarClipper {
  public:
   explicit EarClipper(ImagePoints points)

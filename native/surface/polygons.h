@@ -15,9 +15,9 @@ Vec3 any_tangent(const Vec3& v);
 // Newell's normal: twice the area vector of the polygon. Any length, zero for a degenerate polygon.
 Vec3 newell_normal(Span<const Vec3> polygon);
 
-// n - 2 triangles of corner numbers, wound as the polygon. A quad is split along its shorter diagonal, ties
-// towards corner 0, unless only the other one lies inside; larger polygons are clipped ear by ear in
-// Newell's plane.
+// n - 2 triangles of corner numbers, wound as the polygon. A quad is split along its shorter
+// diagonal, ties towards corner 0, unless only the other one lies inside; larger polygons are
+// clipped ear by ear in Newell's plane.
 std::vector<Triangle> triangulate(Span<const Vec3> polygon);
 
 }  // namespace illustrate

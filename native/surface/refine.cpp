@@ -53,9 +53,9 @@ class Refiner {
   }
 
   bool add_subdivided(const SoundMesh& base, Scheme scheme, int level, const Progress& progress) {
-    const bool all_patches = scheme == Scheme::loop ||
-                             std::all_of(base.face_sizes.begin(), base.face_sizes.end(),
-                                         [](int size) { return size == 4; });
+    const bool all_patches =
+        scheme == Scheme::loop || std::all_of(base.face_sizes.begin(), base.face_sizes.end(),
+                                              [](int size) { return size == 4; });
     const int limit_level = level == 0 && !all_patches ? 1 : level;
     const Subdivision subdivision(base, scheme, limit_level, progress.part(0, .4));
     if (!subdivision.is_valid()) return false;
@@ -86,19 +86,6 @@ class Refiner {
   int next_object_ = 0;
   int next_ptex_face_ = 0;
 };
-
-void fit_jets(Surface& surface, const std::vector<int>& vertices) {
-  if (vertices.empty()) return;
-  const JetFitter fitter(surface, JetOptions().rings);
-  JetFitter::Workspace work;
-  for (const int v : vertices) {
-    const PrincipalCurvature k = fitter.fit(v, work);
-    surface.curvature.k1[index(v)] = k.k1;
-    surface.curvature.k2[index(v)] = k.k2;
-    surface.curvature.w1[index(v)] = k.w1;
-    surface.curvature.w2[index(v)] = k.w2;
-  }
-}
 
 double diagonal(const Points& positions) {
   Eigen::AlignedBox3d box;
@@ -141,8 +128,8 @@ Surface refine(const std::vector<SoundMesh>& meshes, const SurfaceOptions& optio
   mark_flat_outlines(surface);
   collect_feature_edges(surface);
   surface.diagonal = diagonal(surface.positions);
-  progress.report(.95);
-  fit_jets(surface, needs_jet);
+  fit_jets(surface, needs_jet, {JetOptions().rings, options.threads}, progress.part(.95, 1),
+           surface.curvature);
   report["triangles"] += static_cast<std::int64_t>(surface.triangles.size());
   report["vertices"] += static_cast<std::int64_t>(surface.positions.size());
   return surface;

@@ -84,7 +84,8 @@ BasePlace base_place(const RefinedMesh& mesh, int corner) {
 void connect(RefinedMesh& mesh) {
   mesh.corner_faces.resize(mesh.corner_vertices.size());
   for (int f = 0; f < static_cast<int>(mesh.face_count()); ++f) {
-    std::fill(mesh.corner_faces.begin() + mesh.first(f), mesh.corner_faces.begin() + mesh.first(f + 1), f);
+    std::fill(mesh.corner_faces.begin() + mesh.first(f),
+              mesh.corner_faces.begin() + mesh.first(f + 1), f);
   }
   if (mesh.corner_edges.empty()) number_edges(mesh);
   mesh.mates.assign(mesh.corner_vertices.size(), none);

@@ -1,5 +1,5 @@
-// One level of a mesh with what the surface needs of its topology: corners, the corners across edges, kinds
-// of edges, and where faces and vertices came from.
+// One level of a mesh with what the surface needs of its topology: corners, the corners across
+// edges, kinds of edges, and where faces and vertices came from.
 //
 // A corner is also the half-edge from its vertex to the next corner's.
 #pragma once
@@ -17,21 +17,23 @@ struct FaceDomain {
 };
 
 struct RefinedMesh {
-  Points points;                      // (n) control points of this level
-  std::vector<int> face_offsets{0};   // (f + 1) first corner of each face
-  std::vector<int> corner_vertices;   // (c)
-  std::vector<int> corner_edges;      // (c)
-  std::vector<int> corner_faces;      // (c)
-  std::vector<int> mates;             // (c) corner of the half-edge across, `none` at open edges
-  std::vector<EdgeKind> edge_kinds;   // (e)
+  Points points;                     // (n) control points of this level
+  std::vector<int> face_offsets{0};  // (f + 1) first corner of each face
+  std::vector<int> corner_vertices;  // (c)
+  std::vector<int> corner_edges;     // (c)
+  std::vector<int> corner_faces;     // (c)
+  std::vector<int> mates;            // (c) corner of the half-edge across, `none` at open edges
+  std::vector<EdgeKind> edge_kinds;  // (e)
   std::vector<std::uint8_t> sharp_vertices;  // (n) 1: the surface goes through the point
-  std::vector<std::uint8_t> semi_sharp;      // (n) 1: semi-sharp here, masks of one level do not reach the limit
-  std::vector<int> base_faces;        // (f) face of the sound mesh
-  std::vector<FaceDomain> domains;    // (f) empty for polygons that are not subdivided
-  bool triangles_are_patches = false; // Loop: a triangle is one ptex face; else it is three
-  std::vector<int> places;            // (n) copies of a vertex split along seams share a number; empty: none are split
-  std::vector<int> twin_faces;        // (f) across the sheets of a double cover; empty: there is none
-  std::vector<int> twin_vertices;     // (n)
+  std::vector<std::uint8_t>
+      semi_sharp;               // (n) 1: semi-sharp here, masks of one level do not reach the limit
+  std::vector<int> base_faces;  // (f) face of the sound mesh
+  std::vector<FaceDomain> domains;     // (f) empty for polygons that are not subdivided
+  bool triangles_are_patches = false;  // Loop: a triangle is one ptex face; else it is three
+  std::vector<int>
+      places;  // (n) copies of a vertex split along seams share a number; empty: none are split
+  std::vector<int> twin_faces;     // (f) across the sheets of a double cover; empty: there is none
+  std::vector<int> twin_vertices;  // (n)
 
   std::size_t face_count() const { return face_offsets.size() - 1; }
   int face_size(int face) const { return first(face + 1) - first(face); }
@@ -53,7 +55,9 @@ struct RefinedMesh {
   const Vec3& point(int corner) const { return points[static_cast<std::size_t>(vertex(corner))]; }
 
   // Normals of its two sides are not the same surface's.
-  bool is_sharp(int corner) const { return mate(corner) == none || kind(corner) == EdgeKind::crease; }
+  bool is_sharp(int corner) const {
+    return mate(corner) == none || kind(corner) == EdgeKind::crease;
+  }
 };
 
 // The corner of the twin face at the twin of this corner's vertex.

@@ -30,6 +30,11 @@ struct Waves {
   }
 };
 
+// Catmull-Clark's eigenvalue of the wave that turns by an angle from edge to edge.
+double quad_eigenvalue(double cos_angle, double cos_half) {
+  return 5. / 16 + (cos_angle + cos_half * std::sqrt(2 * (9 + cos_angle))) / 16;
+}
+
 // The ring on the unit circle, faces at the radius of Catmull-Clark's characteristic map.
 struct QuadMap {
   double step_cos, step_sin, half_cos, half_sin, face_radius;
@@ -39,9 +44,7 @@ struct QuadMap {
         step_sin(k == 4 ? 1 : std::sin(2 * pi / k)),
         half_cos(std::cos(pi / k)),
         half_sin(std::sin(pi / k)) {
-    const double eigenvalue =
-        5. / 16 + (step_cos + half_cos * std::sqrt(2 * (9 + step_cos))) / 16;
-    face_radius = k < 3 ? 0 : 2 * half_cos / (4 * eigenvalue - 1);
+    face_radius = k < 3 ? 0 : 2 * half_cos / (4 * quad_eigenvalue(step_cos, half_cos) - 1);
   }
 };
 
@@ -92,8 +95,9 @@ LimitPoint fit_triangles(const Ring& ring) {
   return p;
 }
 
-// Regular open rings are halves or quarters of a spline's ring: the rest is the reflection that makes the
-// second derivative across the border vanish, as in OpenSubdiv's regular boundary patches.
+// Regular open rings are halves or quarters of a spline's ring: the rest is the reflection that
+// makes the second derivative across the border vanish, as in OpenSubdiv's regular boundary
+// patches.
 Ring completed(const Ring& ring) {
   Ring full = ring;
   full.closed = true;
@@ -117,34 +121,35 @@ Ring completed(const Ring& ring) {
   return full;
 }
 
-// The tangent that leads from the border into a crease sector of quads (Biermann et al. 2000).
-Vec3 inward_tangent_quads(const Ring& ring) {
+// The tangent that leads from the border into a crease sector of n > 1 faces: the left eigenvector
+// of their subdivision whose weights at inner edges are sin(i pi / n). OpenSubdiv's own masks
+// (Hoppe et al. 1994, Biermann et al. 2000) are this in the regular case; beyond it they belong to
+// modified schemes, and their normals change from level to level.
+Vec3 inward_tangent(const Ring& ring) {
   const std::size_t n = ring.face_count();
-  const double k = static_cast<double>(n), theta = pi / k;
-  const double r = (std::cos(theta) + 1) / std::sin(theta);
-  Vec3 sum = 4 * r * (std::cos(theta) - 1) * ring.centre -
-             r * (1 + 2 * std::cos(theta)) * (ring.edges.front() + ring.edges.back());
+  const double theta = pi / static_cast<double>(n);
+  const bool quads = !ring.faces.empty();
+  const double eigenvalue =
+      quads ? quad_eigenvalue(std::cos(theta), std::cos(theta / 2)) : 3. / 8 + std::cos(theta) / 4;
+  const double face_share = quads ? 1 / (16 * eigenvalue - 4) : 0;
+  Vec3 sum = Vec3::Zero();
+  double edge_weights = 0, face_weights = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const double here = std::sin(static_cast<double>(i) * theta);
     const double next = std::sin(static_cast<double>(i + 1) * theta);
-    sum += 4 * here * ring.edges[i] + (here + next) * ring.faces[i];
+    edge_weights += here;
+    face_weights += face_share * (here + next);
+    sum += here * ring.edges[i];
+    if (quads) sum += face_share * (here + next) * ring.faces[i];
   }
-  return sum;
-}
-
-// The same for triangles (Hoppe et al. 1994).
-Vec3 inward_tangent_triangles(const Ring& ring) {
-  const std::size_t n = ring.face_count();
-  if (n == 2) return ring.edges[1] - ring.centre;
-  if (n == 3) {
-    return ring.edges[1] + ring.edges[2] - ring.centre - (ring.edges[0] + ring.edges[3]) / 2;
-  }
-  const double theta = pi / static_cast<double>(n);
-  Vec3 sum = -std::sin(theta) * (ring.edges.front() + ring.edges.back());
-  for (std::size_t i = 1; i < n; ++i) {
-    sum += 2 * (1 - std::cos(theta)) * std::sin(static_cast<double>(i) * theta) * ring.edges[i];
-  }
-  return sum;
+  // What inner edges and faces hand to an end of the border and to the centre.
+  const double to_end = quads ? std::sin(theta) * (1 + 4 * face_share) / 16 : std::sin(theta) / 8;
+  const double to_centre = 3. / 8 * edge_weights + face_weights / 4;
+  const double past_half = eigenvalue - 1. / 2, past_three_quarters = eigenvalue - 3. / 4;
+  const double centre =
+      (to_end + past_half * to_centre) / (past_half * past_three_quarters - 1. / 8);
+  const double end = past_three_quarters * centre - to_centre;
+  return sum + centre * ring.centre + end * (ring.edges.front() + ring.edges.back());
 }
 
 Vec3 crease_normal(const Ring& ring) {
@@ -152,11 +157,11 @@ Vec3 crease_normal(const Ring& ring) {
   if (ring.face_count() == 1) {
     return along.cross(ring.edges.front() + ring.edges.back() - 2 * ring.centre);
   }
-  return along.cross(ring.faces.empty() ? inward_tangent_triangles(ring)
-                                        : inward_tangent_quads(ring));
+  return along.cross(inward_tangent(ring));
 }
 
-// Exact for one face and in the limit for flat sectors; a corner of more faces has no tangent plane of its own.
+// Exact for one face, and for two triangles, whose plane is that of the sharp edges. A corner of
+// more faces has no tangent plane: there the mean of its faces.
 Vec3 corner_normal(const Ring& ring) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < ring.face_count(); ++i) {
@@ -165,7 +170,10 @@ Vec3 corner_normal(const Ring& ring) {
     const Vec3 across = a.cross(b);
     sum += std::atan2(across.norm(), a.dot(b)) * unit_or_zero(across);
   }
-  return sum;
+  if (!ring.faces.empty() || ring.closed || ring.face_count() != 2) return sum;
+  const Vec3 across = (ring.edges[0] - ring.centre).cross(ring.edges[2] - ring.centre);
+  if (across.isZero()) return sum;
+  return sum.dot(across) < 0 ? Vec3(-across) : across;
 }
 
 VertexRule rule_at(const RefinedMesh& mesh, const Sectors& sectors, int vertex) {

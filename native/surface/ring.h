@@ -8,22 +8,24 @@
 
 namespace illustrate {
 
-// How the surface is defined at a vertex: by all points around it, by a curve of two sharp or open edges, or
-// by itself.
+// How the surface is defined at a vertex: by all points around it, by a curve of two sharp or open
+// edges, or by itself.
 enum class VertexRule : std::uint8_t { smooth, crease, corner };
 
 // The control points of one sector of a vertex, counter-clockwise.
 struct Ring {
   Vec3 centre = Vec3::Zero();
   std::vector<Vec3> edges;  // ends of the edges: as many as faces, one more in an open sector
-  std::vector<Vec3> faces;  // quads: corner opposite to the centre, between edges i and i + 1; triangles: empty
+  std::vector<Vec3>
+      faces;  // quads: corner opposite to the centre, between edges i and i + 1; triangles: empty
   bool closed = false;
   VertexRule rule = VertexRule::smooth;
 
   std::size_t face_count() const { return closed ? edges.size() : edges.size() - 1; }
 };
 
-// Reuses the memory of `ring`. False where a face around is no triangle (Loop) or no quad (Catmull-Clark).
+// Reuses the memory of `ring`. False where a face around is no triangle (Loop) or no quad
+// (Catmull-Clark).
 bool read_ring(const RefinedMesh& mesh, const Sectors& sectors, int sector, Ring& ring);
 
 Vec3 limit_position(const Ring& ring);
@@ -31,10 +33,10 @@ Vec3 limit_position(const Ring& ring);
 // Not normalised, and zero where the surface has no normal.
 Vec3 limit_normal(const Ring& ring);
 
-// Limit position and first and second derivatives where closed forms exist: in smooth rings, and in open
-// ones that are regular, which are completed by reflection. In regular rings these are the derivatives of
-// the limit surface, elsewhere those of the least-squares quadric of appendix A with a0 at the limit
-// position. False where there is none.
+// Limit position and first and second derivatives where closed forms exist: in smooth rings, and in
+// open ones that are regular, which are completed by reflection. In regular rings these are the
+// derivatives of the limit surface, elsewhere those of the least-squares quadric of appendix A with
+// a0 at the limit position. False where there is none.
 //
 // Appendix A is stated for triangles. For quads the points are fitted where Catmull-Clark's
 // characteristic map has them, with the weights of the limit position: at valence 4 this gives the

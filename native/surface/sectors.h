@@ -1,7 +1,8 @@
-// The smooth sides of a surface at its vertices: the faces round a vertex between two sharp or open edges.
+// The smooth sides of a surface at its vertices: the faces round a vertex between two sharp or open
+// edges.
 //
-// A vertex without sharp edges has one closed sector, and so has the end of a single sharp edge (a dart):
-// the surface is smooth there.
+// A vertex without sharp edges has one closed sector, and so has the end of a single sharp edge (a
+// dart): the surface is smooth there.
 #pragma once
 
 #include "surface/refined_mesh.h"
@@ -9,11 +10,11 @@
 namespace illustrate {
 
 struct Sectors {
-  std::vector<int> corner_sectors;      // (c)
-  std::vector<int> first_corners;       // (s) the others follow counter-clockwise
-  std::vector<int> sizes;               // (s) number of corners
-  std::vector<std::uint8_t> closed;     // (s) 1: goes all the way round
-  std::vector<int> sharp_edges;         // (n) sharp and open edges at each vertex
+  std::vector<int> corner_sectors;   // (c)
+  std::vector<int> first_corners;    // (s) the others follow counter-clockwise
+  std::vector<int> sizes;            // (s) number of corners
+  std::vector<std::uint8_t> closed;  // (s) 1: goes all the way round
+  std::vector<int> sharp_edges;      // (n) sharp and open edges at each vertex
 
   std::size_t count() const { return sizes.size(); }
 };

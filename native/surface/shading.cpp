@@ -11,8 +11,8 @@ namespace {
 
 constexpr double seam_smooth_cos = .5;
 
-// Angle-weighted normal of one corner of a polygon. A corner that does not turn the way its polygon does
-// is dented, and its angle is larger than 180 degrees.
+// Angle-weighted normal of one corner of a polygon. A corner that does not turn the way its polygon
+// does is dented, and its angle is larger than 180 degrees.
 Vec3 corner_normal(const RefinedMesh& mesh, const std::vector<Vec3>& face_normals, int corner) {
   const Vec3& normal = face_normals[static_cast<std::size_t>(mesh.face(corner))];
   const Vec3 a = unit_or_zero(mesh.point(mesh.next(corner)) - mesh.point(corner));
@@ -29,7 +29,8 @@ Points face_normals(const RefinedMesh& mesh, int threads) {
     for (std::size_t f = begin; f < end; ++f) {
       polygon.clear();
       const int face = static_cast<int>(f);
-      for (int c = mesh.first(face); c < mesh.first(face + 1); ++c) polygon.push_back(mesh.point(c));
+      for (int c = mesh.first(face); c < mesh.first(face + 1); ++c)
+        polygon.push_back(mesh.point(c));
       normals[f] = unit_or_zero(newell_normal({polygon.data(), polygon.size()}));
     }
   });
@@ -46,7 +47,8 @@ void for_each_corner(const RefinedMesh& mesh, const Sectors& sectors, std::size_
   }
 }
 
-// From the limit positions of the vertices around; nothing better is left where even they have no area.
+// From the limit positions of the vertices around; nothing better is left where even they have no
+// area.
 Vec3 normal_around(const RefinedMesh& mesh, const Sectors& sectors, const Points& positions,
                    std::size_t sector) {
   const auto position = [&](int corner) {
@@ -64,21 +66,21 @@ Vec3 normal_around(const RefinedMesh& mesh, const Sectors& sectors, const Points
 
 // Sectors at seams, ordered by place.
 std::vector<std::array<int, 2>> sectors_at_seams(const RefinedMesh& mesh, const Sectors& sectors) {
-  std::vector<std::uint8_t> at_seam(mesh.points.size(), 0);
+  int places = static_cast<int>(mesh.points.size());
+  for (const int place : mesh.places) places = std::max(places, place + 1);
+  std::vector<std::uint8_t> at_seam(static_cast<std::size_t>(places), 0);
   bool any = false;
   for (int c = 0; c < static_cast<int>(mesh.mates.size()); ++c) {
     if (mesh.kind(c) != EdgeKind::seam) continue;
-    at_seam[static_cast<std::size_t>(mesh.vertex(c))] = 1;
-    at_seam[static_cast<std::size_t>(mesh.vertex(mesh.next(c)))] = 1;
+    at_seam[static_cast<std::size_t>(place_of(mesh, mesh.vertex(c)))] = 1;
+    at_seam[static_cast<std::size_t>(place_of(mesh, mesh.vertex(mesh.next(c))))] = 1;
     any = true;
   }
   std::vector<std::array<int, 2>> found;
   if (!any) return found;
   for (std::size_t s = 0; s < sectors.count(); ++s) {
-    const int vertex = mesh.vertex(sectors.first_corners[s]);
-    if (at_seam[static_cast<std::size_t>(vertex)]) {
-      found.push_back({place_of(mesh, vertex), static_cast<int>(s)});
-    }
+    const int place = place_of(mesh, mesh.vertex(sectors.first_corners[s]));
+    if (at_seam[static_cast<std::size_t>(place)]) found.push_back({place, static_cast<int>(s)});
   }
   std::sort(found.begin(), found.end());
   return found;
@@ -103,7 +105,8 @@ void join_normals(const std::vector<std::array<int, 2>>& group, Points& normals)
 
 }  // namespace
 
-void polygon_normals(const RefinedMesh& mesh, const Sectors& sectors, int threads, Points& normals) {
+void polygon_normals(const RefinedMesh& mesh, const Sectors& sectors, int threads,
+                     Points& normals) {
   const Points of_faces = face_normals(mesh, threads);
   normals.resize(sectors.count());
   parallel_for(normals.size(), threads, [&](std::size_t begin, std::size_t end) {
@@ -134,12 +137,18 @@ int place_of(const RefinedMesh& mesh, int vertex) {
 }
 
 void share_positions(const RefinedMesh& mesh, const Sectors& sectors, Points& positions) {
-  std::vector<int> first;
+  std::vector<int> chosen(mesh.points.size(), none);
+  const auto place = [&](std::size_t s) {
+    return static_cast<std::size_t>(place_of(mesh, mesh.vertex(sectors.first_corners[s])));
+  };
   for (std::size_t s = 0; s < sectors.count(); ++s) {
-    const auto place = static_cast<std::size_t>(place_of(mesh, mesh.vertex(sectors.first_corners[s])));
-    if (place >= first.size()) first.resize(place + 1, none);
-    if (first[place] == none) first[place] = static_cast<int>(s);
-    positions[s] = positions[static_cast<std::size_t>(first[place])];
+    int& sector = chosen[place(s)];
+    const bool better =
+        sector == none || (sectors.closed[s] && !sectors.closed[static_cast<std::size_t>(sector)]);
+    if (better) sector = static_cast<int>(s);
+  }
+  for (std::size_t s = 0; s < sectors.count(); ++s) {
+    positions[s] = positions[static_cast<std::size_t>(chosen[place(s)])];
   }
 }
 

@@ -14,9 +14,7 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 struct Diagonal {
   Edge ends;
   int face;
-  bool operator<(const Diagonal& d) const {
-    return ends != d.ends ? ends < d.ends : face < d.face;
-  }
+  bool operator<(const Diagonal& d) const { return ends != d.ends ? ends < d.ends : face < d.face; }
 };
 
 class FaceSplitter {
@@ -38,7 +36,9 @@ class FaceSplitter {
 
  private:
   int faces() const { return static_cast<int>(mesh_.face_sizes.size()); }
-  int vertex(int face, int k) const { return mesh_.corner_vertices[index(offsets_[index(face)] + k)]; }
+  int vertex(int face, int k) const {
+    return mesh_.corner_vertices[index(offsets_[index(face)] + k)];
+  }
   int twin(int face) const {
     return mesh_.twin_faces.empty() ? none : mesh_.twin_faces[index(face)];
   }
@@ -86,7 +86,8 @@ class FaceSplitter {
       const auto& [ends, face] = diagonals[i];
       if (edges.find(ends[0], ends[1]) != none) clash[index(face)] = 1;
       if (i == 0 || diagonals[i - 1].ends != ends) continue;
-      if (diagonals[i - 1].face != face) clash[index(face)] = clash[index(diagonals[i - 1].face)] = 1;
+      if (diagonals[i - 1].face != face)
+        clash[index(face)] = clash[index(diagonals[i - 1].face)] = 1;
     }
     return clash;
   }
@@ -102,7 +103,8 @@ class FaceSplitter {
     for (const Triangle& t : triangles_[index(face)]) {
       for (int k = 0; k < 3; ++k) {
         const Edge edge = ordered(t[index(k)], t[index(next_corner(k))]);
-        if (!std::binary_search(sides.begin(), sides.end(), edge)) diagonals.push_back({edge, face});
+        if (!std::binary_search(sides.begin(), sides.end(), edge))
+          diagonals.push_back({edge, face});
       }
     }
   }
@@ -110,7 +112,8 @@ class FaceSplitter {
   static Edge ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
   void add_star(int face) {
-    const int size = mesh_.face_sizes[index(face)], middle = static_cast<int>(result_.positions.size());
+    const int size = mesh_.face_sizes[index(face)],
+              middle = static_cast<int>(result_.positions.size());
     std::vector<Triangle>& triangles = triangles_[index(face)];
     triangles.clear();
     Vec3 sum = Vec3::Zero();
@@ -160,7 +163,8 @@ class FaceSplitter {
     repeat(mesh_.twin_faces, parents, result_.twin_faces);
     for (std::size_t t = 0; t < result_.twin_faces.size(); ++t) {
       int& other = result_.twin_faces[t];
-      if (other != none) other = first[index(other)] + static_cast<int>(t) - first[index(parents[t])];
+      if (other != none)
+        other = first[index(other)] + static_cast<int>(t) - first[index(parents[t])];
     }
   }
 

@@ -56,7 +56,8 @@ class PatchEvaluator {
     if (!surface_.IsValid()) return std::nullopt;
     std::array<double, 2> at{uv.x(), uv.y()};
     if (surface_.GetParameterization().HasSubFaces()) {
-      surface_.GetParameterization().ConvertNormalizedSubFaceToCoord(sub_face, uv.data(), at.data());
+      surface_.GetParameterization().ConvertNormalizedSubFaceToCoord(sub_face, uv.data(),
+                                                                     at.data());
     }
     LimitPoint p;
     surface_.Evaluate(at.data(), patch_points_.data(), 3, p.position.data(), p.du.data(),
@@ -91,13 +92,12 @@ struct Subdivision::Data {
   const SoundMesh& mesh;
   Scheme scheme;
   std::unique_ptr<Far::TopologyRefiner> refiner;
-  std::vector<Points> points;  // of each level
+  std::vector<Points> points;   // of each level
   std::vector<int> ptex_faces;  // first of each base face
   std::optional<PatchEvaluator> patches;
 };
 
-Subdivision::Subdivision(const SoundMesh& mesh, Scheme scheme, int levels,
-                         const Progress& progress)
+Subdivision::Subdivision(const SoundMesh& mesh, Scheme scheme, int levels, const Progress& progress)
     : data_(new Data{mesh, scheme, make_refiner(mesh, scheme), {}, {}, {}}) {
   if (!is_valid()) return;
   progress.report(0);

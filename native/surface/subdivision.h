@@ -1,4 +1,5 @@
-// A mesh refined uniformly by OpenSubdiv, level by level, and its limit surface anywhere (paper section 3).
+// A mesh refined uniformly by OpenSubdiv, level by level, and its limit surface anywhere (paper
+// section 3).
 #pragma once
 
 #include <memory>

@@ -30,8 +30,8 @@ std::vector<SeamEnd> seam_ends(const SoundMesh& mesh) {
   return ends;
 }
 
-// The boundary rule moves a vertex between the ends of its two open edges. Copies of a split vertex whose
-// seams lead to different ends would part, so they stay where they are.
+// The boundary rule moves a vertex between the ends of its two open edges. Copies of a split vertex
+// whose seams lead to different ends would part, so they stay where they are.
 std::vector<int> vertices_held_by_seams(const SoundMesh& mesh) {
   const std::vector<SeamEnd> ends = seam_ends(mesh);
   std::vector<int> held;
@@ -94,8 +94,7 @@ std::unique_ptr<Far::TopologyRefiner> make_refiner(const SoundMesh& mesh, Scheme
   options.SetVtxBoundaryInterpolation(mesh.boundary == BoundaryRule::corners
                                           ? Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER
                                           : Sdc::Options::VTX_BOUNDARY_EDGE_ONLY);
-  const Sdc::SchemeType type =
-      scheme == Scheme::loop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK;
+  const Sdc::SchemeType type = scheme == Scheme::loop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK;
   const Sharpness sharp = sharpness_of(mesh);
   using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
   return std::unique_ptr<Far::TopologyRefiner>(

@@ -1,4 +1,5 @@
-// OpenSubdiv's topology of a sound mesh. Only for sources of this stage: it names OpenSubdiv's types.
+// OpenSubdiv's topology of a sound mesh. Only for sources of this stage: it names OpenSubdiv's
+// types.
 #pragma once
 
 #include <opensubdiv/far/topologyRefiner.h>

@@ -18,7 +18,8 @@ inline void sizes(const Surface& s) {
   const std::size_t n = s.positions.size(), t = s.triangles.size();
   for (const std::size_t size :
        {s.normals.size(), s.objects.size(), s.places.size(), s.base_faces.size(), s.base_uv.size(),
-        s.curvature.k1.size(), s.curvature.k2.size(), s.curvature.w1.size(), s.curvature.w2.size()}) {
+        s.curvature.k1.size(), s.curvature.k2.size(), s.curvature.w1.size(),
+        s.curvature.w2.size()}) {
     ASSERT_EQ(size, n);
   }
   for (const std::size_t size :
@@ -57,7 +58,8 @@ inline void curvature(const Surface& s, const Curvature& c) {
   }
 }
 
-// The edge of `other` that is edge k of triangle t; the same by places where sides or copies differ.
+// The edge of `other` that is edge k of triangle t; the same by places where sides or copies
+// differ.
 inline int same_edge(const Surface& s, int t, int k, int other) {
   const auto place = [&](int triangle, int corner) {
     return s.places[index(s.triangles[index(triangle)][index(corner)])];
@@ -96,20 +98,22 @@ inline void edges(const Surface& s) {
   for (const EdgeKind kind : s.feature_kinds) ASSERT_NE(kind, EdgeKind::smooth);
 }
 
-// Across an edge that is not sharp, both triangles use the same vertices: one that runs along the edge the
-// other way round is of the same sheet and has the same flips there, else the other flips.
+// Across an edge that is not sharp, both triangles use the same vertices: one that runs along the
+// edge the other way round is of the same sheet and has the same flips there, else the other flips.
 inline void sheets(const Surface& s) {
   for (int t = 0; t < static_cast<int>(s.triangles.size()); ++t) {
     for (int k = 0; k < 3; ++k) {
       const int n = s.neighbours[index(t)][index(k)];
       if (n == none || s.edge_kinds[index(t)][index(k)] == EdgeKind::crease) continue;
       const int j = same_edge(s, t, k, n);
-      const int a = s.triangles[index(t)][index(k)], b = s.triangles[index(t)][index(next_corner(k))];
+      const int a = s.triangles[index(t)][index(k)],
+                b = s.triangles[index(t)][index(next_corner(k))];
       const bool turned = s.triangles[index(n)][index(j)] == b;
       ASSERT_EQ(s.triangles[index(n)][index(turned ? next_corner(j) : j)], a);
       const double sign = turned ? 1 : -1;
       ASSERT_EQ(s.corner_sign(t, k), sign * s.corner_sign(n, turned ? next_corner(j) : j));
-      ASSERT_EQ(s.corner_sign(t, next_corner(k)), sign * s.corner_sign(n, turned ? j : next_corner(j)));
+      ASSERT_EQ(s.corner_sign(t, next_corner(k)),
+                sign * s.corner_sign(n, turned ? j : next_corner(j)));
     }
   }
 }
