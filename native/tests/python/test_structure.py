@@ -91,7 +91,9 @@ def import_violations(folder: str, text: str) -> list[str]:
         if folder.startswith(("native", "tools")) and package in BLENDER_MODULES:
             wrong.append(f"{module}: Blender is known to the add-on, its tests and examples alone")
         if folder == "native/illustrate_native" and not (
-            not package or package in sys.stdlib_module_names or package == "numpy"
+            not package
+            or package in sys.stdlib_module_names
+            or package in ("numpy", "illustrate_native")
         ):
             wrong.append(f"{module}: the package needs numpy and nothing else")
         if folder.startswith(("native", "addon")) and package in ("blender_tests", "examples"):

@@ -1,0 +1,169 @@
+// Drawings: strokes, the labelled graph, tone, counts.
+#include <pybind11/stl.h>
+
+#include "bindings/arrays.h"
+#include "bindings/bind.h"
+#include "bindings/draw_options.h"
+#include "bindings/drawing_arrays.h"
+
+namespace illustrate::bindings {
+namespace {
+
+using DrawingPointer = std::shared_ptr<const DrawingArrays>;
+
+struct GraphHandle {
+  DrawingPointer drawing;
+};
+
+struct ToneHandle {
+  DrawingPointer drawing;
+};
+
+// `member` of `part(arrays)` as a read-only array attribute.
+template <class Handle, class Class, class Part>
+auto array_attributes(Class& bound, Part part) {
+  return [&bound, part](const char* name, auto member) {
+    bound.def_property_readonly(name, [member, part](const Handle& handle) {
+      return view_of(handle.drawing, part(*handle.drawing).*member);
+    });
+  };
+}
+
+// An enumeration of one byte as numbers.
+template <class Enumeration>
+py::array codes(const DrawingPointer& owner, const std::vector<Enumeration>& values,
+                const Shape& shape) {
+  static_assert(sizeof(Enumeration) == 1);
+  return view_of(owner, values.data(), py::dtype::of<std::uint8_t>(), shape);
+}
+
+void bind_graph(py::module_& m) {
+  py::class_<GraphHandle> bound(m, "Graph", "The labelled curve network of a view.");
+  const auto own = array_attributes<GraphHandle>(
+      bound, [](const DrawingArrays& d) -> const DrawingArrays& { return d; });
+  own("node_kind", &DrawingArrays::node_kind);
+  own("node_image", &DrawingArrays::node_image);
+  own("node_arcs", &DrawingArrays::node_arcs);
+  own("arc_nodes", &DrawingArrays::arc_nodes);
+  own("arc_kind", &DrawingArrays::arc_kind);
+  own("arc_object", &DrawingArrays::arc_object);
+  own("arc_invisibility", &DrawingArrays::arc_invisibility);
+  own("arc_points", &DrawingArrays::arc_points);
+  const auto image = array_attributes<GraphHandle>(
+      bound, [](const DrawingArrays& d) -> const Ragged<Vec2>& { return d.result.graph.image; });
+  image("arc_offsets", &Ragged<Vec2>::offsets);
+  image("arc_image", &Ragged<Vec2>::values);
+}
+
+void bind_tone(py::module_& m) {
+  py::class_<ToneHandle> bound(m, "ToneMap", "Light and shadow on a grid over the image.");
+  const auto grid = [](const ToneMap& tone) { return Shape{tone.height, tone.width}; };
+  const auto tone_of = [](const ToneHandle& handle) -> const ToneMap& {
+    return handle.drawing->result.tone;
+  };
+  bound.def_property_readonly("level", [=](const ToneHandle& handle) {
+    return codes(handle.drawing, tone_of(handle).level, grid(tone_of(handle)));
+  });
+  bound.def_property_readonly("band", [=](const ToneHandle& handle) {
+    return codes(handle.drawing, tone_of(handle).band, grid(tone_of(handle)));
+  });
+  bound.def_property_readonly("brightness", [=](const ToneHandle& handle) {
+    return view_of(handle.drawing, tone_of(handle).brightness.data(), py::dtype::of<float>(),
+                   grid(tone_of(handle)));
+  });
+  bound.def_property_readonly("cell_px",
+                              [=](const ToneHandle& handle) { return tone_of(handle).cell_px; });
+}
+
+struct DrawingHandle {
+  DrawingPointer drawing;
+};
+
+void bind_drawing(py::module_& m) {
+  py::class_<DrawingHandle> bound(m, "Drawing", "One finished view.");
+  const auto stroke = array_attributes<DrawingHandle>(
+      bound, [](const DrawingArrays& d) -> const Drawing& { return d.result.drawing; });
+  stroke("points", &Drawing::points);
+  stroke("image", &Drawing::image);
+  stroke("widths", &Drawing::widths);
+  stroke("offsets", &Drawing::offsets);
+  stroke("objects", &Drawing::objects);
+  stroke("invisibility", &Drawing::invisibility);
+  const auto own = array_attributes<DrawingHandle>(
+      bound, [](const DrawingArrays& d) -> const DrawingArrays& { return d; });
+  own("triangles", &DrawingArrays::triangles);
+  own("barycentrics", &DrawingArrays::barycentrics);
+  bound
+      .def_property_readonly("kinds",
+                             [](const DrawingHandle& h) {
+                               const auto& kinds = h.drawing->result.drawing.kinds;
+                               return codes(h.drawing, kinds, {length(kinds.size())});
+                             })
+      .def_property_readonly("closed",
+                             [](const DrawingHandle& h) {
+                               return view_of_flags(h.drawing, h.drawing->result.drawing.closed);
+                             })
+      .def_property_readonly("graph", [](const DrawingHandle& h) { return GraphHandle{h.drawing}; })
+      .def_property_readonly("tone", [](const DrawingHandle& h) { return ToneHandle{h.drawing}; })
+      .def_property_readonly(
+          "repair_max_px",
+          [](const DrawingHandle& h) { return h.drawing->result.graph.repair_max_px; })
+      .def_property_readonly("counts",
+                             [](const DrawingHandle& h) { return h.drawing->result.counts; })
+      .def_property_readonly("timings",
+                             [](const DrawingHandle& h) { return h.drawing->result.timings; });
+}
+
+std::vector<Light> read_lights(const py::object& lights) {
+  std::vector<Light> read;
+  if (lights.is_none()) return read;
+  for (const py::handle light : py::iterable(lights)) {
+    if (!py::isinstance<Light>(light)) {
+      throw InvalidInput("lights[" + std::to_string(read.size()) + "] is not a Light");
+    }
+    read.push_back(light.cast<Light>());
+  }
+  return read;
+}
+
+DrawingHandle draw_view(const Prepared& prepared, const Camera& camera,
+                        const PythonDrawOptions* options, const py::object& lights,
+                        const py::object& progress) {
+  const DrawOptions draw_options = options ? read_draw_options(*options) : DrawOptions{};
+  const std::vector<Light> read = read_lights(lights);
+  const Progress reported = progress_of(progress);
+  const py::gil_scoped_release release;
+  return {
+      std::make_shared<const DrawingArrays>(draw(prepared, camera, draw_options, read, reported))};
+}
+
+struct SilhouetteTriangles {
+  std::shared_ptr<const std::vector<int>> triangles;
+};
+
+SilhouetteTriangles find_silhouettes(const Prepared& prepared, const Camera& camera,
+                                     bool brute_force) {
+  const py::gil_scoped_release release;
+  return {std::make_shared<const std::vector<int>>(
+      silhouette_triangles(prepared, camera, brute_force))};
+}
+
+}  // namespace
+
+void bind_draw(py::module_& m) {
+  using namespace py::literals;
+  bind_graph(m);
+  bind_tone(m);
+  bind_drawing(m);
+  py::class_<SilhouetteTriangles>(m, "Silhouettes", "Where the surface turns away from the eye.")
+      .def_property_readonly("triangles", [](const SilhouetteTriangles& found) {
+        return view_of(found.triangles, *found.triangles);
+      });
+  const py::none none;
+  m.def("draw", &draw_view, "prepared"_a, "camera"_a, "options"_a = none, "lights"_a = none,
+        "progress"_a = none, "One view of a prepared scene.");
+  m.def("silhouettes", &find_silhouettes, "prepared"_a, "camera"_a, "brute_force"_a = false,
+        "The triangles that carry silhouettes.");
+}
+
+}  // namespace illustrate::bindings

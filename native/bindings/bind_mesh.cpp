@@ -1,0 +1,182 @@
+// What a caller describes a scene with: meshes, the camera, lights; and the public enumerations.
+#include <pybind11/native_enum.h>
+
+#include "bindings/arrays.h"
+#include "bindings/bind.h"
+#include "bindings/names.h"
+#include "contour/curve_network.h"
+#include "mesh/polygon_mesh.h"
+#include "tone/light.h"
+#include "view/camera.h"
+
+namespace illustrate::bindings {
+namespace {
+
+void bind_enumerations(py::module_& m) {
+  py::native_enum<Kind>(m, "Kind", "enum.IntEnum", "What a curve is.")
+      .value("SILHOUETTE", Kind::silhouette)
+      .value("BOUNDARY", Kind::boundary)
+      .value("CREASE", Kind::crease)
+      .value("INTERSECTION", Kind::intersection)
+      .value("HATCH", Kind::hatch)
+      .value("CROSS_HATCH", Kind::cross_hatch)
+      .value("UNDERCUT", Kind::undercut)
+      .value("MARK", Kind::mark)
+      .value("MATERIAL", Kind::material)
+      .value("FLAT_OUTLINE", Kind::flat_outline)
+      .value("SEAM", Kind::seam)
+      .finalize();
+  py::native_enum<NodeKind>(m, "Node", "enum.IntEnum", "What a node of the curve network is.")
+      .value("CUSP", NodeKind::cusp)
+      .value("CROSSING", NodeKind::crossing)
+      .value("JOINT", NodeKind::joint)
+      .value("END", NodeKind::end)
+      .finalize();
+}
+
+BoundaryRule boundary_named(const std::string& name) {
+  if (name == "corners") return BoundaryRule::corners;
+  if (name == "edges") return BoundaryRule::edges;
+  throw InvalidInput("boundary is '" + name + "', expected 'corners' or 'edges'");
+}
+
+template <class Value, class Read>
+void read_if_given(const py::object& argument, const char* name, Value& value, Read read) {
+  if (!argument.is_none()) value = read(argument, name);
+}
+
+std::shared_ptr<PolygonMesh> make_mesh(
+    const py::object& positions, const py::object& face_sizes, const py::object& corner_vertices,
+    const py::object& edge_vertices, const py::object& edge_sharpness,
+    const py::object& vertex_sharpness, const py::object& marked_edges,
+    const py::object& face_materials, const py::object& hole_faces, const std::string& boundary,
+    double crease_angle_deg, const py::object& scheme, const py::object& level,
+    const py::object& edge_length, const std::string& name) {
+  auto mesh = std::make_shared<PolygonMesh>();
+  mesh->positions = read_points(positions, "positions");
+  mesh->face_sizes = read_indices(face_sizes, "face_sizes");
+  mesh->corner_vertices = read_indices(corner_vertices, "corner_vertices");
+  read_if_given(edge_vertices, "edge_vertices", mesh->edge_vertices, read_edges);
+  read_if_given(edge_sharpness, "edge_sharpness", mesh->edge_sharpness, read_numbers);
+  read_if_given(vertex_sharpness, "vertex_sharpness", mesh->vertex_sharpness, read_numbers);
+  read_if_given(marked_edges, "marked_edges", mesh->marked_edges, read_edges);
+  read_if_given(face_materials, "face_materials", mesh->face_materials, read_indices);
+  read_if_given(hole_faces, "hole_faces", mesh->hole_faces, read_indices);
+  mesh->boundary = boundary_named(boundary);
+  mesh->crease_angle_deg = crease_angle_deg;
+  read_if_given(scheme, "scheme", mesh->scheme, read_scheme);
+  read_if_given(level, "level", mesh->level, read_integer);
+  read_if_given(edge_length, "edge_length", mesh->edge_length, read_number);
+  mesh->name = name;
+  validate(*mesh);
+  return mesh;
+}
+
+void bind_polygon_mesh(py::module_& m) {
+  using namespace py::literals;
+  const py::none none;
+  py::class_<PolygonMesh, std::shared_ptr<PolygonMesh>>(
+      m, "PolygonMesh", "Any polygon mesh in world space, whatever its defects. Immutable.")
+      .def(py::init(&make_mesh), "positions"_a, "face_sizes"_a, "corner_vertices"_a,
+           "edge_vertices"_a = none, "edge_sharpness"_a = none, "vertex_sharpness"_a = none,
+           "marked_edges"_a = none, "face_materials"_a = none, "hole_faces"_a = none,
+           "boundary"_a = "corners", "crease_angle_deg"_a = 180.0, "scheme"_a = none,
+           "level"_a = none, "edge_length"_a = none, "name"_a = "")
+      .def_readonly("name", &PolygonMesh::name)
+      .def_property_readonly("vertex_count",
+                             [](const PolygonMesh& mesh) { return mesh.positions.size(); })
+      .def_property_readonly("face_count",
+                             [](const PolygonMesh& mesh) { return mesh.face_sizes.size(); });
+}
+
+py::array matrix_array(const Mat4& matrix) {
+  std::vector<std::array<double, 4>> rows(4);
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = matrix(i, j);
+    }
+  }
+  return array_of(std::move(rows));
+}
+
+void bind_camera(py::module_& m) {
+  using namespace py::literals;
+  py::class_<Camera>(m, "Camera", "Perspective or orthographic, in OpenGL's convention. Immutable.")
+      .def(py::init([](const py::object& projection, const py::object& view,
+                       const py::object& width_px, const py::object& height_px) {
+             return Camera(read_matrix(projection, "camera.projection"),
+                           read_matrix(view, "camera.view"),
+                           read_integer(width_px, "camera.width_px"),
+                           read_integer(height_px, "camera.height_px"));
+           }),
+           "projection"_a, "view"_a, "width_px"_a, "height_px"_a)
+      .def_property_readonly("projection",
+                             [](const Camera& c) { return matrix_array(c.projection()); })
+      .def_property_readonly("view", [](const Camera& c) { return matrix_array(c.view()); })
+      .def_property_readonly("width_px", &Camera::width_px)
+      .def_property_readonly("height_px", &Camera::height_px);
+}
+
+constexpr std::array<const char*, 5> light_names{"head", "sun", "point", "spot", "area"};
+
+LightKind light_kind_named(const std::string& name) {
+  for (std::size_t i = 0; i < light_names.size(); ++i) {
+    if (name == light_names[i]) return static_cast<LightKind>(i);
+  }
+  throw InvalidInput("light.kind is '" + name +
+                     "', expected 'head', 'sun', 'point', 'spot' or 'area'");
+}
+
+const char* name_of(LightKind kind) { return light_names[static_cast<std::size_t>(kind)]; }
+
+void require(const py::object& argument, const char* name, LightKind kind) {
+  if (argument.is_none()) {
+    throw InvalidInput(std::string("light.") + name + " must be given for a light of kind '" +
+                       name_of(kind) + "'");
+  }
+}
+
+Light make_light(const std::string& kind_name, const py::object& vector, double strength,
+                 const py::object& direction, const py::object& angle_rad) {
+  Light light;
+  light.kind = light_kind_named(kind_name);
+  light.strength = strength;
+  if (light.kind != LightKind::head) require(vector, "vector", light.kind);
+  if (light.kind == LightKind::spot || light.kind == LightKind::area) {
+    require(direction, "direction", light.kind);
+  }
+  if (light.kind == LightKind::spot) require(angle_rad, "angle_rad", light.kind);
+  read_if_given(vector, "light.vector", light.vector, read_vector);
+  read_if_given(direction, "light.direction", light.direction, read_vector);
+  read_if_given(angle_rad, "light.angle_rad", light.angle_rad, read_number);
+  return light;
+}
+
+void bind_light(py::module_& m) {
+  using namespace py::literals;
+  const py::none none;
+  const auto vector_array = [](const Vec3& v) {
+    return array_of(std::vector<double>{v[0], v[1], v[2]});
+  };
+  py::class_<Light>(m, "Light", "One light. Immutable.")
+      .def(py::init(&make_light), "kind"_a, "vector"_a = none, "strength"_a = 1.0,
+           "direction"_a = none, "angle_rad"_a = none)
+      .def_property_readonly("kind", [](const Light& light) { return name_of(light.kind); })
+      .def_property_readonly("vector",
+                             [=](const Light& light) { return vector_array(light.vector); })
+      .def_property_readonly("direction",
+                             [=](const Light& light) { return vector_array(light.direction); })
+      .def_readonly("strength", &Light::strength)
+      .def_readonly("angle_rad", &Light::angle_rad);
+}
+
+}  // namespace
+
+void bind_mesh(py::module_& m) {
+  bind_enumerations(m);
+  bind_polygon_mesh(m);
+  bind_camera(m);
+  bind_light(m);
+}
+
+}  // namespace illustrate::bindings

@@ -1,0 +1,157 @@
+// The options of all stages, flattened into attributes.
+#include <pybind11/stl.h>
+
+#include "bindings/bind.h"
+#include "bindings/draw_options.h"
+#include "bindings/names.h"
+#include "bindings/options.h"
+
+// One attribute that is a member of the bound options, or a member of a member.
+#define OPTION(name, member, doc) \
+  option(                         \
+      bound, name, [](auto& options) -> auto& { return options.member; }, doc)
+
+namespace illustrate::bindings {
+namespace {
+
+void bind_prepare_options(py::module_& m) {
+  py::class_<PrepareOptions> bound(m, "PrepareOptions", "How meshes are prepared.");
+  bound.def(py::init(&from_keywords<PrepareOptions>));
+  bound.def_property(
+      "scheme", [](const PrepareOptions& options) { return name_of(options.surface.scheme); },
+      [](PrepareOptions& options, const py::object& value) {
+        options.surface.scheme = read_scheme(value, "scheme");
+      },
+      "'auto', 'catmull-clark', 'loop' or 'none'");
+  OPTION("level", surface.level, "-1: the first whose median edge is at most edge_length");
+  OPTION("edge_length", surface.edge_length, "World units; 0: 1/600 of the scene's diagonal");
+  OPTION("triangle_budget", surface.triangle_budget, "Binds automatic levels, all meshes together");
+  OPTION("threads", threads, "0: all cores");
+  OPTION("field", field, "False: what hatching needs waits until it is first asked for");
+  OPTION("rings", jet.rings, "Neighbours that the hatching curvature is fitted to");
+  OPTION("parabolic_ratio", cross_field.parabolic_ratio,
+         "Reliable where |k2| <= ratio |k1|; 0: no vertex is");
+  OPTION("least_curvature", cross_field.least_curvature,
+         "Reliable where |k1| >= this / the object's diagonal");
+  OPTION("largest_energy", cross_field.largest_energy,
+         "Reliable where the mean of 1 + e over the edges is at most this, in [0, 2]");
+  OPTION("alignment_weight", cross_field.alignment_weight, "Soft pull of creases and boundaries");
+  OPTION("max_evaluations", cross_field.max_evaluations, "Of the field's energy");
+  bound.def_property(
+      "default_direction",
+      [](const PrepareOptions& options) {
+        const Vec3& d = options.cross_field.default_direction;
+        return py::make_tuple(d.x(), d.y(), d.z());
+      },
+      [](PrepareOptions& options, const py::object& value) {
+        options.cross_field.default_direction = read_vector(value, "default_direction");
+      },
+      "World direction of the field where nothing is reliable");
+}
+
+void bind_object_style(py::module_& m) {
+  py::class_<ObjectStyle> bound(m, "ObjectStyle", "What is drawn of one mesh.");
+  bound.def(py::init(&from_keywords<ObjectStyle>));
+  OPTION("ignore", ignore, "Left out entirely: neither drawn nor in front of anything");
+  OPTION("occlude_only", occlude_only, "Hides what is behind it, but is not drawn");
+  OPTION("lines", lines, "Whether its lines are drawn");
+  OPTION("hatching", hatching, "Whether it is hatched");
+  OPTION("spacing_scale", spacing_scale, "Of its hatches");
+  OPTION("width_scale", width_scale, "Of all its strokes");
+}
+
+template <class Class>
+void bind_tone_options(Class& bound) {
+  OPTION("highlight_threshold", values.tone.highlight_threshold, "Brighter: not hatched");
+  OPTION("shadow_threshold", values.tone.shadow_threshold, "At most as bright: two directions");
+  OPTION("mach_bands", values.tone.mach_bands, "Blank bands on the near side of folds");
+  OPTION("undercuts", values.tone.undercuts, "Dense hatching beyond folds");
+  OPTION("mach_band_px", values.tone.mach_band_px, "Width of Mach bands");
+  OPTION("undercut_px", values.tone.undercut_px, "Width of undercuts");
+  OPTION("cell_px", values.cell_px, "Cells of the tone map, [0.25, 64]");
+}
+
+template <class Class>
+void bind_hatch_options(Class& bound) {
+  OPTION("hatching", values.hatching, "False: lines only, no tone");
+  OPTION("spacing_px", values.hatch.spacing_px, "Between hatches");
+  OPTION("undercut_spacing_px", values.hatch.undercut_spacing_px, "Between hatches in undercuts");
+  OPTION("test_factor", values.hatch.test_factor, "A hatch ends this share of the spacing away");
+  OPTION("step_px", values.hatch.step_px, "Length of a tracing step");
+  OPTION("max_turn_deg", values.hatch.max_turn_deg, "How far a hatch may turn in the world");
+  OPTION("max_length_px", values.hatch.max_length_px, "Length of a hatch");
+  OPTION("min_length_px", values.hatch.min_length_px, "Shorter hatches are dropped");
+}
+
+template <class Class>
+void bind_stroke_options(Class& bound) {
+  OPTION("line_width_px", values.stroke.line_width_px, "Silhouettes and boundaries");
+  OPTION("feature_width_px", values.stroke.feature_width_px, "All other lines");
+  OPTION("hatch_width_px", values.stroke.hatch_width_px, "Where the light is middling");
+  OPTION("hatch_width_by_light", values.stroke.hatch_width_by_light,
+         "Share by which hatches swell in the dark and thin in the light, [0, 1]");
+  OPTION("hidden_width_scale", values.stroke.hidden_width_scale, "Of hidden lines");
+  OPTION("taper_px", values.stroke.taper_px, "Length over which free ends thin out");
+  OPTION("speck_px", values.stroke.speck_px, "Shorter lines are dropped unless they close a gap");
+  OPTION("simplify_px", values.stroke.simplify_px, "How far a stroke may be from its curve");
+  OPTION("marks", values.stroke.marks, "Draw marked edges");
+  OPTION("materials", values.stroke.materials, "Draw borders between materials");
+  OPTION("flat_outlines", values.stroke.flat_outlines, "Draw outlines of flat areas");
+}
+
+std::optional<std::array<int, 2>> read_range(const py::object& value) {
+  if (value.is_none()) return std::nullopt;
+  const std::vector<int> range = read_indices(value, "hidden_lines");
+  if (range.size() != 2) throw InvalidInput("hidden_lines must be (low, high) or None");
+  return std::array<int, 2>{range[0], range[1]};
+}
+
+py::object range_object(const std::optional<std::array<int, 2>>& range) {
+  if (!range) return py::none();
+  return py::make_tuple((*range)[0], (*range)[1]);
+}
+
+void bind_draw_options(py::module_& m) {
+  py::class_<PythonDrawOptions> bound(m, "DrawOptions", "How a view is drawn.");
+  bound.def(py::init(&from_keywords<PythonDrawOptions>));
+  bind_hatch_options(bound);
+  bind_tone_options(bound);
+  bind_stroke_options(bound);
+  OPTION("threads", values.threads, "0: all cores");
+  bound.def_readwrite("styles", &PythonDrawOptions::styles, "One ObjectStyle per mesh, or None");
+  bound.def_property(
+      "hidden_lines",
+      [](const PythonDrawOptions& options) {
+        return range_object(options.values.stroke.hidden_lines);
+      },
+      [](PythonDrawOptions& options, const py::object& value) {
+        options.values.stroke.hidden_lines = read_range(value);
+      },
+      "(low, high): also lines with so many layers in front, inclusive; None: visible lines only");
+}
+
+}  // namespace
+
+DrawOptions read_draw_options(const PythonDrawOptions& options) {
+  DrawOptions read = options.values;
+  if (options.styles.is_none()) return read;
+  if (!py::isinstance<py::sequence>(options.styles)) {
+    throw InvalidInput("styles must be a list of ObjectStyle, or None");
+  }
+  for (const py::handle style : py::sequence(options.styles)) {
+    if (!py::isinstance<ObjectStyle>(style)) {
+      throw InvalidInput("styles[" + std::to_string(read.styles.size()) +
+                         "] is not an ObjectStyle");
+    }
+    read.styles.push_back(style.cast<ObjectStyle>());
+  }
+  return read;
+}
+
+void bind_options(py::module_& m) {
+  bind_object_style(m);
+  bind_prepare_options(m);
+  bind_draw_options(m);
+}
+
+}  // namespace illustrate::bindings

@@ -1,0 +1,199 @@
+// Prepared scenes: the surface, the field, what was mended.
+#include <pybind11/stl.h>
+
+#include "bindings/arrays.h"
+#include "bindings/bind.h"
+#include "bindings/draw_options.h"
+#include "pipeline/prepare.h"
+
+namespace illustrate::bindings {
+namespace {
+
+using PreparedPointer = std::shared_ptr<const Prepared>;
+
+struct SurfaceHandle {
+  PreparedPointer prepared;
+  const Surface& surface() const { return prepared->surface(); }
+};
+
+struct FieldHandle {
+  std::shared_ptr<const CrossField> field;
+};
+
+const Curvature& hatch_curvature(const SurfaceHandle& handle) {
+  const py::gil_scoped_release release;
+  return handle.prepared->hatch_curvature();
+}
+
+// Line curvature; objects of scheme none have only the hatching curvature.
+template <class Values>
+py::array line_curvature(const SurfaceHandle& handle, Values Curvature::*member) {
+  const Surface& surface = handle.surface();
+  const auto& smooth = surface.object_is_smooth;
+  if (std::find(smooth.begin(), smooth.end(), 0) == smooth.end()) {
+    return view_of(handle.prepared, surface.curvature.*member);
+  }
+  Values values = surface.curvature.*member;
+  const Values& fitted = hatch_curvature(handle).*member;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!smooth[static_cast<std::size_t>(surface.objects[i])]) values[i] = fitted[i];
+  }
+  return array_of(std::move(values));
+}
+
+std::uint8_t public_kind(EdgeKind kind) {
+  switch (kind) {
+    case EdgeKind::boundary:
+      return static_cast<std::uint8_t>(Kind::boundary);
+    case EdgeKind::flat_outline:
+      return static_cast<std::uint8_t>(Kind::flat_outline);
+    case EdgeKind::seam:
+      return static_cast<std::uint8_t>(Kind::seam);
+    case EdgeKind::mark:
+      return static_cast<std::uint8_t>(Kind::mark);
+    case EdgeKind::material:
+      return static_cast<std::uint8_t>(Kind::material);
+    default:
+      return static_cast<std::uint8_t>(Kind::crease);
+  }
+}
+
+py::array feature_kinds(const SurfaceHandle& handle) {
+  std::vector<std::uint8_t> kinds;
+  for (const EdgeKind kind : handle.surface().feature_kinds) kinds.push_back(public_kind(kind));
+  return array_of(std::move(kinds));
+}
+
+void bind_surface(py::module_& m) {
+  py::class_<SurfaceHandle> bound(m, "Surface", "The triangulated limit surface.");
+  const auto part = [&](const char* name, auto member) {
+    bound.def_property_readonly(name, [member](const SurfaceHandle& handle) {
+      return view_of(handle.prepared, handle.surface().*member);
+    });
+  };
+  part("positions", &Surface::positions);
+  part("normals", &Surface::normals);
+  part("triangles", &Surface::triangles);
+  part("objects", &Surface::objects);
+  part("base_faces", &Surface::base_faces);
+  part("base_uv", &Surface::base_uv);
+  part("feature_edges", &Surface::feature_edges);
+  bound.def_property_readonly("feature_kinds", &feature_kinds);
+  const auto curvature = [&](const char* line_name, const char* hatch_name, auto member) {
+    bound.def_property_readonly(line_name, [member](const SurfaceHandle& handle) {
+      return line_curvature(handle, member);
+    });
+    bound.def_property_readonly(hatch_name, [member](const SurfaceHandle& handle) {
+      return view_of(handle.prepared, hatch_curvature(handle).*member);
+    });
+  };
+  curvature("k1", "hatch_k1", &Curvature::k1);
+  curvature("k2", "hatch_k2", &Curvature::k2);
+  curvature("w1", "hatch_w1", &Curvature::w1);
+  curvature("w2", "hatch_w2", &Curvature::w2);
+}
+
+void bind_field(py::module_& m) {
+  py::class_<FieldHandle> bound(m, "CrossField", "A smooth field of crosses for hatching.");
+  const auto part = [&](const char* name, auto member) {
+    bound.def_property_readonly(name, [member](const FieldHandle& handle) {
+      return view_of(handle.field, (*handle.field).*member);
+    });
+  };
+  const auto number = [&](const char* name, auto member) {
+    bound.def_property_readonly(
+        name, [member](const FieldHandle& handle) { return (*handle.field).*member; });
+  };
+  part("theta", &CrossField::theta);
+  part("reference", &CrossField::reference);
+  part("directions", &CrossField::directions);
+  part("singular_triangles", &CrossField::singular_triangles);
+  part("singular_indices", &CrossField::singular_indices);
+  bound.def_property_readonly("reliable", [](const FieldHandle& handle) {
+    return view_of_flags(handle.field, handle.field->reliable);
+  });
+  number("energy", &CrossField::energy);
+  number("energy_initial", &CrossField::energy_initial);
+  number("converged", &CrossField::converged);
+  number("evaluations", &CrossField::evaluations);
+}
+
+FieldHandle field_of(const PreparedPointer& prepared) {
+  const py::gil_scoped_release release;
+  return {{prepared, &prepared->field()}};
+}
+
+Counts report_of(const Prepared& prepared) {
+  const py::gil_scoped_release release;
+  return prepared.report();
+}
+
+py::list reports_of(const Prepared& prepared) {
+  py::list reports;
+  for (const MeshReport& report : prepared.mesh_reports()) {
+    py::dict entry;
+    entry["name"] = report.name;
+    for (const auto& [name, count] : report.counts) entry[py::str(name)] = count;
+    reports.append(entry);
+  }
+  return reports;
+}
+
+std::vector<MeshPointer> read_meshes(const py::iterable& meshes) {
+  std::vector<MeshPointer> pointers;
+  for (const py::handle mesh : meshes) {
+    if (!py::isinstance<PolygonMesh>(mesh)) {
+      throw InvalidInput("meshes[" + std::to_string(pointers.size()) + "] is not a PolygonMesh");
+    }
+    pointers.push_back(mesh.cast<std::shared_ptr<PolygonMesh>>());
+  }
+  return pointers;
+}
+
+std::shared_ptr<Prepared> prepare_meshes(const py::iterable& meshes,
+                                         const std::optional<PrepareOptions>& options,
+                                         const py::object& progress,
+                                         const std::shared_ptr<Prepared>& previous) {
+  const std::vector<MeshPointer> pointers = read_meshes(meshes);
+  const Progress reported = progress_of(progress);
+  const py::gil_scoped_release release;
+  return std::const_pointer_cast<Prepared>(
+      prepare(pointers, options.value_or(PrepareOptions{}), previous.get(), reported));
+}
+
+FieldHandle solve(const Prepared& prepared, const std::optional<PrepareOptions>& options,
+                  const py::object& progress) {
+  const Progress reported = progress_of(progress);
+  const py::gil_scoped_release release;
+  const PrepareOptions used = options.value_or(PrepareOptions{});
+  validate(used);
+  FieldOptions field_options = used.cross_field;
+  field_options.threads = used.threads;
+  const Curvature& curvature = prepared.hatch_curvature(reported.part(0, 0.2));
+  return {std::make_shared<const CrossField>(solve_cross_field(
+      prepared.surface(), curvature, field_options, reported.part(0.2, 1, "field")))};
+}
+
+}  // namespace
+
+void bind_prepare(py::module_& m) {
+  using namespace py::literals;
+  bind_surface(m);
+  bind_field(m);
+  py::class_<Prepared, std::shared_ptr<Prepared>>(
+      m, "Prepared", "Everything of a scene that does not depend on the view. Immutable.")
+      .def_property_readonly("surface",
+                             [](const std::shared_ptr<Prepared>& p) { return SurfaceHandle{p}; })
+      .def_property_readonly("field",
+                             [](const std::shared_ptr<Prepared>& p) { return field_of(p); })
+      .def_property_readonly("report", &report_of)
+      .def_property_readonly("reports", &reports_of)
+      .def_property_readonly("timings", &Prepared::timings);
+  const py::none none;
+  m.def("prepare", &prepare_meshes, "meshes"_a, "options"_a = none, "progress"_a = none,
+        "previous"_a = none, "Meshes to what every view of them needs.");
+  m.def("solve_cross_field", &solve, "prepared"_a, "options"_a = none, "progress"_a = none,
+        "The cross field of a prepared surface, with the field's own options.");
+}
+
+}  // namespace illustrate::bindings

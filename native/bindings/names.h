@@ -1,0 +1,13 @@
+// The words that stand for enumerations in options.
+#pragma once
+
+#include "bindings/arrays.h"
+#include "mesh/polygon_mesh.h"
+
+namespace illustrate::bindings {
+
+// 'auto', 'catmull-clark', 'loop' or 'none'; throws InvalidInput for anything else.
+Scheme read_scheme(const py::object& value, const std::string& name);
+const char* name_of(Scheme scheme);
+
+}  // namespace illustrate::bindings

@@ -1,0 +1,586 @@
+"""The native core: stages of a line illustration, from meshes to strokes.
+
+World coordinates are the caller's; image coordinates are pixels, origin top left, y down.
+Arguments that are arrays accept what `numpy.asarray` accepts. Arrays that are returned are
+read-only views. An index names an element, -1 is none. Sizes in the shapes: n vertices,
+t triangles, s strokes, p points of strokes, k nodes and a arcs of the curve network, q points of
+arcs.
+"""
+
+import enum
+from collections.abc import Callable, Iterable, Sequence
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+_Doubles: TypeAlias = NDArray[np.float64]
+_Singles: TypeAlias = NDArray[np.float32]
+_Indices: TypeAlias = NDArray[np.int32]
+_Codes: TypeAlias = NDArray[np.uint8]
+_Flags: TypeAlias = NDArray[np.bool_]
+
+_Progress: TypeAlias = Callable[[float, str], bool | None]
+"""Called with (fraction in [0, 1], name of the stage) from the calling thread; False cancels."""
+
+class InvalidInput(ValueError):
+    """Arrays, options or a camera that cannot be used; the message names the argument and index."""
+
+class Cancelled(RuntimeError):
+    """The progress function returned False."""
+
+class Kind(enum.IntEnum):
+    """What a curve is. The numbers never change."""
+
+    SILHOUETTE = 0
+    BOUNDARY = 1
+    CREASE = 2
+    INTERSECTION = 3
+    HATCH = 4
+    CROSS_HATCH = 5
+    """Confined to cross-hatched regions."""
+    UNDERCUT = 6
+    MARK = 7
+    MATERIAL = 8
+    FLAT_OUTLINE = 9
+    SEAM = 10
+    """Where a non-manifold edge was split; never drawn."""
+
+class Node(enum.IntEnum):
+    """What a node of the curve network is."""
+
+    CUSP = 0
+    CROSSING = 1
+    JOINT = 2
+    END = 3
+
+class PolygonMesh:
+    """Any polygon mesh in world space, whatever its defects. Immutable."""
+
+    def __init__(
+        self,
+        positions: ArrayLike,
+        face_sizes: ArrayLike,
+        corner_vertices: ArrayLike,
+        edge_vertices: ArrayLike | None = None,
+        edge_sharpness: ArrayLike | None = None,
+        vertex_sharpness: ArrayLike | None = None,
+        marked_edges: ArrayLike | None = None,
+        face_materials: ArrayLike | None = None,
+        hole_faces: ArrayLike | None = None,
+        boundary: str = "corners",
+        crease_angle_deg: float = 180.0,
+        scheme: str | None = None,
+        level: int | None = None,
+        edge_length: float | None = None,
+        name: str = "",
+    ) -> None:
+        """Copies its arguments.
+
+        Args:
+            positions: (n, 3) float, world space; vertices that are not finite are mended away.
+            face_sizes: (f,) int, corners per face.
+            corner_vertices: (sum of face_sizes,) int, vertex of each corner.
+            edge_vertices: (e, 2) int, edges that carry a sharpness.
+            edge_sharpness: (e,) float, 0 smooth .. 10 infinitely sharp (OpenSubdiv's scale).
+            vertex_sharpness: (n,) float.
+            marked_edges: (m, 2) int, drawn as Kind.MARK when asked for.
+            face_materials: (f,) int, their borders drawn as Kind.MATERIAL when asked for.
+            hole_faces: (h,) int, faces that shape the limit and are not there.
+            boundary: 'corners' or 'edges' (OpenSubdiv's EDGE_AND_CORNER, EDGE_ONLY).
+            crease_angle_deg: edges with a sharper turn become infinitely sharp; 180: none.
+            scheme: this mesh's own, in place of PrepareOptions.scheme.
+            level: this mesh's own, in place of PrepareOptions.level.
+            edge_length: this mesh's own, in place of PrepareOptions.edge_length.
+            name: for reports.
+
+        Raises:
+            InvalidInput: wrong shapes, wrong types, indices out of range.
+        """
+
+    @property
+    def name(self) -> str:
+        """As given."""
+    @property
+    def vertex_count(self) -> int:
+        """As given, before mending."""
+    @property
+    def face_count(self) -> int:
+        """As given, before mending."""
+
+class Camera:
+    """Perspective or orthographic, in OpenGL's convention. Immutable."""
+
+    def __init__(
+        self, projection: ArrayLike, view: ArrayLike, width_px: int, height_px: int
+    ) -> None:
+        """Copies its arguments.
+
+        Args:
+            projection: (4, 4) clip from view; the camera looks down -z.
+            view: (4, 4) view from world.
+            width_px: of the image, at least 1.
+            height_px: of the image, at least 1.
+
+        Raises:
+            InvalidInput: matrices that are not finite or not a camera's, sizes below 1.
+        """
+
+    @property
+    def projection(self) -> _Doubles:
+        """(4, 4)."""
+    @property
+    def view(self) -> _Doubles:
+        """(4, 4)."""
+    @property
+    def width_px(self) -> int:
+        """Width of the image."""
+    @property
+    def height_px(self) -> int:
+        """Height of the image."""
+
+class Light:
+    """One light. Immutable.
+
+    Brightness is min(1, sum of strength * max(0, n . l)), n turned to the eye, spot and area times
+    their cosine lobe, without fall-off over distance.
+    """
+
+    def __init__(
+        self,
+        kind: str,
+        vector: ArrayLike | None = None,
+        strength: float = 1.0,
+        direction: ArrayLike | None = None,
+        angle_rad: float | None = None,
+    ) -> None:
+        """Copies its arguments.
+
+        Args:
+            kind: 'head' (at the eye), 'sun', 'point', 'spot' or 'area'.
+            vector: (3,) of a sun: direction towards the light; of the others: position, world.
+            strength: at least 0.
+            direction: (3,) where a spot or area light shines.
+            angle_rad: half angle of a spot's cone.
+
+        Raises:
+            InvalidInput: an unknown kind, or what that kind needs is missing.
+        """
+
+    @property
+    def kind(self) -> str:
+        """As given."""
+    @property
+    def vector(self) -> _Doubles:
+        """(3,)."""
+    @property
+    def direction(self) -> _Doubles:
+        """(3,)."""
+    @property
+    def strength(self) -> float:
+        """As given."""
+    @property
+    def angle_rad(self) -> float:
+        """As given; 0 where none was given."""
+
+class PrepareOptions:
+    """How meshes are prepared. Values are checked when they are used."""
+
+    scheme: str
+    """'auto', 'catmull-clark', 'loop' or 'none'."""
+    level: int
+    """Of subdivision; -1: the first whose median edge is at most edge_length, within the budget."""
+    edge_length: float
+    """World units; 0: 1/600 of the diagonal of the box of all meshes."""
+    triangle_budget: int
+    """Binds automatic levels only, all meshes together."""
+    threads: int
+    """0: all cores."""
+    field: bool
+    """False: hatching curvature, field and self-intersections wait until first asked for."""
+    rings: int
+    """Rings of neighbours that the hatching curvature is fitted to, [1, 10]."""
+    parabolic_ratio: float
+    """A vertex is reliable where |k2| <= this * |k1|; 0: none is."""
+    least_curvature: float
+    """A vertex is reliable where |k1| >= this / the object's diagonal."""
+    largest_energy: float
+    """A vertex is reliable where the mean of 1 + e over its edges is at most this, [0, 2]."""
+    alignment_weight: float
+    """Soft pull of creases and boundaries."""
+    max_evaluations: int
+    """Of the field's energy."""
+
+    @property
+    def default_direction(self) -> tuple[float, float, float]:
+        """World direction of the field where nothing is reliable."""
+    @default_direction.setter
+    def default_direction(self, value: ArrayLike) -> None: ...
+    def __init__(self, **options: object) -> None:
+        """Defaults, and the attributes given by keyword. Raises TypeError for other keywords."""
+
+class ObjectStyle:
+    """What is drawn of one mesh."""
+
+    ignore: bool
+    """Left out entirely: neither drawn nor in front of anything."""
+    occlude_only: bool
+    """Hides what is behind it, but is not drawn."""
+    lines: bool
+    hatching: bool
+    spacing_scale: float
+    """Of its hatches, above 0."""
+    width_scale: float
+    """Of all its strokes, at least 0."""
+
+    def __init__(self, **options: object) -> None:
+        """Defaults, and the attributes given by keyword. Raises TypeError for other keywords."""
+
+class DrawOptions:
+    """How a view is drawn. Values are checked when they are used."""
+
+    hatching: bool
+    """False: lines only, no tone."""
+    spacing_px: float
+    """Between hatches."""
+    undercut_spacing_px: float
+    """Between hatches inside undercuts."""
+    test_factor: float
+    """A hatch ends this share of the spacing away from a parallel one."""
+    step_px: float
+    """Length of a tracing step."""
+    max_turn_deg: float
+    """How far a hatch may turn in the world."""
+    max_length_px: float
+    """Length of a hatch."""
+    min_length_px: float
+    """Shorter hatches are dropped."""
+    highlight_threshold: float
+    """Brighter: highlight, not hatched."""
+    shadow_threshold: float
+    """At most as bright: shadow, hatched in two directions; else midtone, in one."""
+    mach_bands: bool
+    """Blank bands on the near side of folds."""
+    undercuts: bool
+    """Dense hatching beyond folds."""
+    mach_band_px: float
+    """Width of Mach bands."""
+    undercut_px: float
+    """Width of undercuts."""
+    cell_px: float
+    """Cells of the tone map, [0.25, 64]; larger where the image has over 16 million of them."""
+    line_width_px: float
+    """Of silhouettes and boundaries."""
+    feature_width_px: float
+    """Of all other lines."""
+    hatch_width_px: float
+    """Of hatches where the light is middling."""
+    hatch_width_by_light: float
+    """Share by which hatches swell in the dark and thin in the light, [0, 1]."""
+    hidden_width_scale: float
+    """Of hidden lines."""
+    taper_px: float
+    """Length over which ends that meet no other line thin out."""
+    speck_px: float
+    """Shorter lines are dropped unless they close a gap."""
+    simplify_px: float
+    """How far a stroke may be from its curve."""
+    marks: bool
+    """Draw marked edges."""
+    materials: bool
+    """Draw borders between materials."""
+    flat_outlines: bool
+    """Draw outlines of flat areas."""
+    styles: Sequence[ObjectStyle] | None
+    """One per mesh, or None."""
+    threads: int
+    """0: all cores."""
+
+    @property
+    def hidden_lines(self) -> tuple[int, int] | None:
+        """(low, high): also lines with so many layers in front, inclusive; None: visible only."""
+    @hidden_lines.setter
+    def hidden_lines(self, value: Sequence[int] | None) -> None: ...
+    def __init__(self, **options: object) -> None:
+        """Defaults, and the attributes given by keyword. Raises TypeError for other keywords."""
+
+class Surface:
+    """The triangulated limit surface of all meshes.
+
+    A vertex on a crease stands once for each smooth side, with that side's normal and curvature.
+    """
+
+    @property
+    def positions(self) -> _Doubles:
+        """(n, 3) world."""
+    @property
+    def normals(self) -> _Doubles:
+        """(n, 3) unit; at the seam of a surface that cannot be oriented, of one of its sheets."""
+    @property
+    def triangles(self) -> _Indices:
+        """(t, 3) vertices, counter-clockwise seen from the front."""
+    @property
+    def objects(self) -> _Indices:
+        """(n,) mesh of each vertex."""
+    @property
+    def base_faces(self) -> _Indices:
+        """(n,) ptex face of the base meshes, one mesh after another; -1 for scheme 'none'."""
+    @property
+    def base_uv(self) -> _Doubles:
+        """(n, 2) where on that face."""
+    @property
+    def feature_edges(self) -> _Indices:
+        """(e, 2) vertices; a crease edge once for each side."""
+    @property
+    def feature_kinds(self) -> _Codes:
+        """(e,) Kind of each feature edge."""
+    @property
+    def k1(self) -> _Doubles:
+        """(n,) principal curvature for silhouettes and cusps, 1 / world units; |k1| >= |k2|.
+
+        Positive where the surface bends towards the normal's side. Objects of scheme 'none' have
+        the hatching curvature only, and show it here too.
+        """
+    @property
+    def k2(self) -> _Doubles:
+        """(n,) the other principal curvature."""
+    @property
+    def w1(self) -> _Doubles:
+        """(n, 3) unit tangent, direction of k1."""
+    @property
+    def w2(self) -> _Doubles:
+        """(n, 3) unit tangent, direction of k2."""
+    @property
+    def hatch_k1(self) -> _Doubles:
+        """(n,) principal curvature for hatching, smoother."""
+    @property
+    def hatch_k2(self) -> _Doubles:
+        """(n,) the other one."""
+    @property
+    def hatch_w1(self) -> _Doubles:
+        """(n, 3) unit tangent, direction of hatch_k1."""
+    @property
+    def hatch_w2(self) -> _Doubles:
+        """(n, 3) unit tangent, direction of hatch_k2."""
+
+class CrossField:
+    """Four directions at each vertex, at right angles to each other, that vary smoothly."""
+
+    @property
+    def theta(self) -> _Doubles:
+        """(n,) radians against `reference`."""
+    @property
+    def reference(self) -> _Doubles:
+        """(n, 3) unit tangent."""
+    @property
+    def directions(self) -> _Doubles:
+        """(n, 3) one unit tangent of the cross."""
+    @property
+    def reliable(self) -> _Flags:
+        """(n,) where the curvature directions were kept."""
+    @property
+    def energy(self) -> float:
+        """E over all edges of the triangles, without soft alignments."""
+    @property
+    def energy_initial(self) -> float:
+        """E of the start."""
+    @property
+    def converged(self) -> bool:
+        """False where the solver stopped at max_evaluations."""
+    @property
+    def evaluations(self) -> int:
+        """Of the energy."""
+    @property
+    def singular_triangles(self) -> _Indices:
+        """(s,) triangles around which the cross turns."""
+    @property
+    def singular_indices(self) -> _Indices:
+        """(s,) quarter turns; over a closed orientable surface they sum to 4 chi."""
+
+class Prepared:
+    """Everything of a scene that does not depend on the view. Immutable; threads may share it."""
+
+    @property
+    def surface(self) -> Surface:
+        """All meshes in one."""
+    @property
+    def field(self) -> CrossField:
+        """Solved when first asked for, unless PrepareOptions.field asked for it at once."""
+    @property
+    def report(self) -> dict[str, int]:
+        """What was found and mended, summed over all meshes."""
+    @property
+    def reports(self) -> list[dict[str, int | str]]:
+        """What was mended in each mesh, with its 'name'."""
+    @property
+    def timings(self) -> dict[str, float]:
+        """Seconds of 'sanitize', 'surface', 'curvature', 'field', 'intersections' so far.
+
+        What was taken over from `previous` took none.
+        """
+
+def prepare(
+    meshes: Iterable[PolygonMesh],
+    options: PrepareOptions | None = None,
+    progress: _Progress | None = None,
+    previous: Prepared | None = None,
+) -> Prepared:
+    """Mends and subdivides meshes, and finds what every view of them needs.
+
+    Args:
+        meshes: one object each; one without faces stays an object that shows nothing.
+        options: None: the defaults.
+        progress: told how far it is.
+        previous: what it made from the same meshes with the same options is taken over.
+
+    Raises:
+        InvalidInput: an option out of its range, named.
+        Cancelled: progress returned False. What progress raises passes through.
+    """
+
+def solve_cross_field(
+    prepared: Prepared,
+    options: PrepareOptions | None = None,
+    progress: _Progress | None = None,
+) -> CrossField:
+    """The cross field of a prepared surface, anew, with the field's options of `options`.
+
+    Raises InvalidInput and Cancelled as `prepare` does.
+    """
+
+class Silhouettes:
+    """Where the surface turns away from the eye."""
+
+    @property
+    def triangles(self) -> _Indices:
+        """(m,) triangles that carry a silhouette, ascending."""
+
+def silhouettes(prepared: Prepared, camera: Camera, brute_force: bool = False) -> Silhouettes:
+    """The triangles that carry silhouettes.
+
+    brute_force tells them from the signs at the corners of every triangle, without following the
+    curves.
+    """
+
+class Graph:
+    """The labelled curve network of a view, clipped at the near plane but not at the frame."""
+
+    @property
+    def node_kind(self) -> _Codes:
+        """(k,) Node."""
+    @property
+    def node_image(self) -> _Doubles:
+        """(k, 2) px."""
+    @property
+    def node_arcs(self) -> _Indices:
+        """(k, 4) of a crossing: front in, front out, back in, back out; of a cusp: near, far.
+
+        "In" arcs end at the node, "out" arcs start there. Else -1.
+        """
+    @property
+    def arc_nodes(self) -> _Indices:
+        """(a, 2) start and end; (-1, -1) for a closed loop without nodes."""
+    @property
+    def arc_kind(self) -> _Codes:
+        """(a,) Kind."""
+    @property
+    def arc_object(self) -> _Indices:
+        """(a,) mesh that the curve lies on."""
+    @property
+    def arc_invisibility(self) -> _Indices:
+        """(a,) layers of surface in front."""
+    @property
+    def arc_offsets(self) -> _Indices:
+        """(a + 1,) arc i is points arc_offsets[i] .. arc_offsets[i + 1]."""
+    @property
+    def arc_image(self) -> _Doubles:
+        """(q, 2) px; a closed loop does not repeat its first point."""
+    @property
+    def arc_points(self) -> _Doubles:
+        """(q, 3) world."""
+
+class ToneMap:
+    """Light and shadow on a grid of h x w cells over the image; (0, 0) without hatching."""
+
+    @property
+    def level(self) -> _Codes:
+        """(h, w) 0 highlight, 1 midtone, 2 shadow, 255 no surface."""
+    @property
+    def band(self) -> _Codes:
+        """(h, w) 0 none, 1 Mach band, 2 undercut."""
+    @property
+    def brightness(self) -> _Singles:
+        """(h, w) in [0, 1]; 0 where there is no surface."""
+    @property
+    def cell_px(self) -> float:
+        """Side of a cell."""
+
+class Drawing:
+    """One finished view: strokes, clipped at the frame."""
+
+    @property
+    def points(self) -> _Doubles:
+        """(p, 3) world."""
+    @property
+    def image(self) -> _Doubles:
+        """(p, 2) px."""
+    @property
+    def widths(self) -> _Singles:
+        """(p,) px."""
+    @property
+    def triangles(self) -> _Indices:
+        """(p,) triangle of the surface that the point lies on."""
+    @property
+    def barycentrics(self) -> _Singles:
+        """(p, 2) weights of that triangle's corners 1 and 2."""
+    @property
+    def offsets(self) -> _Indices:
+        """(s + 1,) stroke i is points offsets[i] .. offsets[i + 1]."""
+    @property
+    def kinds(self) -> _Codes:
+        """(s,) Kind."""
+    @property
+    def closed(self) -> _Flags:
+        """(s,) a closed stroke does not repeat its first point."""
+    @property
+    def objects(self) -> _Indices:
+        """(s,) mesh."""
+    @property
+    def invisibility(self) -> _Indices:
+        """(s,) layers of surface in front; 0 is visible."""
+    @property
+    def graph(self) -> Graph:
+        """The curves that the lines come from."""
+    @property
+    def repair_max_px(self) -> float:
+        """The farthest that a repair moved a point."""
+    @property
+    def tone(self) -> ToneMap:
+        """What the hatching goes by."""
+    @property
+    def counts(self) -> dict[str, int]:
+        """Exact work, the same on every machine."""
+    @property
+    def timings(self) -> dict[str, float]:
+        """Seconds of 'contour', 'visibility', 'tone', 'hatch', 'stroke', disjoint."""
+
+def draw(
+    prepared: Prepared,
+    camera: Camera,
+    options: DrawOptions | None = None,
+    lights: Iterable[Light] | None = None,
+    progress: _Progress | None = None,
+) -> Drawing:
+    """One view of a prepared scene. The same input gives the same bytes at any thread count.
+
+    Args:
+        prepared: the scene; its field and self-intersections are made now if they were left out.
+        camera: the view.
+        options: None: the defaults.
+        lights: none: one headlight.
+        progress: told how far it is.
+
+    Raises:
+        InvalidInput: an option, style or light out of its range, named.
+        Cancelled: progress returned False. What progress raises passes through.
+    """

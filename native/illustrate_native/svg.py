@@ -1,0 +1,130 @@
+"""A drawing as SVG: sizes in millimetres, one group per line kind, for print and for plotters.
+
+Needs numpy only. The same drawing gives the same bytes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .line_groups import DrawingArrays, LineGroup, line_groups
+
+STYLES = ("centerline", "tapered")
+
+_MITRE_LIMIT = 2.0  # how much farther than half its width an outline may reach at a corner
+_HEAD = """<?xml version="1.0" encoding="UTF-8"?>
+<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"
+     version="1.1" width="{width}mm" height="{height}mm" viewBox="0 0 {width_px} {height_px}">"""
+_GROUP = '<g id="{id}" inkscape:groupmode="layer" inkscape:label="{title}" {paint}>'
+_PAINT = {
+    "centerline": 'fill="none" stroke="#000" stroke-linecap="round" stroke-linejoin="round"',
+    "tapered": 'fill="#000" stroke="none"',
+}
+
+
+def to_svg(
+    drawing: DrawingArrays,
+    width_px: int,
+    height_px: int,
+    width_mm: float = 200.0,
+    style: str = "centerline",
+) -> str:
+    """SVG text of a drawing made for an image of width_px by height_px.
+
+    The page is width_mm wide, its height follows; user units are pixels of the image. style
+    'centerline': one path per stroke along its middle, as wide as the stroke's mean width;
+    'tapered': the filled outline of each stroke, as wide as the stroke is at every point.
+    Raises ValueError naming the argument that cannot be used.
+    """
+    if style not in STYLES:
+        raise ValueError(f"style is {style!r}, not one of {', '.join(STYLES)}")
+    if not (width_px > 0 and height_px > 0):
+        raise ValueError(f"the image is {width_px} x {height_px} px: both must be positive")
+    if not (np.isfinite(width_mm) and width_mm > 0):
+        raise ValueError(f"width_mm is {width_mm}: it must be positive")
+    height_mm = width_mm * height_px / width_px
+    lines = [
+        _HEAD.format(
+            width=_number(width_mm),
+            height=_number(height_mm),
+            width_px=width_px,
+            height_px=height_px,
+        )
+    ]
+    for group in line_groups(drawing):
+        name = group.title.lower().replace(" ", "-")
+        lines.append(_GROUP.format(id=name, title=group.title, paint=_PAINT[style]))
+        lines.extend(_paths(drawing, group, style))
+        lines.append("</g>")
+    return "\n".join([*lines, "</svg>", ""])
+
+
+def _paths(drawing: DrawingArrays, group: LineGroup, style: str) -> Iterator[str]:
+    """One path element per stroke; strokes without a point give none."""
+    image, widths = np.asarray(drawing.image, float), np.asarray(drawing.widths, float)
+    for stroke in group.strokes:
+        span = slice(int(drawing.offsets[stroke]), int(drawing.offsets[stroke + 1]))
+        points, closed = image[span], bool(drawing.closed[stroke])
+        if not len(points):
+            continue
+        if style == "centerline":
+            end = "Z" if closed else ""
+            yield (
+                f'<path stroke-width="{_number(widths[span].mean())}" '
+                f'd="M{_polyline(points)}{end}"/>'
+            )
+        else:
+            yield f'<path d="{_outline(points, widths[span] / 2, closed)}"/>'
+
+
+def _outline(points: NDArray[np.float64], radii: NDArray[np.float64], closed: bool) -> str:
+    """Path data of the area that a round pen of changing radius covers."""
+    side = _side_vectors(points, closed) * radii[:, None]
+    left, right = points + side, (points - side)[::-1]
+    if closed:
+        return f"M{_polyline(left)}ZM{_polyline(right)}Z"
+    return (
+        f"M{_polyline(left)}{_cap(radii[-1], right[0])}L{_polyline(right)}"
+        f"{_cap(radii[0], left[0])}Z"
+    )
+
+
+def _cap(radius: float, end: NDArray[np.float64]) -> str:
+    """Half a circle to `end`, round the outside."""
+    return f"A{_number(radius)},{_number(radius)} 0 0 1 {_polyline(end[None])}"
+
+
+def _side_vectors(points: NDArray[np.float64], closed: bool) -> NDArray[np.float64]:
+    """(n, 2) from each point to the edge of a stroke of radius 1, mitred at corners."""
+    following = np.roll(points, -1, axis=0) if closed else points[1:]
+    along = following - points[: len(following)]
+    length = np.linalg.norm(along, axis=1, keepdims=True)
+    along = np.divide(along, length, out=np.zeros_like(along), where=length > 0)
+    if closed:
+        before, after = np.roll(along, 1, axis=0), along
+    else:
+        edge = along[:1] if len(along) else np.array([[1.0, 0.0]])
+        before, after = (
+            np.vstack([edge, along]),
+            np.vstack([along, along[-1:] if len(along) else edge]),
+        )
+    middle = before + after
+    half = np.linalg.norm(middle, axis=1, keepdims=True) / 2  # cosine of half the turn
+    middle = np.divide(middle, 2 * half, out=after.copy(), where=half > 0)
+    reach = np.minimum(1 / np.maximum(half, 1e-12), _MITRE_LIMIT)
+    side: NDArray[np.float64] = np.stack([middle[:, 1], -middle[:, 0]], axis=1) * reach
+    return side
+
+
+def _number(value: float) -> str:
+    """A number with at most three decimals."""
+    return f"{round(float(value), 3) + 0.0:.10g}"
+
+
+def _polyline(points: NDArray[np.float64]) -> str:
+    """Points as 'x,y x,y', to a hundredth of a pixel."""
+    flat = (np.round(points, 2) + 0.0).ravel().tolist()
+    return " ".join(f"{x:.10g},{y:.10g}" for x, y in zip(flat[::2], flat[1::2], strict=True))

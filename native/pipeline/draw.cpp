@@ -1,0 +1,159 @@
+#include "pipeline/draw.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contour/network.h"
+#include "contour/silhouettes.h"
+#include "hatch/reduce_hatches.h"
+#include "pipeline/seen_scene.h"
+#include "pipeline/stopwatch.h"
+#include "tone/visible_image.h"
+#include "visibility/label_network.h"
+
+namespace illustrate {
+namespace {
+
+constexpr double most_cells = 16e6;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+template <class Value>
+std::vector<Value> of_each(const std::vector<ObjectStyle>& styles,
+                           Value (*value)(const ObjectStyle&)) {
+  std::vector<Value> values;
+  for (const ObjectStyle& style : styles) values.push_back(value(style));
+  return values;
+}
+
+using Mask = std::vector<std::uint8_t>;
+
+Mask unhatched_objects(const std::vector<ObjectStyle>& styles) {
+  return of_each<std::uint8_t>(styles, [](const ObjectStyle& s) -> std::uint8_t {
+    return s.ignore || s.occlude_only || !s.hatching;
+  });
+}
+
+Mask undrawn_objects(const std::vector<ObjectStyle>& styles) {
+  return of_each<std::uint8_t>(styles, [](const ObjectStyle& s) -> std::uint8_t {
+    return s.ignore || s.occlude_only || !s.lines;
+  });
+}
+
+std::vector<double> spacing_scales(const std::vector<ObjectStyle>& styles) {
+  return of_each<double>(styles, [](const ObjectStyle& s) { return s.spacing_scale; });
+}
+
+std::vector<double> width_scales(const std::vector<ObjectStyle>& styles) {
+  return of_each<double>(styles, [](const ObjectStyle& s) { return s.width_scale; });
+}
+
+bool anything_is_hatched(const DrawOptions& options) {
+  const Mask unhatched = unhatched_objects(options.styles);
+  return options.hatching &&
+         (unhatched.empty() || std::find(unhatched.begin(), unhatched.end(), 0) != unhatched.end());
+}
+
+double cell_size(const Camera& camera, const DrawOptions& options) {
+  const double area = static_cast<double>(camera.width_px()) * camera.height_px();
+  return std::max(options.cell_px, std::sqrt(area / most_cells));
+}
+
+// The stages of one view, each with its time.
+class View {
+ public:
+  View(const SeenScene& scene, const Camera& camera, const DrawOptions& options)
+      : scene_(scene), camera_(camera), options_(options) {
+    result_.timings = {{"contour", 0}, {"visibility", 0}, {"tone", 0}, {"hatch", 0}, {"stroke", 0}};
+  }
+
+  void label_curves(const Progress& progress) {
+    const StrokeOptions& stroke = options_.stroke;
+    const NetworkOptions network_options{stroke.marks, stroke.materials, stroke.flat_outlines};
+    const CurveNetwork network = timed(result_.timings["contour"], [&] {
+      return build_network(scene_.surface(), scene_.features(), scene_.intersections(), camera_,
+                           network_options, result_.counts, progress.part(0, 0.5, "contour"));
+    });
+    result_.graph = timed(result_.timings["visibility"], [&] {
+      return label_network(network, scene_.surface(), scene_.bvh(), camera_, result_.counts,
+                           progress.part(0.5, 1, "visibility"));
+    });
+  }
+
+  void hatch(const CrossField& field, const std::vector<Light>& lights, const Progress& progress) {
+    const Surface& surface = scene_.surface();
+    const Progress tone_progress = progress.part(0, 0.3, "tone");
+    tone_progress.report(0);
+    const VisibleImage visible = timed(result_.timings["tone"], [&] {
+      return render_visible(surface, camera_, cell_size(camera_, options_), {}, options_.threads);
+    });
+    ToneOptions tone_options = options_.tone;
+    tone_options.threads = options_.threads;
+    result_.tone = timed(result_.timings["tone"], [&] {
+      return tone_regions(surface, visible, result_.graph, camera_, lights, tone_options,
+                          tone_progress);
+    });
+    const Hatches placed = timed(result_.timings["hatch"], [&] {
+      return place_hatches(surface, field, camera_, visible, result_.tone, result_.graph,
+                           spacing_scales(options_.styles), unhatched_objects(options_.styles),
+                           options_.hatch, result_.counts, progress.part(0.3, 1, "hatch"));
+    });
+    hatches_ = timed(result_.timings["hatch"], [&] {
+      return reduce_hatches(placed, surface, result_.tone, result_.graph, options_.hatch,
+                            result_.counts);
+    });
+  }
+
+  DrawResult strokes(const Progress& progress) && {
+    progress.report(0);
+    result_.drawing = timed(result_.timings["stroke"], [&] {
+      return make_strokes(result_.graph, hatches_, result_.tone, camera_,
+                          width_scales(options_.styles), undrawn_objects(options_.styles),
+                          options_.stroke);
+    });
+    result_.counts["strokes"] = static_cast<std::int64_t>(result_.drawing.kinds.size());
+    scene_.restore_triangles(result_.drawing.on);
+    progress.report(1);
+    return std::move(result_);
+  }
+
+ private:
+  const SeenScene& scene_;
+  const Camera& camera_;
+  const DrawOptions& options_;
+  Hatches hatches_;
+  DrawResult result_;
+};
+
+}  // namespace
+
+DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOptions& options,
+                const std::vector<Light>& lights, const Progress& progress) {
+  validate(options, prepared.object_count());
+  for (std::size_t i = 0; i < lights.size(); ++i) validate(lights[i], i);
+  const bool hatching = anything_is_hatched(options);
+  const SeenScene scene(prepared, options.styles, progress.part(0, 0.1));
+  const CrossField* field = hatching ? &prepared.field(progress.part(0.1, 0.3)) : nullptr;
+  View view(scene, camera, options);
+  view.label_curves(progress.part(0.3, hatching ? 0.5 : 0.95));
+  if (hatching) view.hatch(*field, lights, progress.part(0.5, 0.95));
+  return std::move(view).strokes(progress.part(0.95, 1, "stroke"));
+}
+
+std::vector<int> silhouette_triangles(const Prepared& prepared, const Camera& camera,
+                                      bool brute_force) {
+  const Surface& surface = prepared.surface();
+  const ContourFunctions functions(surface, camera);
+  if (!brute_force) return silhouettes(surface, functions, camera).triangles;
+  std::vector<int> found;
+  for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
+    const bool front = functions.front(t, 0);
+    const bool crosses = functions.front(t, 1) != front || functions.front(t, 2) != front;
+    if (crosses && surface.object_is_smooth[at(surface.triangle_objects[at(t)])]) {
+      found.push_back(t);
+    }
+  }
+  return found;
+}
+
+}  // namespace illustrate

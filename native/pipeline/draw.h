@@ -1,0 +1,28 @@
+// One view of a prepared scene: lines, tone, hatches, strokes.
+#pragma once
+
+#include "pipeline/prepare.h"
+#include "tone/light.h"
+#include "view/camera.h"
+
+namespace illustrate {
+
+struct DrawResult {
+  Drawing drawing;
+  LabelledGraph graph;
+  ToneMap tone;     // of no size where nothing is hatched
+  Counts counts;    // exact work, the same on every machine
+  Timings timings;  // seconds: contour, visibility, tone, hatch, stroke; disjoint
+};
+
+// No lights: one headlight. Where `prepared` lacks its intersections or field, they are made first,
+// on its own account. Throws InvalidInput for wrong options and lights.
+DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOptions& options,
+                const std::vector<Light>& lights = {}, const Progress& progress = {});
+
+// The triangles that carry silhouettes. `brute_force`: told from the signs at the corners of every
+// triangle, without following the curves, as a check.
+std::vector<int> silhouette_triangles(const Prepared& prepared, const Camera& camera,
+                                      bool brute_force);
+
+}  // namespace illustrate

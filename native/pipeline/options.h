@@ -1,0 +1,49 @@
+// What a caller may choose: the options of all stages, and what is said of single objects.
+#pragma once
+
+#include <vector>
+
+#include "field/cross_field.h"
+#include "hatch/place_hatches.h"
+#include "stroke/make_strokes.h"
+#include "surface/curvature.h"
+#include "surface/refine.h"
+#include "tone/tone_regions.h"
+
+namespace illustrate {
+
+// `threads` counts for every stage, in place of the stages' own.
+struct PrepareOptions {
+  SurfaceOptions surface;
+  JetOptions jet;  // curvature for hatching
+  FieldOptions cross_field;
+  bool field = true;  // false: hatching curvature, field and self-intersections wait until they are
+                      // first needed
+  int threads = 0;    // 0: all cores
+};
+void validate(const PrepareOptions& options);  // throws InvalidInput naming the field
+
+// What is drawn of one mesh.
+struct ObjectStyle {
+  bool ignore = false;        // left out entirely: neither drawn nor in front of anything
+  bool occlude_only = false;  // hides what is behind it, but is not drawn
+  bool lines = true;
+  bool hatching = true;
+  double spacing_scale = 1;  // of the hatches
+  double width_scale = 1;    // of all its strokes
+};
+
+struct DrawOptions {
+  bool hatching = true;  // false: lines only, no tone
+  ToneOptions tone;
+  HatchOptions hatch;
+  StrokeOptions stroke;  // its marks, materials and flat outlines are also those of the network
+  double cell_px =
+      1;  // cells of the tone map, [0.25, 64]; larger where the image has over 16 million of them
+  std::vector<ObjectStyle> styles;  // one per mesh, or empty
+  int threads = 0;                  // 0: all cores
+};
+// Throws InvalidInput naming the field; `object_count` is what styles must have.
+void validate(const DrawOptions& options, std::size_t object_count);
+
+}  // namespace illustrate

@@ -1,0 +1,146 @@
+#include "pipeline/prepare.h"
+
+#include "pipeline/same_input.h"
+#include "pipeline/stopwatch.h"
+
+namespace illustrate {
+namespace {
+
+PrepareOptions with_threads(PrepareOptions options) {
+  options.surface.threads = options.jet.threads = options.cross_field.threads = options.threads;
+  return options;
+}
+
+void add(Counts& sum, const Counts& counts) {
+  for (const auto& [name, count] : counts) sum[name] += count;
+}
+
+}  // namespace
+
+template <class Make>
+auto Prepared::timed(const char* stage, Make&& make) const {
+  const Stopwatch watch;
+  auto made = make();
+  const std::lock_guard<std::mutex> lock(timings_mutex_);
+  timings_[stage] += watch.seconds();
+  return made;
+}
+
+Prepared::Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions& options,
+                   const Prepared* previous, const Progress& progress)
+    : options_(with_threads(options)),
+      curvature_(std::make_shared<Lazy<Curvature>>()),
+      field_(std::make_shared<Lazy<CrossField>>()) {
+  timings_ = {
+      {"sanitize", 0}, {"surface", 0}, {"curvature", 0}, {"field", 0}, {"intersections", 0}};
+  if (previous && previous->has_surface_of(meshes, options)) {
+    take_over(*previous);
+  } else {
+    make_geometry(meshes, progress.part(0, options.field ? 0.4 : 1.0));
+  }
+  if (options.field) {
+    intersections(progress.part(0.4, 0.6));
+    hatch_curvature(progress.part(0.6, 0.7));
+    field(progress.part(0.7, 1));
+  }
+}
+
+bool Prepared::has_surface_of(const std::vector<MeshPointer>& meshes,
+                              const PrepareOptions& options) const {
+  if (meshes.size() != object_count() || !is_same(options.surface, options_.surface)) return false;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    if (!is_same(*meshes[i], *geometry_->meshes[i])) return false;
+  }
+  return true;
+}
+
+void Prepared::take_over(const Prepared& previous) {
+  geometry_ = previous.geometry_;
+  if (!is_same(options_.jet, previous.options_.jet)) return;
+  curvature_ = previous.curvature_;
+  if (is_same(options_.cross_field, previous.options_.cross_field)) field_ = previous.field_;
+}
+
+std::vector<SoundMesh> Prepared::sanitize_all(Geometry& geometry, const Progress& progress) const {
+  std::vector<SoundMesh> sound;
+  for (const MeshPointer& mesh : geometry.meshes) {
+    progress.report(static_cast<double>(sound.size()) /
+                    static_cast<double>(geometry.meshes.size()));
+    validate(*mesh);
+    Counts counts;
+    sound.push_back(sanitize(*mesh, counts));
+    add(geometry.counts, counts);
+    geometry.mesh_reports.push_back({mesh->name, std::move(counts)});
+  }
+  return sound;
+}
+
+void Prepared::make_geometry(const std::vector<MeshPointer>& meshes, const Progress& progress) {
+  auto geometry = std::make_shared<Geometry>();
+  geometry->meshes = meshes;
+  const std::vector<SoundMesh> sound =
+      timed("sanitize", [&] { return sanitize_all(*geometry, progress.part(0, 0.2, "sanitize")); });
+  const Progress surface_progress = progress.part(0.2, 0.9, "surface");
+  geometry->surface = timed("surface", [&] {
+    return refine(sound, options_.surface, geometry->counts, surface_progress);
+  });
+  surface_progress.report(1);
+  const Surface& surface = geometry->surface;
+  geometry->bvh = timed("surface", [&] { return Bvh(surface.positions, surface.triangles); });
+  geometry->features = timed("surface", [&] { return feature_edges(surface); });
+  geometry_ = std::move(geometry);
+}
+
+const std::pair<IntersectionCurves, Counts>& Prepared::found_intersections(
+    const Progress& progress) const {
+  return geometry_->intersections.get([&] {
+    return timed("intersections", [&] {
+      Counts counts;
+      IntersectionCurves curves =
+          illustrate::intersections(surface(), bvh(), counts, progress.part(0, 1, "intersections"));
+      return std::make_pair(std::move(curves), std::move(counts));
+    });
+  });
+}
+
+const IntersectionCurves& Prepared::intersections(const Progress& progress) const {
+  return found_intersections(progress).first;
+}
+
+const Curvature& Prepared::hatch_curvature(const Progress& progress) const {
+  return curvature_->get([&] {
+    return timed("curvature", [&] {
+      return jet_curvature(surface(), options_.jet, progress.part(0, 1, "curvature"));
+    });
+  });
+}
+
+const CrossField& Prepared::field(const Progress& progress) const {
+  return field_->get([&] {
+    const Curvature& curvature = hatch_curvature(progress.part(0, 0.2));
+    return timed("field", [&] {
+      return solve_cross_field(surface(), curvature, options_.cross_field,
+                               progress.part(0.2, 1, "field"));
+    });
+  });
+}
+
+Counts Prepared::report() const {
+  Counts report = geometry_->counts;
+  add(report, found_intersections({}).second);
+  return report;
+}
+
+Timings Prepared::timings() const {
+  const std::lock_guard<std::mutex> lock(timings_mutex_);
+  return timings_;
+}
+
+std::shared_ptr<const Prepared> prepare(const std::vector<MeshPointer>& meshes,
+                                        const PrepareOptions& options, const Prepared* previous,
+                                        const Progress& progress) {
+  validate(options);
+  return std::make_shared<const Prepared>(meshes, options, previous, progress);
+}
+
+}  // namespace illustrate

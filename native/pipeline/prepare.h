@@ -1,0 +1,78 @@
+// Everything that does not depend on the view, made once and kept between frames.
+#pragma once
+
+#include <memory>
+
+#include "contour/feature_edges.h"
+#include "contour/intersections.h"
+#include "mesh/bvh.h"
+#include "pipeline/lazy.h"
+#include "pipeline/options.h"
+
+namespace illustrate {
+
+using MeshPointer = std::shared_ptr<const PolygonMesh>;
+
+// What was found and mended in one mesh.
+struct MeshReport {
+  std::string name;
+  Counts counts;
+};
+
+// Immutable as seen from outside: what is not there yet is made when it is first asked for, once.
+class Prepared {
+ public:
+  Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions& options,
+           const Prepared* previous, const Progress& progress);
+
+  std::size_t object_count() const { return geometry_->meshes.size(); }
+  const Surface& surface() const { return geometry_->surface; }
+  const Bvh& bvh() const { return geometry_->bvh; }
+  const std::vector<FeatureEdge>& features() const { return geometry_->features; }
+  const IntersectionCurves& intersections(const Progress& progress = {}) const;
+  const Curvature& hatch_curvature(const Progress& progress = {}) const;
+  const CrossField& field(const Progress& progress = {}) const;
+
+  const std::vector<MeshReport>& mesh_reports() const { return geometry_->mesh_reports; }
+  Counts report() const;    // summed over all meshes
+  Timings timings() const;  // seconds; only of what was made here, not of what was taken over
+
+ private:
+  // Shared by all that were prepared from the same meshes with the same options; the tree points
+  // into the surface.
+  struct Geometry {
+    std::vector<MeshPointer> meshes;
+    std::vector<MeshReport> mesh_reports;
+    Counts counts;
+    Surface surface;
+    Bvh bvh;
+    std::vector<FeatureEdge> features;
+    Lazy<std::pair<IntersectionCurves, Counts>> intersections;
+  };
+
+  void make_geometry(const std::vector<MeshPointer>& meshes, const Progress& progress);
+  std::vector<SoundMesh> sanitize_all(Geometry& geometry, const Progress& progress) const;
+  const std::pair<IntersectionCurves, Counts>& found_intersections(const Progress& progress) const;
+  bool has_surface_of(const std::vector<MeshPointer>& meshes, const PrepareOptions& options) const;
+  void take_over(const Prepared& previous);
+  template <class Make>
+  auto timed(const char* stage, Make&& make) const;
+
+  PrepareOptions options_;
+  std::shared_ptr<Geometry> geometry_;
+  std::shared_ptr<Lazy<Curvature>> curvature_;
+  std::shared_ptr<Lazy<CrossField>> field_;
+  mutable std::mutex timings_mutex_;
+  mutable Timings timings_;
+};
+
+// Meshes to a surface, with options.field also hatching curvature, cross field and
+// self-intersections. A mesh without faces contributes nothing but stays an object. `previous`:
+// what was made from the same bytes with the same options is taken over. Throws InvalidInput for
+// arrays that do not fit together and for wrong options.
+std::shared_ptr<const Prepared> prepare(const std::vector<MeshPointer>& meshes,
+                                        const PrepareOptions& options,
+                                        const Prepared* previous = nullptr,
+                                        const Progress& progress = {});
+
+}  // namespace illustrate

@@ -1,0 +1,14 @@
+// Whether two inputs are the same to the byte.
+#pragma once
+
+#include "pipeline/options.h"
+
+namespace illustrate {
+
+bool is_same(const PolygonMesh& a, const PolygonMesh& b);
+// Threads never change a result and are not compared.
+bool is_same(const SurfaceOptions& a, const SurfaceOptions& b);
+bool is_same(const JetOptions& a, const JetOptions& b);
+bool is_same(const FieldOptions& a, const FieldOptions& b);
+
+}  // namespace illustrate

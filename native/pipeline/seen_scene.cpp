@@ -1,0 +1,103 @@
+#include "pipeline/seen_scene.h"
+
+#include <algorithm>
+
+namespace illustrate {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+// (triangles) the number of each triangle once those of ignored objects are gone; none for these.
+std::vector<int> numbers_without_ignored(const Surface& whole,
+                                         const std::vector<ObjectStyle>& styles) {
+  std::vector<int> numbers;
+  int next = 0;
+  for (const int object : whole.triangle_objects) {
+    numbers.push_back(styles[at(object)].ignore ? none : next++);
+  }
+  return numbers;
+}
+
+template <class T>
+void keep(std::vector<T>& values, const std::vector<int>& sources) {
+  std::vector<T> kept;
+  kept.reserve(sources.size());
+  for (const int source : sources) kept.push_back(values[at(source)]);
+  values = std::move(kept);
+}
+
+Surface surface_of(const Surface& whole, const std::vector<int>& sources,
+                   const std::vector<int>& numbers, const std::vector<ObjectStyle>& styles) {
+  Surface part = whole;
+  keep(part.triangles, sources);
+  keep(part.flips, sources);
+  keep(part.neighbours, sources);
+  keep(part.edge_kinds, sources);
+  keep(part.triangle_objects, sources);
+  for (auto& neighbours : part.neighbours) {
+    for (int& n : neighbours) n = n == none ? none : numbers[at(n)];
+  }
+  part.feature_edges.clear();
+  part.feature_kinds.clear();
+  for (std::size_t e = 0; e < whole.feature_edges.size(); ++e) {
+    if (styles[at(whole.objects[at(whole.feature_edges[e][0])])].ignore) continue;
+    part.feature_edges.push_back(whole.feature_edges[e]);
+    part.feature_kinds.push_back(whole.feature_kinds[e]);
+  }
+  return part;
+}
+
+// A curve stays while both surfaces that meet in it do.
+IntersectionCurves intersections_of(const IntersectionCurves& whole,
+                                    const std::vector<int>& numbers) {
+  IntersectionCurves part;
+  const auto number = [&](int t) { return t == none ? none : numbers[at(t)]; };
+  for (std::size_t c = 0; c < whole.curves.size(); ++c) {
+    const Span<const IntersectionPoint> curve = whole.curves[c];
+    const bool stays = std::all_of(curve.begin(), curve.end(), [&](const auto& p) {
+      return number(p.a.triangle) != none && number(p.b.triangle) != none;
+    });
+    if (!stays) continue;
+    const auto first = at(whole.curves.offsets[c]);
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+      IntersectionPoint p = curve[i];
+      p.a.triangle = number(p.a.triangle);
+      p.b.triangle = number(p.b.triangle);
+      part.curves.push(p);
+      const auto& pair = whole.segment_triangles[first + i];
+      part.segment_triangles.push_back({number(pair[0]), number(pair[1])});
+    }
+    part.curves.close_list();
+    part.closed.push_back(whole.closed[c]);
+  }
+  return part;
+}
+
+}  // namespace
+
+SeenScene::SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& styles,
+                     const Progress& progress)
+    : prepared_(prepared) {
+  const IntersectionCurves& intersections = prepared.intersections(progress);
+  const bool is_whole = std::none_of(styles.begin(), styles.end(),
+                                     [](const ObjectStyle& style) { return style.ignore; });
+  if (is_whole) return;
+  const std::vector<int> numbers = numbers_without_ignored(prepared.surface(), styles);
+  part_ = std::make_unique<Part>();
+  for (std::size_t t = 0; t < numbers.size(); ++t) {
+    if (numbers[t] != none) part_->sources.push_back(static_cast<int>(t));
+  }
+  part_->surface = surface_of(prepared.surface(), part_->sources, numbers, styles);
+  part_->bvh = Bvh(part_->surface.positions, part_->surface.triangles);
+  part_->features = feature_edges(part_->surface);
+  part_->intersections = intersections_of(intersections, numbers);
+}
+
+void SeenScene::restore_triangles(std::vector<SurfacePoint>& points) const {
+  if (!part_) return;
+  for (SurfacePoint& p : points) {
+    if (p.triangle != none) p.triangle = part_->sources[at(p.triangle)];
+  }
+}
+
+}  // namespace illustrate

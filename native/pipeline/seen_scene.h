@@ -1,0 +1,39 @@
+// The part of a prepared scene that a drawing is made of: all objects but the ignored ones.
+#pragma once
+
+#include "pipeline/prepare.h"
+
+namespace illustrate {
+
+// Refers to `prepared` where nothing is ignored, else owns a copy without those triangles (vertices
+// keep their numbers, so field and curvature still fit).
+class SeenScene {
+ public:
+  SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& styles,
+            const Progress& progress);
+
+  const Surface& surface() const { return part_ ? part_->surface : prepared_.surface(); }
+  const Bvh& bvh() const { return part_ ? part_->bvh : prepared_.bvh(); }
+  const std::vector<FeatureEdge>& features() const {
+    return part_ ? part_->features : prepared_.features();
+  }
+  const IntersectionCurves& intersections() const {
+    return part_ ? part_->intersections : prepared_.intersections();
+  }
+
+  // From triangles of this scene to those of `prepared`.
+  void restore_triangles(std::vector<SurfacePoint>& points) const;
+
+ private:
+  struct Part {
+    Surface surface;
+    std::vector<int> sources;  // (t) triangle of the whole surface
+    Bvh bvh;
+    std::vector<FeatureEdge> features;
+    IntersectionCurves intersections;
+  };
+  const Prepared& prepared_;
+  std::unique_ptr<Part> part_;
+};
+
+}  // namespace illustrate

@@ -1,0 +1,100 @@
+"""What every drawing has to fulfil, whatever was drawn."""
+
+from __future__ import annotations
+
+import illustrate_native as ill
+import numpy as np
+from numpy.typing import NDArray
+
+# An arc ends at its node: far above the image grid of 2^-16 px, far below anything visible.
+MEET_PX = 0.05
+
+STROKE_ARRAYS = (
+    "points", "image", "widths", "triangles", "barycentrics", "offsets", "kinds", "closed",
+    "objects", "invisibility",
+)  # fmt: skip
+GRAPH_ARRAYS = (
+    "node_kind", "node_image", "node_arcs", "arc_nodes", "arc_kind", "arc_object",
+    "arc_invisibility", "arc_offsets", "arc_image", "arc_points",
+)  # fmt: skip
+
+
+def arrays_of(drawing: ill.Drawing) -> dict[str, NDArray[np.generic]]:
+    """Every public array of strokes, graph and tone."""
+    found = {name: getattr(drawing, name) for name in STROKE_ARRAYS}
+    found |= {"graph." + name: getattr(drawing.graph, name) for name in GRAPH_ARRAYS}
+    return found | {"tone." + name: getattr(drawing.tone, name) for name in ("level", "band")}
+
+
+def digest(drawing: ill.Drawing) -> list[bytes]:
+    """Every byte of a drawing."""
+    return [array.tobytes() for array in arrays_of(drawing).values()]
+
+
+def check_drawing(drawing: ill.Drawing, camera: ill.Camera) -> None:
+    """Fails with the first rule that the drawing breaks."""
+    check_strokes(drawing, camera)
+    check_offsets(drawing.graph)
+    check_incidence(drawing.graph)
+    check_labels(drawing.graph)
+
+
+def check_strokes(drawing: ill.Drawing, camera: ill.Camera) -> None:
+    p, s = len(drawing.points), len(drawing.kinds)
+    expected = {
+        "points": (p, 3), "image": (p, 2), "widths": (p,), "triangles": (p,),
+        "barycentrics": (p, 2), "offsets": (s + 1,), "kinds": (s,), "closed": (s,),
+        "objects": (s,), "invisibility": (s,),
+    }  # fmt: skip
+    for name, shape in expected.items():
+        assert getattr(drawing, name).shape == shape, name
+    for name, array in arrays_of(drawing).items():
+        assert array.dtype.kind != "f" or np.isfinite(array).all(), f"{name} is not finite"
+    assert drawing.offsets[0] == 0
+    assert drawing.offsets[-1] == p
+    assert (np.diff(drawing.offsets) >= 2).all(), "a stroke has fewer than two points"
+    assert (np.diff(drawing.kinds.astype(int)) >= 0).all(), "strokes are not sorted by kind"
+    assert (drawing.kinds != ill.Kind.SEAM).all(), "a seam is drawn"
+    assert (drawing.widths >= 0).all()
+    frame = [camera.width_px, camera.height_px]
+    assert ((drawing.image >= 0) & (drawing.image <= frame)).all(), "a point outside the frame"
+
+
+def check_offsets(graph: ill.Graph) -> None:
+    assert graph.arc_offsets[0] == 0
+    assert graph.arc_offsets[-1] == len(graph.arc_image) == len(graph.arc_points)
+    assert (np.diff(graph.arc_offsets) >= 2).all(), "an arc has fewer than two points"
+
+
+def check_incidence(graph: ill.Graph) -> None:
+    """node_arcs and arc_nodes agree, and arcs end where their nodes are."""
+    ends = np.stack([graph.arc_image[graph.arc_offsets[:-1]],
+                     graph.arc_image[graph.arc_offsets[1:] - 1]], axis=1)  # fmt: skip
+    at_node: list[list[int]] = [[] for _ in graph.node_kind]
+    for arc, nodes in enumerate(graph.arc_nodes):
+        assert (nodes >= 0).all() or (nodes == -1).all(), f"arc {arc} has one node"
+        for end, node in zip(ends[arc], nodes, strict=True):
+            if node < 0:
+                continue
+            at_node[node].append(arc)
+            gap = np.linalg.norm(end - graph.node_image[node])
+            assert gap < MEET_PX, f"arc {arc} ends {gap} px from its node"
+    slots = {ill.Node.CROSSING: 4, ill.Node.CUSP: 2}
+    for node, kind in enumerate(graph.node_kind):
+        assert at_node[node], f"node {node} has no arcs"
+        count = slots.get(ill.Node(int(kind)), 0)
+        if count:
+            assert sorted(graph.node_arcs[node, :count]) == sorted(at_node[node])
+
+
+def check_labels(graph: ill.Graph) -> None:
+    """The rules of quantitative invisibility at crossings and cusps."""
+    layers = graph.arc_invisibility
+    assert (layers >= 0).all(), "a negative number of layers"
+    for front_in, front_out, back_in, back_out in graph.node_arcs[graph.node_kind == 1]:
+        assert layers[front_in] == layers[front_out], "a front curve changes at a crossing"
+        assert min(layers[back_in], layers[back_out]) >= layers[front_in]
+        if graph.arc_kind[front_in] == ill.Kind.SILHOUETTE:
+            assert abs(layers[back_in] - layers[back_out]) == 2
+    for near, far, *_ in graph.node_arcs[graph.node_kind == 0]:
+        assert layers[far] == layers[near] + 1, "a cusp's far branch is not one layer deeper"

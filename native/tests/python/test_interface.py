@@ -1,0 +1,467 @@
+"""The public interface: names, shapes, dtypes, messages, progress, threads."""
+
+from __future__ import annotations
+
+import ast
+import threading
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import Any
+
+import illustrate_native as ill
+import numpy as np
+import pytest
+from checker import arrays_of, check_drawing, digest
+from shapes import SIZE_PX, Shape, cube, drape, klein_bottle, look_at, sphere, torus
+
+LEVEL = 2
+
+
+def prepared_of(*shapes: Shape, **options: Any) -> ill.Prepared:
+    return ill.prepare([s.mesh() for s in shapes], ill.PrepareOptions(level=LEVEL, **options))
+
+
+@pytest.fixture(scope="module")
+def prepared() -> ill.Prepared:
+    return prepared_of(torus())
+
+
+@pytest.fixture(scope="module")
+def drawing(prepared: ill.Prepared) -> ill.Drawing:
+    return ill.draw(prepared, look_at())
+
+
+def public_names(names: Iterable[str]) -> set[str]:
+    return {name for name in names if not name.startswith("_")}
+
+
+def test_stub_says_what_the_module_has() -> None:
+    stub = ast.parse((Path(ill.__file__).parent / "_core.pyi").read_text())
+    for node in stub.body:
+        if not isinstance(node, ast.ClassDef) or issubclass(getattr(ill, node.name), Exception):
+            continue
+        said = {n.name for n in node.body if isinstance(n, ast.FunctionDef)}
+        said |= {
+            n.target.id
+            for n in node.body
+            if isinstance(n, ast.AnnAssign) and isinstance(n.target, ast.Name)
+        }
+        said |= {
+            t.id
+            for n in node.body
+            if isinstance(n, ast.Assign)
+            for t in n.targets
+            if isinstance(t, ast.Name)
+        }
+        assert public_names(said) == public_names(vars(getattr(ill, node.name))), node.name
+
+
+def test_every_public_name_is_there() -> None:
+    for name in ill.__all__:
+        assert hasattr(ill, name), name
+    assert [int(kind) for kind in ill.Kind] == list(range(11))
+    assert {node.name: int(node) for node in ill.Node} == {
+        "CUSP": 0, "CROSSING": 1, "JOINT": 2, "END": 3,
+    }  # fmt: skip
+    assert int(ill.Kind.HATCH) == 4
+    assert issubclass(ill.InvalidInput, ValueError)
+
+
+@pytest.mark.parametrize(
+    ("name", "dtype", "columns"),
+    [
+        ("points", "f8", 3), ("image", "f8", 2), ("widths", "f4", None),
+        ("triangles", "i4", None), ("barycentrics", "f4", 2), ("offsets", "i4", None),
+        ("kinds", "u1", None), ("closed", "?", None), ("objects", "i4", None),
+        ("invisibility", "i4", None), ("graph.node_kind", "u1", None),
+        ("graph.node_image", "f8", 2), ("graph.node_arcs", "i4", 4),
+        ("graph.arc_nodes", "i4", 2), ("graph.arc_kind", "u1", None),
+        ("graph.arc_invisibility", "i4", None), ("graph.arc_offsets", "i4", None),
+        ("graph.arc_image", "f8", 2), ("graph.arc_points", "f8", 3),
+    ],
+)  # fmt: skip
+def test_arrays_of_a_drawing(
+    drawing: ill.Drawing, name: str, dtype: str, columns: int | None
+) -> None:
+    array = arrays_of(drawing)[name]
+    assert array.dtype == np.dtype(dtype)
+    assert array.ndim == (1 if columns is None else 2)
+    assert columns is None or array.shape[1] == columns
+    assert len(array) > 0
+    with pytest.raises(ValueError, match="read-only"):
+        array[0] = 0
+
+
+def test_arrays_of_a_surface(prepared: ill.Prepared) -> None:
+    surface = prepared.surface
+    n = len(surface.positions)
+    for name in ("positions", "normals", "w1", "w2", "hatch_w1", "hatch_w2"):
+        assert getattr(surface, name).shape == (n, 3)
+        assert getattr(surface, name).dtype == np.float64
+    for name in ("k1", "k2", "hatch_k1", "hatch_k2"):
+        assert getattr(surface, name).shape == (n,)
+    assert surface.triangles.shape[1] == 3
+    assert surface.triangles.dtype == surface.objects.dtype == surface.base_faces.dtype == np.int32
+    assert surface.objects.shape == surface.base_faces.shape == (n,)
+    assert surface.base_uv.shape == (n, 2)
+    assert surface.feature_edges.shape == (len(surface.feature_kinds), 2)
+    assert surface.triangles.max() == n - 1
+
+
+def test_arrays_of_a_field(prepared: ill.Prepared) -> None:
+    field, surface = prepared.field, prepared.surface
+    assert field.directions.shape == surface.positions.shape
+    assert field.reliable.dtype == np.bool_
+    assert np.abs((field.directions * surface.normals).sum(1)).max() < 1e-9
+    assert field.energy <= field.energy_initial + 1e-9 * abs(field.energy_initial)
+    assert field.singular_indices.sum() == 0  # a torus: 4 chi = 0
+
+
+def test_reports_counts_and_timings(prepared: ill.Prepared, drawing: ill.Drawing) -> None:
+    assert {"sanitize", "surface", "curvature", "field", "intersections"} <= set(prepared.timings)
+    assert set(drawing.timings) == {"contour", "visibility", "tone", "hatch", "stroke"}
+    expected = {"triangles_visited", "silhouette_triangles", "crossings", "cusps", "rays", "loops",
+                "unbalanced_loops", "repairs", "hatch_steps", "strokes"}  # fmt: skip
+    assert expected <= set(drawing.counts)
+    assert drawing.counts["strokes"] == len(drawing.kinds)
+    assert drawing.counts["cusps"] == (drawing.graph.node_kind == ill.Node.CUSP).sum()
+    assert drawing.tone.level.shape == drawing.tone.band.shape == (SIZE_PX, SIZE_PX)
+    assert drawing.tone.level.dtype == np.uint8
+    assert drawing.tone.cell_px == 1
+    assert drawing.repair_max_px >= 0
+
+
+def test_mended_mesh_is_named() -> None:
+    broken = cube().positions.copy()
+    broken[3] = np.nan
+    bad = Shape(broken, cube().face_sizes, cube().corner_vertices)
+    found = ill.prepare([cube().mesh(name="whole"), bad.mesh(name="torn")],
+                        ill.PrepareOptions(level=LEVEL))  # fmt: skip
+    whole, torn = found.reports
+    assert (whole["name"], torn["name"]) == ("whole", "torn")
+    assert torn["nan_vertices"] == 1
+    assert whole.get("nan_vertices", 0) == 0
+    assert found.report["nan_vertices"] == 1
+
+
+def test_mesh_without_faces_stays_an_object() -> None:
+    empty = ill.PolygonMesh(np.zeros((0, 3)), [], [])
+    found = ill.prepare([empty, cube().mesh()], ill.PrepareOptions(level=LEVEL))
+    assert set(found.surface.objects) == {1}
+    assert set(ill.draw(found, look_at()).objects) == {1}
+    assert len(ill.draw(ill.prepare([]), look_at()).kinds) == 0
+
+
+def changed(array: Any, index: int, value: Any) -> Any:
+    copy = np.array(array)
+    copy.reshape(-1)[index] = value
+    return copy
+
+
+BOX = cube()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"corner_vertices": changed(BOX.corner_vertices, 5, 8)},
+         r"corner_vertices\[5\] = 8 is out of range: there are 8 positions"),
+        ({"corner_vertices": changed(BOX.corner_vertices, 5, -1)}, r"corner_vertices\[5\]"),
+        ({"corner_vertices": np.asarray(BOX.corner_vertices, float)},
+         "corner_vertices must hold integers, but holds float64"),
+        ({"corner_vertices": [2**40] + [0] * 23}, r"corner_vertices\[0\] is out of range"),
+        ({"face_sizes": changed(BOX.face_sizes, 0, 5)}, "face_sizes"),
+        ({"face_sizes": changed(BOX.face_sizes, 0, -4)}, r"face_sizes\[0\]"),
+        ({"positions": BOX.positions[:, :2]}, r"positions has shape \(8, 2\), expected \(n, 3\)"),
+        ({"positions": [["a", "b", "c"]]}, "positions must hold numbers"),
+        ({"positions": [[1, 2, 3], [4]]}, "positions cannot be read as an array"),
+        ({"edge_vertices": [[0, 1], [1, 3]], "edge_sharpness": [1.0]}, "edge_sharpness"),
+        ({"edge_vertices": [[0, 99]], "edge_sharpness": [1.0]}, r"edge_vertices\[0\]"),
+        ({"vertex_sharpness": [1.0]}, "vertex_sharpness"),
+        ({"face_materials": [0]}, "face_materials"),
+        ({"hole_faces": [6]}, r"hole_faces\[0\]"),
+        ({"marked_edges": [0, 1]}, r"marked_edges has shape \(2,\), expected \(n, 2\)"),
+        ({"boundary": "none"}, "boundary is 'none'"),
+        ({"scheme": "doo-sabin"}, "scheme is 'doo-sabin'"),
+    ],
+)  # fmt: skip
+def test_wrong_mesh_arguments_are_named(arguments: dict[str, Any], message: str) -> None:
+    whole = {"positions": BOX.positions, "face_sizes": BOX.face_sizes,
+             "corner_vertices": BOX.corner_vertices}  # fmt: skip
+    with pytest.raises(ill.InvalidInput, match=message):
+        ill.PolygonMesh(**{**whole, **arguments})
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"projection": np.full((4, 4), np.nan)}, "camera.projection"),
+        ({"projection": np.zeros((4, 4))}, "camera.projection is singular"),
+        ({"view": np.eye(3)}, r"camera.view has shape \(3, 3\), expected \(4, 4\)"),
+        ({"width_px": 0}, "camera.width_px must be at least 1"),
+        ({"height_px": -5}, "camera.height_px must be at least 1"),
+        ({"width_px": 512.0}, "camera.width_px must be an integer"),
+    ],
+)
+def test_unusable_cameras_are_named(arguments: dict[str, Any], message: str) -> None:
+    good = look_at()
+    whole = {"projection": good.projection, "view": good.view, "width_px": 64, "height_px": 64}
+    with pytest.raises(ill.InvalidInput, match=message):
+        ill.Camera(**{**whole, **arguments})
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"spacing_px": 0.0}, "spacing_px"),
+        ({"speck_px": -1.0}, "speck_px"),
+        ({"cell_px": 0.0}, "cell_px"),
+        ({"threads": -1}, "threads"),
+        ({"styles": [ill.ObjectStyle()] * 3}, "styles has 3 entries but there are 1 meshes"),
+        ({"styles": [1]}, r"styles\[0\] is not an ObjectStyle"),
+        ({"styles": [ill.ObjectStyle(width_scale=-1)]}, r"styles\[0\].width_scale"),
+        ({"hidden_lines": (3, 1)}, "hidden_lines"),
+    ],
+)
+def test_wrong_options_are_named(
+    prepared: ill.Prepared, options: dict[str, Any], message: str
+) -> None:
+    with pytest.raises(ill.InvalidInput, match=message):
+        ill.draw(prepared, look_at(), ill.DrawOptions(**options))
+
+
+def test_wrong_things_in_lists_are_named(prepared: ill.Prepared) -> None:
+    with pytest.raises(ill.InvalidInput, match=r"meshes\[1\] is not a PolygonMesh"):
+        ill.prepare([cube().mesh(), "cube"])  # type: ignore[list-item]
+    with pytest.raises(ill.InvalidInput, match=r"lights\[0\] is not a Light"):
+        ill.draw(prepared, look_at(), lights=["sun"])  # type: ignore[list-item]
+    with pytest.raises(ill.InvalidInput, match=r"light\.kind is 'moon'"):
+        ill.Light("moon")
+    with pytest.raises(ill.InvalidInput, match=r"light.vector .* 'sun'"):
+        ill.Light("sun")
+    with pytest.raises(ill.InvalidInput, match="level"):
+        ill.prepare([cube().mesh()], ill.PrepareOptions(level=-2))
+    with pytest.raises(ill.InvalidInput, match="progress"):
+        ill.prepare([cube().mesh()], progress=1)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("options", [ill.PrepareOptions, ill.DrawOptions, ill.ObjectStyle])
+def test_options_have_no_other_attributes(options: Callable[..., object]) -> None:
+    with pytest.raises(AttributeError):
+        options().no_such_option = 1  # type: ignore[attr-defined]
+    with pytest.raises(TypeError, match="no_such_option"):
+        options(no_such_option=1)
+
+
+def test_options_keep_what_is_set() -> None:
+    prepare_options = ill.PrepareOptions(scheme="loop", default_direction=[1, 0, 0])
+    assert prepare_options.scheme == "loop"
+    assert list(prepare_options.default_direction) == [1, 0, 0]
+    assert (prepare_options.level, prepare_options.triangle_budget) == (-1, 250_000)
+    style = ill.ObjectStyle()
+    options = ill.DrawOptions(hidden_lines=(1, 2), styles=[style])
+    assert options.hidden_lines == (1, 2)
+    assert options.styles is not None
+    options.styles[0].lines = False
+    assert not style.lines
+    options.hidden_lines = None
+    assert options.hidden_lines is None
+
+
+def of_any_layout() -> list[tuple[Any, Any, Any]]:
+    p, f, c = BOX.positions, BOX.face_sizes, BOX.corner_vertices
+    wide = np.full((16, 6), 7.0)
+    wide[::2, ::2] = p
+    return [
+        (p.tolist(), f.tolist(), c.tolist()),
+        (wide[::2, ::2], np.repeat(f, 2)[::2], np.repeat(c, 3)[::3]),
+        (np.asfortranarray(p), f, c),
+        (p[::-1].copy()[::-1], f[::-1].copy()[::-1], c[::-1].copy()[::-1]),
+        (p.astype("f4"), f.astype("i8"), c.astype("u4")),
+        (p.astype(int), f.astype("u1"), c.astype(">i2")),
+    ]
+
+
+@pytest.mark.parametrize("arrays", of_any_layout())
+def test_layout_of_arrays_does_not_matter(arrays: tuple[Any, Any, Any]) -> None:
+    options = ill.PrepareOptions(level=LEVEL)
+    plain = ill.draw(ill.prepare([cube().mesh()], options), look_at())
+    same = ill.draw(ill.prepare([ill.PolygonMesh(*arrays)], options), look_at())
+    assert digest(plain) == digest(same)
+
+
+def test_progress_tells_every_stage_and_rises() -> None:
+    told: list[tuple[float, str]] = []
+
+    def progress(fraction: float, stage: str) -> bool:
+        told.append((fraction, stage))
+        return True
+
+    found = ill.prepare([torus().mesh()], ill.PrepareOptions(level=LEVEL), progress=progress)
+    ill.draw(found, look_at(), progress=progress)
+    assert {"sanitize", "surface", "curvature", "field", "contour", "visibility", "tone", "hatch",
+            "stroke"} <= {stage for _, stage in told}  # fmt: skip
+    assert all(0 <= fraction <= 1 for fraction, _ in told)
+    start_of_draw = next(i for i, (_, stage) in enumerate(told) if stage == "contour")
+    for part in (told[:start_of_draw], told[start_of_draw:]):
+        assert (np.diff([fraction for fraction, _ in part]) >= -1e-12).all()
+
+
+def test_progress_cancels_at_any_call() -> None:
+    shape = torus()
+    plain = digest(ill.draw(prepared_of(shape), look_at()))
+    for stop_after in (0, 1, 3, 10):
+        calls = iter(range(stop_after))
+        with pytest.raises(ill.Cancelled):
+            ill.draw(prepared_of(shape, field=False), look_at(),
+                     progress=lambda *_, calls=calls: next(calls, None) is not None)  # fmt: skip
+    half = prepared_of(shape, field=False)
+    with pytest.raises(ill.Cancelled):
+        ill.draw(half, look_at(), progress=lambda _, stage: stage != "field")
+    assert digest(ill.draw(half, look_at())) == plain
+
+
+def test_exception_in_progress_passes_through() -> None:
+    class OwnError(Exception):
+        pass
+
+    def progress(*_: object) -> bool:
+        raise OwnError
+
+    with pytest.raises(OwnError):
+        ill.prepare([cube().mesh()], progress=progress)
+    with pytest.raises(OwnError):
+        ill.draw(prepared_of(cube()), look_at(), progress=progress)
+
+
+@pytest.mark.parametrize("shape", [torus(), klein_bottle(), drape()])
+def test_threads_do_not_change_a_byte(shape: Shape) -> None:
+    found = {
+        b"".join(digest(ill.draw(prepared_of(shape, threads=n), look_at(radius=3.2),
+                                 ill.DrawOptions(threads=n))))
+        for n in (1, 2, 5)
+    }  # fmt: skip
+    assert len(found) == 1
+
+
+def test_threads_may_share_a_prepared() -> None:
+    shared = prepared_of(torus(), field=False)
+    drawn: list[list[bytes]] = []
+    workers = [
+        threading.Thread(target=lambda: drawn.append(digest(ill.draw(shared, look_at()))))
+        for _ in range(4)
+    ]
+    for worker in workers:
+        worker.start()
+    for worker in workers:
+        worker.join()
+    assert len(drawn) == 4
+    assert all(d == drawn[0] for d in drawn)
+
+
+def test_previous_is_taken_over_only_where_nothing_changed() -> None:
+    options = ill.PrepareOptions(level=LEVEL)
+    first = ill.prepare([torus().mesh()], options)
+    again = ill.prepare([torus().mesh()], options, previous=first)
+    assert again.timings["surface"] == again.timings["field"] == 0
+    assert digest(ill.draw(again, look_at())) == digest(ill.draw(first, look_at()))
+    moved = torus().moved((0.1, 0, 0))
+    other = ill.prepare([moved.mesh()], options, previous=first)
+    assert other.timings["surface"] > 0
+    assert digest(ill.draw(other, look_at())) == digest(ill.draw(prepared_of(moved), look_at()))
+    turned = ill.PrepareOptions(level=LEVEL, parabolic_ratio=0)
+    unreliable = ill.prepare([torus().mesh()], turned, previous=first)
+    assert unreliable.timings["surface"] == 0
+    assert not unreliable.field.reliable.any()
+
+
+def test_arrays_outlive_what_they_came_from() -> None:
+    points = ill.draw(prepared_of(cube()), look_at()).points
+    positions = prepared_of(cube()).surface.positions
+    assert np.isfinite(points).all()
+    assert np.abs(positions).max() <= 1
+
+
+def test_styles_choose_what_is_drawn() -> None:
+    near, far = sphere(), sphere().moved((-2.0, 1.8, -0.4))
+    found = prepared_of(near, far)
+
+    def drawn(*styles: ill.ObjectStyle, hatching: bool = True) -> ill.Drawing:
+        options = ill.DrawOptions(styles=styles, hatching=hatching)
+        result = ill.draw(found, look_at(radius=4), options)
+        check_drawing(result, look_at(radius=4))
+        return result
+
+    plain, ignored = ill.ObjectStyle(), ill.ObjectStyle(ignore=True)
+    assert set(drawn(plain, plain).objects) == {0, 1}
+    without = drawn(ignored, plain)
+    assert set(without.objects) == {1}
+    lines = drawn(ignored, plain, hatching=False)
+    alone = ill.draw(prepared_of(far), look_at(radius=4), ill.DrawOptions(hatching=False))
+    np.testing.assert_array_equal(lines.image, alone.image)
+    on_second = found.surface.objects[found.surface.triangles[without.triangles, 0]]
+    assert set(on_second) == {1}
+    hiding = drawn(ill.ObjectStyle(occlude_only=True), plain)
+    assert set(hiding.objects) == {1}
+    assert not hiding.closed[hiding.kinds == ill.Kind.SILHOUETTE].any()
+    unlined = drawn(ill.ObjectStyle(lines=False), plain)
+    assert set(unlined.kinds[unlined.objects == 0]) <= {4, 5, 6}
+    unhatched = drawn(ill.ObjectStyle(hatching=False), plain)
+    assert set(unhatched.kinds[unhatched.objects == 0]) == {0}
+    wide = drawn(ill.ObjectStyle(width_scale=3), plain, hatching=False)
+    assert wide.widths.max() == pytest.approx(3 * ill.DrawOptions().line_width_px)
+
+
+def test_without_hatching_there_is_no_tone() -> None:
+    drawing = ill.draw(prepared_of(sphere()), look_at(), ill.DrawOptions(hatching=False))
+    assert set(drawing.kinds) == {int(ill.Kind.SILHOUETTE)}
+    assert drawing.tone.level.shape == (0, 0)
+
+
+def test_hidden_lines_add_to_the_visible_ones(prepared: ill.Prepared) -> None:
+    options = ill.DrawOptions(hatching=False)
+    visible = ill.draw(prepared, look_at(), options)
+    options.hidden_lines = (1, 9)
+    every = ill.draw(prepared, look_at(), options)
+    assert (visible.invisibility == 0).all()
+    assert (every.invisibility > 0).any()
+    shown = np.repeat(every.invisibility == 0, np.diff(every.offsets))
+    assert len(visible.points) <= shown.sum() + 8 * len(visible.kinds)
+    assert every.invisibility.max() <= 9
+
+
+def test_marked_edges_and_materials_are_drawn_when_asked_for() -> None:
+    mesh = cube().mesh(scheme="none", marked_edges=[[0, 1]], face_materials=[0, 1, 1, 1, 1, 1])
+    found = ill.prepare([mesh])
+    plain = ill.draw(found, look_at((-1, -2, 0.8)), ill.DrawOptions(hatching=False))
+    assert not set(plain.kinds) & {int(ill.Kind.MARK), int(ill.Kind.MATERIAL)}
+    options = ill.DrawOptions(hatching=False, marks=True, materials=True)
+    asked = ill.draw(found, look_at((-1, -2, 0.8)), options)
+    assert {int(ill.Kind.MARK), int(ill.Kind.MATERIAL)} & set(asked.kinds.tolist())
+
+
+@pytest.mark.parametrize("perspective", [True, False])
+def test_silhouettes_are_those_of_brute_force(perspective: bool) -> None:
+    for shape in (sphere(), torus(), klein_bottle(), drape()):
+        found = prepared_of(shape, field=False)
+        camera = look_at((0.3, 1, 2.5), perspective=perspective)
+        fast, brute = (
+            ill.silhouettes(found, camera, brute_force=b).triangles for b in (False, True)
+        )
+        np.testing.assert_array_equal(fast, brute)
+        assert len(fast) > 0
+
+
+def test_field_can_be_solved_alone(prepared: ill.Prepared) -> None:
+    again = ill.solve_cross_field(prepared, ill.PrepareOptions(level=LEVEL))
+    np.testing.assert_array_equal(again.directions, prepared.field.directions)
+    free = ill.solve_cross_field(prepared, ill.PrepareOptions(parabolic_ratio=0))
+    assert not free.reliable.any()
+    assert free.energy < free.energy_initial
+
+
+def test_polygons_show_hatching_curvature_as_theirs() -> None:
+    surface = ill.prepare([torus(96, 48).mesh()], ill.PrepareOptions(scheme="none")).surface
+    np.testing.assert_array_equal(surface.k1, surface.hatch_k1)
+    assert (np.abs(surface.k1) >= np.abs(surface.k2)).all()
+    assert np.median(np.abs(surface.k1)) == pytest.approx(1 / 0.4, rel=0.02)
