@@ -1,0 +1,96 @@
+"""From a scene to a drawing: reads, prepares and draws."""
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+from . import native, settings
+from .messages import IllustrateError, counted, quoted
+from .scene import SceneArrays, read_scene
+
+Progress = Callable[[float, str], bool]
+
+# What is mended in meshes, by the names of the native reports.
+REPAIRS = {
+    "nan_vertices": "vertices that are not finite",
+    "nan_faces": "faces at vertices that are not finite",
+    "repeated_corners": "repeated corners",
+    "degenerate_faces": "degenerate faces",
+    "huge_faces": "faces of too many corners",
+    "duplicate_faces": "duplicate faces",
+    "welded_vertices": "unwelded vertices",
+    "split_edges": "edges of more than two faces",
+    "split_vertices": "vertices where surfaces touch",
+    "flipped_faces": "flipped faces",
+    "turned_parts": "parts turned inside out",
+}
+
+
+@dataclass
+class Illustration:
+    """A drawing and what it was made from."""
+
+    drawing: Any  # illustrate_native.Drawing
+    arrays: SceneArrays
+    warnings: list[str]
+    seconds: dict[str, float] = field(default_factory=dict)  # per stage, disjoint, in order
+
+    @property
+    def names(self) -> list[str]:
+        """Of the meshes, by the numbers in drawing.objects."""
+        return [mesh.name for mesh in self.arrays.meshes]
+
+
+def illustrate(scene: Any, depsgraph: Any, progress: Progress | None = None) -> Illustration:
+    """Draws a scene with its own settings (scene.illustrate); nothing is written.
+
+    progress(fraction of the stage, stage) is called now and then; False stops.
+    Raises IllustrateError when there is no drawing to be made.
+    """
+    chosen = scene.illustrate
+    ill = native.load()
+    start = time.perf_counter()
+    arrays = read_scene(
+        scene,
+        depsgraph,
+        selected_only=chosen.source == "SELECTION",
+        use_lights=chosen.lighting == "SCENE",
+    )
+    seconds = {"read": time.perf_counter() - start}
+    try:
+        meshes = [ill.PolygonMesh(**vars(mesh)) for mesh in arrays.meshes]
+        prepared = ill.prepare(meshes, settings.prepare_options(chosen), progress=progress)
+        drawing = ill.draw(
+            prepared,
+            ill.Camera(**vars(arrays.camera)),
+            settings.draw_options(chosen),
+            progress=progress,
+            lights=[ill.Light(**vars(light)) for light in arrays.lights],
+        )
+    except ill.InvalidInput as error:
+        raise IllustrateError(f'Scene "{scene.name}" cannot be drawn: {error}') from error
+    seconds.update(prepared.timings)
+    seconds.update(drawing.timings)
+    return Illustration(drawing, arrays, _warnings(arrays, prepared.reports), seconds)
+
+
+def _warnings(arrays: SceneArrays, reports: list[dict[str, Any]]) -> list[str]:
+    """What the artist should know about the meshes: those mended, and those left out."""
+    warnings = []
+    mended = [report for report in reports if any(report.get(name) for name in REPAIRS)]
+    if mended:
+        counts = {
+            text: sum(report.get(name, 0) for report in mended) for name, text in REPAIRS.items()
+        }
+        listed = ", ".join(f"{count} {text}" for text, count in counts.items() if count)
+        warnings.append(
+            f"Mended {counted(len(mended), 'mesh', 'meshes')}, "
+            f"{quoted([report['name'] for report in mended])}: {listed}"
+        )
+    if arrays.without_faces:
+        warnings.append(
+            f"Left out {counted(len(arrays.without_faces), 'object')} without faces: "
+            f"{quoted(arrays.without_faces)}"
+        )
+    return warnings

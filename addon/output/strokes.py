@@ -1,0 +1,54 @@
+"""The strokes of a drawing as the writers take them: groups, points and radii in the world."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from .. import native
+
+
+@dataclass(frozen=True)
+class StrokeGroup:
+    """The strokes of one layer, one after another."""
+
+    title: str
+    is_hatching: bool
+    points: Any  # (p, 3) float32 world
+    radii: Any  # (p,) float32 world, half the width of the stroke
+    sizes: Any  # (s,) int32 points of each stroke
+    closed: Any  # (s,) bool
+    kinds: Any  # (s,) int32 illustrate_native.Kind
+    objects: Any  # (s,) int32 index of the mesh
+
+
+def stroke_groups(drawing: Any, camera: Any) -> list[StrokeGroup]:
+    """Groups of a `illustrate_native.Drawing`, lowest layer first, seen by `camera` (CameraArrays).
+
+    A stroke is as wide in the world as its width in pixels looks from the camera.
+    """
+    points = np.asarray(drawing.points, float).reshape(-1, 3)
+    radii = np.asarray(drawing.widths, float) / 2 * camera.pixel_size(points)
+    groups = native.load_part("line_groups").line_groups(drawing)
+    return [_gather(drawing, group, points, radii) for group in groups]
+
+
+def _gather(drawing: Any, group: Any, points: Any, radii: Any) -> StrokeGroup:
+    offsets = np.asarray(drawing.offsets)
+    first, sizes = offsets[group.strokes], np.diff(offsets)[group.strokes]
+    starts = np.cumsum(sizes) - sizes
+    chosen = np.arange(sizes.sum()) + np.repeat(first - starts, sizes)
+
+    def of_strokes(values: Any, dtype: Any) -> Any:
+        return np.asarray(values)[group.strokes].astype(dtype)
+
+    return StrokeGroup(
+        group.title,
+        group.is_hatching,
+        points[chosen].astype(np.float32),
+        radii[chosen].astype(np.float32),
+        sizes.astype(np.int32),
+        of_strokes(drawing.closed, bool),
+        of_strokes(drawing.kinds, np.int32),
+        of_strokes(drawing.objects, np.int32),
+    )

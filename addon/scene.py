@@ -1,0 +1,296 @@
+"""A Blender scene as arrays: evaluated meshes, camera, lights.
+
+With mesh_arrays.py the only code that reads scene data.
+"""
+
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import Any
+
+import bpy
+import numpy as np
+
+from .mesh_arrays import MeshArrays, read_mesh
+from .messages import IllustrateError, quoted
+from .ownership import is_ours
+
+EDGE_LENGTH_PX = 3.0  # of refined surfaces, where the object is nearest to the camera
+LUMINANCE = (0.2126, 0.7152, 0.0722)
+
+
+@dataclass(frozen=True)
+class CameraArrays:
+    """Arguments of `illustrate_native.Camera`."""
+
+    projection: Any  # (4, 4) clip from view
+    view: Any  # (4, 4) view from world
+    width_px: int
+    height_px: int
+
+    def pixel_size(self, points: Any) -> Any:
+        """World length (p,) of a pixel across the view at the depths of points (p, 3)."""
+        row = (self.projection @ self.view)[3]
+        w = np.maximum(points @ row[:3] + row[3], self._least_w())
+        return 2 * w / (self.projection[0, 0] * self.width_px)
+
+    def _least_w(self) -> float:
+        """Clip w of the near plane."""
+        p = self.projection
+        return 1.0 if p[3, 2] == 0 else float(p[2, 3] / (p[2, 2] - 1))
+
+
+@dataclass
+class LightArrays:
+    """Arguments of `illustrate_native.Light`."""
+
+    kind: str
+    vector: Any  # (3,)
+    strength: float
+    direction: Any = None  # (3,)
+    angle_rad: float | None = None
+
+
+@dataclass
+class SceneArrays:
+    """All that a drawing is made from."""
+
+    camera: CameraArrays
+    meshes: list[MeshArrays] = field(default_factory=list)
+    lights: list[LightArrays] = field(default_factory=list)
+    without_faces: list[str] = field(default_factory=list)  # objects that were left out
+
+
+@dataclass
+class _Placed:
+    """One mesh at one place."""
+
+    original: Any
+    matrix: Any  # (4, 4)
+    geometry: MeshArrays | None  # in its own space; None: the object's cage
+
+
+def read_scene(
+    scene: Any, depsgraph: Any, selected_only: bool = False, use_lights: bool = True
+) -> SceneArrays:
+    """The evaluated scene as the camera's render would show it, meshes in the depsgraph's order.
+
+    A Subdivision modifier that ends an object's stack is taken out: its cage is read, to be
+    subdivided to the limit. Left out are objects hidden from viewport or render, and
+    illustrations.
+    Raises IllustrateError for a scene without a usable camera or without anything to draw.
+    """
+    arrays = SceneArrays(read_camera(scene, depsgraph))
+    placed = _placed_meshes(depsgraph, selected_only)
+    cages = _read_cages([p.original for p in placed if p.geometry is None], scene)
+    for p in placed:
+        geometry = p.geometry or cages[p.original]
+        if len(geometry.face_sizes):
+            arrays.meshes.append(_in_world(geometry, p.matrix, arrays.camera))
+        else:
+            arrays.without_faces.append(geometry.name)
+    if not arrays.meshes:
+        raise _nothing_to_draw(scene, selected_only, arrays.without_faces)
+    if use_lights:
+        arrays.lights = _read_lights(depsgraph, _centre(arrays.meshes))
+    return arrays
+
+
+def _nothing_to_draw(scene: Any, selected_only: bool, without_faces: list[str]) -> IllustrateError:
+    empty = f" ({quoted(without_faces)}: no faces)" if without_faces else ""
+    if selected_only:
+        return IllustrateError(
+            f'No mesh with faces is selected in scene "{scene.name}"{empty}: '
+            "select what is to be drawn, or set Draw to Scene"
+        )
+    return IllustrateError(
+        f'Nothing in scene "{scene.name}" can be drawn{empty}: add a mesh with '
+        "faces, or show one in viewport and render"
+    )
+
+
+# --- Camera -------------------------------------------------------------------------------------
+
+
+def read_camera(scene: Any, depsgraph: Any) -> CameraArrays:
+    """The scene's camera at its render size.
+
+    Raises IllustrateError when there is none and for lenses that no matrix describes.
+    """
+    camera = scene.camera
+    if camera is None:
+        raise IllustrateError(
+            f'Scene "{scene.name}" has no camera: add one, or choose one in the scene properties'
+        )
+    if camera.type != "CAMERA":
+        raise IllustrateError(
+            f'"{camera.name}", the camera of scene "{scene.name}", is not a '
+            "camera: choose one in the scene properties"
+        )
+    if camera.data.type not in ("PERSP", "ORTHO"):
+        kind = {"PANO": "panoramic"}.get(camera.data.type, camera.data.type.lower())
+        raise IllustrateError(
+            f'Camera "{camera.name}" is {kind}, which cannot be drawn: set its '
+            "type to Perspective or Orthographic"
+        )
+    render = scene.render
+    width = max(1, int(render.resolution_x * render.resolution_percentage / 100))
+    height = max(1, int(render.resolution_y * render.resolution_percentage / 100))
+    evaluated = camera.evaluated_get(depsgraph)
+    projection = evaluated.calc_matrix_camera(
+        depsgraph, x=width, y=height, scale_x=render.pixel_aspect_x, scale_y=render.pixel_aspect_y
+    )
+    try:
+        view = evaluated.matrix_world.normalized().inverted()
+    except ValueError as error:
+        raise IllustrateError(
+            f'Camera "{camera.name}" is scaled to nothing: clear its scale'
+        ) from error
+    return CameraArrays(np.array(projection), np.array(view), width, height)
+
+
+# --- Lights -------------------------------------------------------------------------------------
+
+
+def _read_lights(depsgraph: Any, centre: Any) -> list[LightArrays]:
+    """Lights of the render, as strong as they are at `centre` (3,); the strongest is 1."""
+    lights = []
+    for instance in depsgraph.object_instances:
+        lamp = instance.object
+        if lamp.type == "LIGHT" and instance.show_self and not lamp.original.hide_render:
+            lights.append(_light(lamp.data, np.array(instance.matrix_world), centre))
+    strongest = max((light.strength for light in lights), default=0.0)
+    lights = [light for light in lights if light.strength > 0]
+    for light in lights:
+        light.strength /= strongest
+    return lights
+
+
+def _light(data: Any, matrix: Any, centre: Any) -> LightArrays:
+    """One light with its irradiance at `centre`, facing it. Lights shine along their own -z."""
+    power = data.energy * float(np.dot(LUMINANCE, data.color))
+    position, backward = matrix[:3, 3], _unit(matrix[:3, 2])
+    if data.type == "SUN":
+        return LightArrays("sun", backward, power)
+    squared = max(float(np.sum((position - centre) ** 2)), 1e-12)
+    if data.type == "AREA":
+        return LightArrays("area", position, power / (math.pi * squared), -backward)
+    strength = power / (4 * math.pi * squared)
+    if data.type == "SPOT":
+        return LightArrays("spot", position, strength, -backward, data.spot_size / 2)
+    return LightArrays("point", position, strength)
+
+
+def _unit(vector: Any) -> Any:
+    length = np.linalg.norm(vector)
+    return vector / length if length > 0 else np.array([0.0, 0.0, 1.0])
+
+
+def _centre(meshes: list[MeshArrays]) -> Any:
+    """(3,) middle of the box round all finite vertices."""
+    points = _finite(np.concatenate([mesh.positions for mesh in meshes]))
+    return (points.min(axis=0) + points.max(axis=0)) / 2 if len(points) else np.zeros(3)
+
+
+def _finite(points: Any) -> Any:
+    return points[np.isfinite(points).all(axis=1)]
+
+
+# --- Meshes -------------------------------------------------------------------------------------
+
+
+def _placed_meshes(depsgraph: Any, selected_only: bool) -> list[_Placed]:
+    """Every mesh and instance that is seen; curves, texts and metaballs come as instances."""
+    placed = []
+    for instance in depsgraph.object_instances:
+        thing = instance.object
+        if thing.type != "MESH" or not instance.show_self:
+            continue
+        owner = (instance.parent if instance.is_instance else thing).original
+        if is_ours(owner) or owner.hide_render or thing.original.hide_render:
+            continue
+        if selected_only and not owner.select_get():
+            continue
+        matrix = np.array(instance.matrix_world)
+        placed.append(_Placed(thing.original, matrix, _read_evaluated(thing, depsgraph)))
+    return placed
+
+
+def _read_evaluated(thing: Any, depsgraph: Any) -> MeshArrays | None:
+    """The mesh of an evaluated object or instance; None where its cage is to be read instead."""
+    own = thing.original.evaluated_get(depsgraph)
+    if own.type != "MESH" or own.data != thing.data:
+        return read_mesh(thing.data, thing.name, shading=True)
+    subdivision = _trailing_subdivision(thing.original)
+    if subdivision is not None and subdivision.subdivision_type == "CATMULL_CLARK":
+        return None
+    with _mesh_of(own) as mesh:
+        geometry = read_mesh(mesh, thing.name, shading=True)
+    if subdivision is not None:
+        geometry.scheme = "none"  # subdivided without smoothing: the artist wants facets
+    return geometry
+
+
+@contextmanager
+def _mesh_of(evaluated: Any) -> Iterator[Any]:
+    """The mesh of an evaluated object. In edit mode its `data` may be empty: this one never is."""
+    try:
+        yield evaluated.to_mesh()
+    finally:
+        evaluated.to_mesh_clear()
+
+
+def _trailing_subdivision(thing: Any) -> Any:
+    """The Subdivision modifier that ends the stack of modifiers in use, or None."""
+    used = [modifier for modifier in thing.modifiers if modifier.show_viewport]
+    return used[-1] if used and used[-1].type == "SUBSURF" else None
+
+
+def _read_cages(objects: list[Any], scene: Any) -> dict[Any, MeshArrays]:
+    """The meshes below the last Subdivision of `objects`, evaluated in a scene of their own.
+
+    The artist's scene is not evaluated again and nothing stays behind.
+    """
+    if not objects:
+        return {}
+    stage = bpy.data.scenes.new("illustrate cages")
+    copies: dict[Any, Any] = {}
+    try:
+        stage.frame_current = scene.frame_current
+        for thing in dict.fromkeys(objects):
+            copies[thing] = copy = thing.copy()
+            copy.modifiers.remove(_trailing_subdivision(copy))
+            copy.hide_viewport = False
+            stage.collection.objects.link(copy)
+        layer = stage.view_layers[0]
+        layer.update()
+        return {
+            thing: _read_cage(thing, copy.evaluated_get(layer.depsgraph))
+            for thing, copy in copies.items()
+        }
+    finally:
+        for copy in copies.values():
+            bpy.data.objects.remove(copy)
+        bpy.data.scenes.remove(stage)
+
+
+def _read_cage(thing: Any, evaluated: Any) -> MeshArrays:
+    """The control mesh of a subdivision surface with the creases its modifier heeds."""
+    subdivision = _trailing_subdivision(thing)
+    with _mesh_of(evaluated) as mesh:
+        geometry = read_mesh(mesh, thing.name, shading=False)
+    geometry.scheme = "catmull-clark"
+    geometry.boundary = "edges" if subdivision.boundary_smooth == "ALL" else "corners"
+    if not subdivision.use_creases:
+        geometry.edge_vertices, geometry.edge_sharpness = np.zeros((0, 2), np.int32), np.zeros(0)
+        geometry.vertex_sharpness = None
+    return geometry
+
+
+def _in_world(geometry: MeshArrays, matrix: Any, camera: CameraArrays) -> MeshArrays:
+    """A copy at its place, with the edge length its nearness to the camera asks for."""
+    positions = geometry.positions @ matrix[:3, :3].T + matrix[:3, 3]
+    sizes = camera.pixel_size(_finite(positions))
+    edge_length = EDGE_LENGTH_PX * float(sizes.min()) if len(sizes) else None
+    return MeshArrays(**{**vars(geometry), "positions": positions, "edge_length": edge_length})

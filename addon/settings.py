@@ -1,0 +1,185 @@
+"""The settings of a scene: what is drawn, and the native options field for field."""
+# mypy: disable-error-code="valid-type,misc"
+# Blender reads properties from annotations.
+
+from typing import Any
+
+import bpy
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty
+
+from . import native
+
+SOURCES = [
+    ("SCENE", "Scene", "Draw every mesh that can be seen", 0),
+    ("SELECTION", "Selection", "Draw the selected objects only", 1),
+]
+OUTPUTS = [
+    ("GREASE_PENCIL", "Grease Pencil", "One Grease Pencil object with a layer per line kind", 0),
+    ("CURVES", "Curves", "One curve object per line kind", 1),
+]
+LIGHTINGS = [
+    ("SCENE", "Scene Lights", "Light the drawing with the lights of the scene", 0),
+    ("HEADLIGHT", "Headlight", "Light the drawing from the camera", 1),
+]
+
+
+class ILLUSTRATE_PG_settings(bpy.types.PropertyGroup):
+    """How the illustration of a scene is made."""
+
+    source: EnumProperty(
+        name="Draw", items=SOURCES, default="SCENE", description="Which objects are drawn"
+    )
+    output: EnumProperty(
+        name="Output", items=OUTPUTS, default="GREASE_PENCIL", description="What strokes become"
+    )
+    lighting: EnumProperty(
+        name="Light",
+        items=LIGHTINGS,
+        default="SCENE",
+        description="Where light and shadow of the hatching come from",
+    )
+
+    line_width_px: FloatProperty(
+        name="Line Width",
+        default=2.0,
+        min=0.05,
+        max=100.0,
+        soft_max=10.0,
+        subtype="PIXEL",
+        description="Width of silhouettes and boundaries, pixels of the render",
+    )
+    feature_width_px: FloatProperty(
+        name="Feature Width",
+        default=1.4,
+        min=0.05,
+        max=100.0,
+        soft_max=10.0,
+        subtype="PIXEL",
+        description="Width of creases, intersections and marked edges, pixels of the render",
+    )
+    marks: BoolProperty(
+        name="Marked Edges", default=False, description="Draw edges with a Freestyle mark"
+    )
+    materials: BoolProperty(
+        name="Material Borders", default=False, description="Draw lines between materials"
+    )
+    hidden: BoolProperty(
+        name="Hidden Lines",
+        default=False,
+        description="Draw lines that lie behind other surfaces too, on a layer of their own",
+    )
+    hidden_layers: IntProperty(
+        name="Hidden Layers",
+        default=1,
+        min=1,
+        max=64,
+        description="Draw hidden lines with at most so many surfaces in front of them",
+    )
+
+    hatching: BoolProperty(
+        name="Hatching", default=True, description="Hatch midtones and cross-hatch shadows"
+    )
+    spacing_px: FloatProperty(
+        name="Spacing",
+        default=8.0,
+        min=1.0,
+        max=200.0,
+        soft_max=40.0,
+        subtype="PIXEL",
+        description="Distance between neighbouring hatches, pixels of the render",
+    )
+    hatch_width_px: FloatProperty(
+        name="Hatch Width",
+        default=1.0,
+        min=0.05,
+        max=100.0,
+        soft_max=10.0,
+        subtype="PIXEL",
+        description="Width of hatches in middling light, pixels of the render",
+    )
+    highlight_threshold: FloatProperty(
+        name="Highlight",
+        default=0.8,
+        min=0.0,
+        max=1.0,
+        subtype="FACTOR",
+        description="Where it is brighter there are no hatches",
+    )
+    shadow_threshold: FloatProperty(
+        name="Shadow",
+        default=0.4,
+        min=0.0,
+        max=1.0,
+        subtype="FACTOR",
+        description="Where it is not brighter there are two directions of hatches",
+    )
+    undercuts: BoolProperty(
+        name="Undercuts", default=True, description="Hatch densely what lies just behind a fold"
+    )
+    mach_bands: BoolProperty(
+        name="Mach Bands",
+        default=True,
+        description="Leave a narrow band along the near side of a fold white",
+    )
+
+    triangle_budget: IntProperty(
+        name="Triangle Budget",
+        default=250_000,
+        min=1_000,
+        soft_max=2_000_000,
+        description="Most triangles that surfaces are refined to, all objects together",
+    )
+    threads: IntProperty(
+        name="Threads",
+        default=0,
+        min=0,
+        max=1024,
+        description="Threads to compute with, 0 for as many as there are cores",
+    )
+
+
+def _fill(options: Any, settings: Any, names: tuple[str, ...]) -> Any:
+    for name in names:
+        setattr(options, name, getattr(settings, name))
+    return options
+
+
+def prepare_options(settings: Any) -> Any:
+    """`illustrate_native.PrepareOptions` of the settings (an ILLUSTRATE_PG_settings)."""
+    options = _fill(native.load().PrepareOptions(), settings, ("triangle_budget", "threads"))
+    options.field = settings.hatching
+    return options
+
+
+def draw_options(settings: Any) -> Any:
+    """`illustrate_native.DrawOptions` of the settings (an ILLUSTRATE_PG_settings)."""
+    names = (
+        "line_width_px",
+        "feature_width_px",
+        "marks",
+        "materials",
+        "hatching",
+        "spacing_px",
+        "hatch_width_px",
+        "highlight_threshold",
+        "shadow_threshold",
+        "undercuts",
+        "mach_bands",
+        "threads",
+    )
+    options = _fill(native.load().DrawOptions(), settings, names)
+    if settings.hidden:
+        options.hidden_lines = (1, settings.hidden_layers)
+    return options
+
+
+def register() -> None:
+    """Puts the settings on every scene, as `scene.illustrate`."""
+    bpy.utils.register_class(ILLUSTRATE_PG_settings)
+    bpy.types.Scene.illustrate = PointerProperty(type=ILLUSTRATE_PG_settings)
+
+
+def unregister() -> None:
+    """Takes the settings away again."""
+    del bpy.types.Scene.illustrate
+    bpy.utils.unregister_class(ILLUSTRATE_PG_settings)

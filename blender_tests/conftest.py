@@ -1,0 +1,36 @@
+"""The add-on registered in an empty file for every test."""
+
+import os
+import sys
+from collections.abc import Iterator
+from typing import Any
+
+import bpy
+import illustrate
+import pytest
+
+_status = [0]
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _addon() -> None:
+    illustrate.register()
+
+
+@pytest.fixture(autouse=True)
+def scene() -> Iterator[Any]:
+    """The only scene of an empty file."""
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    yield bpy.context.scene
+
+
+def pytest_sessionfinish(exitstatus: int) -> None:
+    _status[0] = int(exitstatus)
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_unconfigure() -> None:
+    """Ends the process: what is still registered at its own end would spoil the exit code."""
+    sys.stdout.flush()
+    sys.stderr.flush()
+    os._exit(_status[0])

@@ -1,0 +1,299 @@
+"""What the add-on reads of a scene."""
+
+import itertools
+import math
+from typing import Any
+
+import bpy
+import numpy as np
+import pytest
+from bpy_extras.object_utils import world_to_camera_view
+from illustrate.scene import read_camera, read_scene
+from mathutils import Matrix, Vector
+
+import tools
+
+
+def read(scene: Any, **options: Any) -> Any:
+    return read_scene(scene, bpy.context.evaluated_depsgraph_get(), **options)
+
+
+def only_mesh(scene: Any) -> Any:
+    meshes = read(scene).meshes
+    assert len(meshes) == 1
+    return meshes[0]
+
+
+CAMERAS = list(
+    itertools.product(
+        ("PERSP", "ORTHO"),
+        ("AUTO", "HORIZONTAL", "VERTICAL"),
+        ((320, 240), (200, 300)),
+        ((0, 0), (0.2, -0.1)),
+        ((1, 1), (2, 1)),
+    )
+)
+
+
+@pytest.mark.parametrize(("kind", "fit", "size", "shift", "aspect"), CAMERAS)
+def test_camera_projects_as_blender_does(
+    scene: Any, kind: str, fit: str, size: Any, shift: Any, aspect: Any
+) -> None:
+    eye = tools.add_camera(
+        scene,
+        size=size,
+        type=kind,
+        sensor_fit=fit,
+        ortho_scale=7,
+        shift_x=shift[0],
+        shift_y=shift[1],
+    )
+    eye.scale = (2, 2, 2)
+    scene.render.pixel_aspect_x, scene.render.pixel_aspect_y = aspect
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    camera = read_camera(scene, depsgraph)
+    assert (camera.width_px, camera.height_px) == size
+    points = np.random.default_rng(1).uniform(-2, 2, (20, 3))
+    clip = np.c_[points, np.ones(20)] @ (camera.projection @ camera.view).T
+    ours = (clip[:, :2] / clip[:, 3:] + 1) / 2
+    theirs = [world_to_camera_view(scene, eye, Vector(p))[:2] for p in points]
+    assert np.abs(ours - theirs).max() < 1e-5
+
+
+@pytest.mark.parametrize("kind", ["PERSP", "ORTHO"])
+def test_pixel_size_is_what_a_pixel_covers(scene: Any, kind: str) -> None:
+    tools.add_camera(scene, type=kind)
+    camera = read_camera(scene, bpy.context.evaluated_depsgraph_get())
+    right = camera.view[0, :3]
+    points = np.array([[0.0, 0, 0], [1, 2, 0.5]])
+    size = camera.pixel_size(points)
+    clip = [
+        np.c_[p, np.ones(2)] @ (camera.projection @ camera.view).T
+        for p in (points, points + right * size[:, None])
+    ]
+    x = [(c[:, 0] / c[:, 3] + 1) / 2 * camera.width_px for c in clip]
+    assert x[1] - x[0] == pytest.approx([1, 1], rel=1e-5)
+
+
+def test_percentage_scales_the_image(scene: Any) -> None:
+    tools.add_camera(scene, size=(320, 240))
+    scene.render.resolution_percentage = 50
+    camera = read_camera(scene, bpy.context.evaluated_depsgraph_get())
+    assert (camera.width_px, camera.height_px) == (160, 120)
+
+
+def test_meshes_are_read_in_world_space(scene: Any) -> None:
+    cube = tools.cube_scene(scene)
+    cube.matrix_world = Matrix.Translation((1, 2, 3)) @ Matrix.Scale(2, 4)
+    mesh = only_mesh(scene)
+    assert mesh.name == "Box"
+    assert mesh.positions.min(axis=0).tolist() == [-1, 0, 1]
+    assert mesh.positions.max(axis=0).tolist() == [3, 4, 5]
+    assert mesh.face_sizes.tolist() == [4] * 6
+    assert len(mesh.corner_vertices) == 24
+
+
+def test_edge_length_is_three_pixels_at_the_nearest_point(scene: Any) -> None:
+    tools.cube_scene(scene)
+    arrays = read(scene)
+    nearest = min(arrays.camera.pixel_size(arrays.meshes[0].positions))
+    assert arrays.meshes[0].edge_length == pytest.approx(3 * nearest)
+
+
+def test_a_flat_shaded_object_has_a_crease_angle_and_a_smooth_one_none(scene: Any) -> None:
+    cube = tools.cube_scene(scene)
+    assert only_mesh(scene).crease_angle_deg == 60
+    tools.shade_smooth(cube, [True] * 6)
+    assert only_mesh(scene).crease_angle_deg == 180
+    assert not len(only_mesh(scene).edge_vertices)
+
+
+def test_sharp_edges_of_smooth_objects_are_infinitely_sharp(scene: Any) -> None:
+    cube = tools.cube_scene(scene)
+    tools.shade_smooth(cube, [True] * 6)
+    cube.data.edges[4].use_edge_sharp = True
+    mesh = only_mesh(scene)
+    assert mesh.edge_vertices.tolist() == [list(cube.data.edges[4].vertices)]
+    assert mesh.edge_sharpness.tolist() == [10]
+
+
+def test_one_flat_face_of_a_smooth_object_is_sharp_all_round(scene: Any) -> None:
+    cube = tools.cube_scene(scene)
+    smooth = [True] * 6
+    smooth[2] = False
+    tools.shade_smooth(cube, smooth)
+    mesh = only_mesh(scene)
+    corners = set(cube.data.polygons[2].vertices)
+    assert len(mesh.edge_vertices) == 4
+    assert set(mesh.edge_vertices.ravel().tolist()) == corners
+    assert mesh.crease_angle_deg == 180
+
+
+def test_freestyle_marks_and_materials_are_read(scene: Any) -> None:
+    cube = tools.cube_scene(scene)
+    for _ in range(2):
+        cube.data.materials.append(bpy.data.materials.new("Paint"))
+    cube.data.polygons[3].material_index = 1
+    for _ in range(2):  # Blender 3.4 puts the very first mark elsewhere
+        cube.data.edges[0].use_freestyle_mark = False
+        cube.data.edges[5].use_freestyle_mark = True
+    mesh = only_mesh(scene)
+    assert mesh.marked_edges.tolist() == [list(cube.data.edges[5].vertices)]
+    assert mesh.face_materials.tolist() == [0, 0, 0, 1, 0, 0]
+
+
+def crease(cube: Any, edge: int, value: float) -> None:
+    if bpy.app.version < (4, 0, 0):
+        cube.data.edges[edge].crease = value
+        return
+    attribute = cube.data.attributes.get("crease_edge")
+    attribute = attribute or cube.data.attributes.new("crease_edge", "FLOAT", "EDGE")
+    attribute.data[edge].value = value
+
+
+def test_the_cage_below_the_last_subdivision_is_read(scene: Any) -> None:
+    cube = tools.cube_scene(scene)
+    crease(cube, 2, 1.0)
+    crease(cube, 3, 0.5)
+    tools.subdivide(cube, levels=3, boundary_smooth="PRESERVE_CORNERS")
+    before = tools.snapshot()
+    mesh = only_mesh(scene)
+    assert tools.snapshot() == before
+    assert (len(mesh.positions), mesh.scheme, mesh.boundary) == (8, "catmull-clark", "corners")
+    assert mesh.crease_angle_deg == 180
+    sharpness = {
+        tuple(e): s for e, s in zip(mesh.edge_vertices.tolist(), mesh.edge_sharpness, strict=True)
+    }
+    assert sharpness == {
+        tuple(cube.data.edges[2].vertices): 10.0,
+        tuple(cube.data.edges[3].vertices): 2.5,
+    }
+    cube.modifiers[0].boundary_smooth = "ALL"
+    cube.modifiers[0].use_creases = False
+    mesh = only_mesh(scene)
+    assert mesh.boundary == "edges"
+    assert not len(mesh.edge_vertices)
+
+
+def test_modifiers_below_the_subdivision_are_kept(scene: Any) -> None:
+    cube = tools.cube_scene(scene)
+    array = cube.modifiers.new("Array", "ARRAY")
+    array.count = 3
+    tools.subdivide(cube)
+    hidden = cube.modifiers.new("Hidden", "ARRAY")
+    hidden.show_viewport = False
+    mesh = only_mesh(scene)
+    assert (len(mesh.positions), mesh.scheme) == (24, "catmull-clark")
+
+
+def test_a_subdivision_that_is_not_the_last_is_evaluated(scene: Any) -> None:
+    cube = tools.cube_scene(scene)
+    tools.subdivide(cube, levels=1)
+    cube.modifiers.new("Array", "ARRAY").count = 2
+    mesh = only_mesh(scene)
+    assert (len(mesh.positions), mesh.scheme) == (52, None)
+
+
+def test_simple_subdivision_is_drawn_as_it_is(scene: Any) -> None:
+    cube = tools.cube_scene(scene)
+    tools.subdivide(cube, levels=1, subdivision_type="SIMPLE")
+    mesh = only_mesh(scene)
+    assert (len(mesh.positions), mesh.scheme) == (26, "none")
+
+
+def test_keyframed_cages_are_read_at_their_frame(scene: Any) -> None:
+    cube = tools.cube_scene(scene)
+    lift = cube.modifiers.new("Displace", "DISPLACE")
+    lift.direction, lift.mid_level, lift.strength = "Z", 0, 0
+    lift.keyframe_insert("strength", frame=1)
+    lift.strength = 4
+    lift.keyframe_insert("strength", frame=11)
+    tools.subdivide(cube)
+    for frame, height in ((1, 1.0), (11, 5.0)):
+        scene.frame_set(frame)
+        assert only_mesh(scene).positions[:, 2].max() == pytest.approx(height, abs=1e-5)
+
+
+def test_instances_of_collections_are_drawn_where_they_are(scene: Any) -> None:
+    tools.add_camera(scene)
+    collection = bpy.data.collections.new("Parts")
+    cube = tools.add_cube("Part")
+    tools.subdivide(cube)
+    scene.collection.objects.unlink(cube)
+    collection.objects.link(cube)
+    for x in (0, 4):
+        empty = bpy.data.objects.new("Copy", None)
+        empty.instance_type, empty.instance_collection = "COLLECTION", collection
+        empty.location.x = x
+        scene.collection.objects.link(empty)
+    meshes = read(scene).meshes
+    assert [m.scheme for m in meshes] == ["catmull-clark"] * 2
+    assert [m.positions[:, 0].min() for m in meshes] == [-1, 3]
+    assert {m.name for m in meshes} == {"Part"}
+
+
+def test_texts_and_curves_are_drawn_once(scene: Any) -> None:
+    tools.add_camera(scene)
+    curve = bpy.data.curves.new("Tube", "CURVE")
+    curve.dimensions, curve.bevel_depth = "3D", 0.2
+    curve.splines.new("POLY").points.add(1)
+    curve.splines[0].points[1].co = (1, 0, 0, 1)
+    scene.collection.objects.link(bpy.data.objects.new("Tube", curve))
+    assert len(only_mesh(scene).face_sizes)
+
+
+def test_hidden_objects_are_left_out(scene: Any) -> None:
+    tools.cube_scene(scene)
+    tools.add_cube("No Render").hide_render = True
+    tools.add_cube("No Viewport").hide_viewport = True
+    assert only_mesh(scene).name == "Box"
+
+
+def test_edits_in_edit_mode_are_read(scene: Any) -> None:
+    cube = tools.cube_scene(scene)
+    bpy.context.view_layer.objects.active = cube
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.transform.translate(value=(0, 0, 2))
+    try:
+        assert only_mesh(scene).positions[:, 2].min() == pytest.approx(1)
+    finally:
+        bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def add_light(scene: Any, kind: str, place: Any, energy: float) -> Any:
+    light = bpy.data.objects.new(kind, bpy.data.lights.new(kind, kind))
+    light.location = place
+    light.data.energy = energy
+    scene.collection.objects.link(light)
+    return light
+
+
+def test_lights_are_read_with_their_place_and_direction(scene: Any) -> None:
+    tools.add_camera(scene)
+    tools.add_cube()
+    sun = add_light(scene, "SUN", (9, 9, 9), 2)
+    sun.rotation_euler.x = math.radians(90)  # shines along +y
+    spot = add_light(scene, "SPOT", (0, 0, 5), 100)
+    spot.data.spot_size = math.radians(60)
+    add_light(scene, "POINT", (0, 0, 5), 100)
+    add_light(scene, "AREA", (0, 0, 5), 100)
+    add_light(scene, "POINT", (0, 0, 2), 0)
+    lights = {light.kind: light for light in read(scene).lights}
+    assert set(lights) == {"sun", "spot", "point", "area"}
+    assert lights["sun"].vector == pytest.approx([0, -1, 0], abs=1e-6)
+    assert lights["sun"].strength == 1  # the strongest
+    assert lights["spot"].vector == pytest.approx([0, 0, 5])
+    assert lights["spot"].direction == pytest.approx([0, 0, -1])
+    assert lights["spot"].angle_rad == pytest.approx(math.radians(30))
+    assert lights["area"].strength == pytest.approx(4 * lights["point"].strength)
+    assert not read(scene, use_lights=False).lights
+
+
+def test_a_farther_light_is_weaker(scene: Any) -> None:
+    tools.add_camera(scene)
+    tools.add_cube()
+    add_light(scene, "POINT", (0, 0, 2), 50)
+    add_light(scene, "POINT", (0, 0, 4), 50)
+    strengths = sorted(light.strength for light in read(scene).lights)
+    assert strengths == pytest.approx([0.25, 1])

@@ -1,0 +1,166 @@
+"""Scenes to test with, and a view of the strokes in them that shares no code with the add-on."""
+
+import ctypes
+from typing import Any
+
+import bpy
+import numpy as np
+from mathutils import Vector
+
+V3 = bpy.app.version >= (4, 3, 0)
+Stroke = dict[str, Any]
+
+
+def add_camera(scene: Any, place: Any = (5, -6, 4), size: Any = (320, 240), **settings: Any) -> Any:
+    """A camera at `place` that looks at the origin."""
+    camera = bpy.data.objects.new("Eye", bpy.data.cameras.new("Eye"))
+    for name, value in settings.items():
+        setattr(camera.data, name, value)
+    camera.location = place
+    camera.rotation_euler = Vector(place).to_track_quat("Z", "Y").to_euler()
+    scene.collection.objects.link(camera)
+    scene.camera = camera
+    scene.render.resolution_x, scene.render.resolution_y = size
+    return camera
+
+
+def add_cube(name: str = "Box", place: Any = (0, 0, 0)) -> Any:
+    bpy.ops.mesh.primitive_cube_add(location=place)
+    cube = bpy.context.object
+    cube.name = cube.data.name = name
+    return cube
+
+
+def add_mesh(name: str, positions: Any, faces: Any) -> Any:
+    data = bpy.data.meshes.new(name)
+    data.from_pydata(positions, [], faces)
+    thing = bpy.data.objects.new(name, data)
+    bpy.context.scene.collection.objects.link(thing)
+    return thing
+
+
+def subdivide(thing: Any, **settings: Any) -> Any:
+    modifier = thing.modifiers.new("Subdivision", "SUBSURF")
+    for name, value in settings.items():
+        setattr(modifier, name, value)
+    return modifier
+
+
+def cube_scene(scene: Any) -> Any:
+    """A cube before a camera, with a sun; the cube."""
+    add_camera(scene)
+    sun = bpy.data.objects.new("Sun", bpy.data.lights.new("Sun", "SUN"))
+    scene.collection.objects.link(sun)
+    return add_cube()
+
+
+def shade_smooth(thing: Any, smooth: Any) -> None:
+    thing.data.polygons.foreach_set("use_smooth", smooth)
+    thing.data.update()
+
+
+def pencil_type() -> str:
+    return "GREASEPENCIL" if V3 else "GPENCIL"
+
+
+def read_pencil(thing: Any) -> dict[str, list[Stroke]]:
+    """Strokes of a Grease Pencil object by layer, all frames."""
+    found: dict[str, list[Stroke]] = {}
+    for layer in thing.data.layers:
+        name = layer.name if V3 else layer.info
+        found[name] = [
+            _stroke(s) for f in layer.frames for s in (f.drawing.strokes if V3 else f.strokes)
+        ]
+    return found
+
+
+def _stroke(stroke: Any) -> Stroke:
+    if V3:
+        return {
+            "points": np.array([p.position for p in stroke.points]),
+            "radii": np.array([p.radius for p in stroke.points]),
+            "closed": stroke.cyclic,
+        }
+    return {
+        "points": np.array([p.co for p in stroke.points]),
+        "closed": stroke.use_cyclic,
+        "radii": np.array([p.pressure for p in stroke.points]) * stroke.line_width / 2000,
+    }
+
+
+def read_curves(things: Any) -> dict[str, list[Stroke]]:
+    """Strokes of curve objects by what follows 'Illustration ' in their names."""
+    return {
+        thing.name.partition(" ")[2]: [
+            {
+                "points": np.array([p.co[:3] for p in spline.points]),
+                "closed": spline.use_cyclic_u,
+                "radii": np.array([p.radius for p in spline.points]) * thing.data.bevel_depth,
+            }
+            for spline in thing.data.splines
+        ]
+        for thing in things
+    }
+
+
+def add_artists_stroke(layer: Any, material: int = 0) -> None:
+    """A stroke of three points at (7, 7, 7)."""
+    frame = layer.frames[0] if len(layer.frames) else layer.frames.new(1)
+    if V3:
+        frame.drawing.add_strokes([3])
+        points = frame.drawing.strokes[len(frame.drawing.strokes) - 1].points
+        for point in points:
+            point.position = (7, 7, 7)
+        return
+    stroke = frame.strokes.new()
+    stroke.line_width, stroke.material_index = 30, material
+    stroke.points.add(3)
+    for point in stroke.points:
+        point.co = (7, 7, 7)
+
+
+def is_artists(stroke: Stroke) -> bool:
+    return bool((stroke["points"] == 7).all())
+
+
+def flush() -> None:
+    """So that what Blender printed can be read."""
+    ctypes.CDLL(None).fflush(None)
+
+
+def snapshot() -> dict[str, Any]:
+    """What an operator that fails must leave as it was."""
+    blocks = {
+        name: sorted(
+            block.name for block in getattr(bpy.data, name) if block.name != "Render Result"
+        )
+        for name in (
+            "objects",
+            "meshes",
+            "scenes",
+            "materials",
+            "collections",
+            "cameras",
+            "curves",
+            "worlds",
+            "grease_pencils",
+            "lights",
+            "images",
+        )
+    }
+    scene = bpy.context.scene
+    things = {
+        thing.name: (
+            list(map(tuple, thing.matrix_world)),
+            thing.select_get(),
+            [m.name for m in thing.modifiers],
+        )
+        for thing in scene.objects
+    }
+    return {
+        **blocks,
+        "things": things,
+        "frame": scene.frame_current,
+        "engine": scene.render.engine,
+        "active": bpy.context.view_layer.objects.active,
+    }

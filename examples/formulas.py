@@ -1,0 +1,91 @@
+"""Meshes from formulas: positions (n, 3) and quads (f, 4)."""
+
+from typing import Any
+
+import numpy as np
+
+
+def _grid_quads(index: Any) -> Any:
+    """Quads (f, 4) between neighbours of a grid of vertex numbers (rows, columns)."""
+    corners = index[:-1, :-1], index[1:, :-1], index[1:, 1:], index[:-1, 1:]
+    return np.stack(corners, axis=-1).reshape(-1, 4)
+
+
+def torus(ring: float, tube: float, rows: int = 64, columns: int = 32) -> tuple[Any, Any]:
+    """A torus round the z axis: radius of the ring, radius of the tube."""
+    u, v = np.meshgrid(
+        2 * np.pi * np.arange(rows) / rows, 2 * np.pi * np.arange(columns) / columns, indexing="ij"
+    )
+    rho = ring + tube * np.cos(v)
+    positions = np.stack([rho * np.cos(u), rho * np.sin(u), tube * np.sin(v)], axis=-1)
+    index = np.pad(np.arange(u.size).reshape(u.shape), ((0, 1), (0, 1)), mode="wrap")
+    return positions.reshape(-1, 3), _grid_quads(index)
+
+
+def sphere(radius: float, cells: int = 24) -> tuple[Any, Any]:
+    """A sphere without poles: the six sides of a cube of cells x cells quads, blown up."""
+    line = np.tan(np.linspace(-np.pi / 4, np.pi / 4, cells + 1))
+    a, b = np.meshgrid(line, line, indexing="ij")
+    one = np.ones_like(a)
+    sides = [(one, a, b), (-one, b, a), (b, one, a), (a, -one, b), (a, b, one), (b, a, -one)]
+    points = np.concatenate([np.stack(side, axis=-1).reshape(-1, 3) for side in sides])
+    points *= radius / np.linalg.norm(points, axis=1, keepdims=True)
+    _, first, same = np.unique(
+        np.round(points / radius, 9), axis=0, return_index=True, return_inverse=True
+    )
+    index = same.reshape(6, cells + 1, cells + 1)
+    return points[first], np.concatenate([_grid_quads(side) for side in index])
+
+
+def klein_bottle(rows: int = 128, columns: int = 40) -> tuple[Any, Any]:
+    """The classic bottle, upright along z: its neck bends round and enters the body from the side.
+
+    The last row meets the first mirrored, v against pi - v: the surface has one side only
+    (`columns` even).
+    """
+    u, v = np.meshgrid(
+        np.pi * np.arange(rows) / rows, 2 * np.pi * np.arange(columns) / columns, indexing="ij"
+    )
+    c, s, cv = np.cos(u), np.sin(u), np.cos(v)
+    x = -2 / 15 * c * (3 * cv - 30 * s + 90 * c**4 * s - 60 * c**6 * s + 5 * c * s * cv)
+    z = (
+        -1
+        / 15
+        * s
+        * (
+            3 * cv
+            - 3 * c**2 * cv
+            - 48 * c**4 * cv
+            + 48 * c**6 * cv
+            - 60 * s
+            + 5 * c * s * cv
+            - 5 * c**3 * s * cv
+            - 80 * c**5 * s * cv
+            + 80 * c**7 * s * cv
+        )
+    )
+    y = 2 / 15 * (3 + 5 * c * s) * np.sin(v)
+    index = np.arange(u.size).reshape(u.shape)
+    mirrored = index[0, (columns // 2 - np.arange(columns)) % columns]
+    index = np.pad(np.vstack([index, mirrored]), ((0, 0), (0, 1)), mode="wrap")
+    return np.stack([x, y, z], axis=-1).reshape(-1, 3), _grid_quads(index)
+
+
+def drape(rows: int = 90, columns: int = 260, folds: float = 4.5) -> tuple[Any, Any]:
+    """A cloth in the x-z plane that hangs from a gathered top, in folds that lie over each other.
+
+    Each level is a meander: its direction swings to and fro, below by more than a right angle, so
+    that the folds hide parts of the cloth.
+    """
+    s, t = np.linspace(0, 1, columns + 1), np.linspace(0, 1, rows + 1)[:, None]
+    phase = 2 * np.pi * folds * (s + 0.035 * np.sin(2 * np.pi * s + 1)) + 0.5 * t * np.cos(5 * s)
+    swing = (0.6 + 1.2 * np.sqrt(t)) * (1 + 0.08 * np.sin(4.1 * s + 0.6) - 0.05 * np.cos(9 * s))
+    heading = swing * np.cos(phase)
+    step = np.stack([np.cos(heading), np.sin(heading)], axis=-1)
+    plan = np.cumsum(step, axis=1) - step / 2
+    plan -= plan.mean(axis=1, keepdims=True)
+    width = np.ptp(plan[..., 0], axis=1)[:, None, None]
+    plan *= (1.55 + 0.75 * t[..., None] ** 1.5) / width
+    z = 2.2 * (1 - t) - 0.05 * np.sin(np.pi * s) + 0.03 * t * np.sin(phase)
+    positions = np.concatenate([plan, z[..., None]], axis=-1)
+    return positions.reshape(-1, 3), _grid_quads(np.arange(z.size).reshape(z.shape))
