@@ -1,20 +1,33 @@
 #include "hatch/reduce_hatches.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cstdlib>
+#include <utility>
 
+#include "hatch/choose_family.h"
 #include "hatch/critical_curves.h"
 #include "hatch/neighbour_grid.h"
 
 namespace illustrate {
 namespace {
 
-// Pieces shorter than this share of the least length are not worth a stroke.
-constexpr double least_piece = 0.5;
+// Shorter strokes are specks, in spacings. Undercuts are full of them.
+constexpr double shortest_stroke = 1.5;
 
-// The region a point of a hatch lies in. Beyond both, where a cell at the outline is empty, a point
+// Pieces vote with one point in so many spacings.
+constexpr double vote_step = 0.8;
+
+// What joins two pieces of a hatch across a shadow, in votes.
+constexpr int shadow_link = 6;
+
+// Radians per spacing: less bend says little about the form. Where it bends in neither direction
+// the longer strokes are to be kept: what each spacing of length is worth.
+constexpr double slight_bend = 0.005;
+constexpr double worth_of_length = 1e-6;
+
+// The region a point of a hatch lies in. Beyond all, where a cell at the outline is empty, a point
 // goes with the one before it.
-enum class Region : std::uint8_t { neither, single, crossed };
+enum class Region : std::uint8_t { neither, single, shadow, undercut };
 
 double length_px(Span<const HatchPoint> curve) {
   double length = 0;
@@ -36,54 +49,77 @@ class Reducer {
         spacing_scale_(spacing_scale),
         curves_(graph, tone.width * tone.cell_px, tone.height * tone.cell_px),
         grid_(tone.width * tone.cell_px, tone.height * tone.cell_px, options.spacing_px),
+        votes_(tone.width * tone.cell_px, tone.height * tone.cell_px, options.spacing_px),
         owner_(points_.size()),
         region_(points_.size(), Region::neither),
         kept_(points_.size(), 1),
-        visited_(hatches.kinds.size(), 0) {
+        piece_of_(points_.size(), none) {
     for (int h = 0; h < count(); ++h) enter(h, tone);
   }
 
-  // The kept pieces of all hatches, in their order.
+  // The kept parts of all hatches, in their order.
   Hatches reduce() {
-    const std::vector<int> order = longest_first();
-    for (const int hatch : order) delete_from(hatch);
-    restore_beside_kept(order);
+    const Ragged<FamilyLink> links = this->links();
+    const FamilyChoice choice = choose_family(links, preferences(links));
+    for (const int piece : choice.order) {
+      if (choice.is_kept[piece]) keep_uncrossed(pieces_[piece]);
+    }
+    for (const Run& run : longest_uncrossed()) keep_uncrossed(run);
     Hatches result;
     for (int h = 0; h < count(); ++h) {
-      const bool is_whole = std::all_of(kept_.begin() + begin(h), kept_.begin() + end(h),
-                                        [](std::uint8_t kept) { return kept != 0; });
-      runs(
-          h, [&](int i) { return kept_[i] != 0; },
-          [&](int from, int to) {
-            const double length = length_px({&points_[from], static_cast<std::size_t>(to - from)});
-            if (is_whole || length >= least_piece * options_.min_length_px)
-              add(result, h, from, to);
-          });
+      for (const Run& run : runs({begin(h), end(h)}, [&](int i) { return kept_[i] != 0; })) {
+        if (run.to - run.from >= 2 && is_worth_a_stroke(run)) add(result, h, run);
+      }
     }
     return result;
   }
 
  private:
+  // Points [from, to) of a hatch.
+  struct Run {
+    int from;
+    int to;
+  };
+
   int count() const { return static_cast<int>(hatches_.kinds.size()); }
   int begin(int hatch) const { return hatches_.curves.offsets[hatch]; }
   int end(int hatch) const { return hatches_.curves.offsets[hatch + 1]; }
   bool is_undercut(int hatch) const { return hatches_.kinds[hatch] == Kind::undercut; }
 
+  double spacing_of(int hatch) const {
+    const double scale = spacing_scale_.empty() ? 1 : spacing_scale_[hatches_.objects[hatch]];
+    return std::max(1.0, options_.spacing_px * scale);
+  }
+
+  double length_of(const Run& run) const {
+    return length_px({&points_[run.from], static_cast<std::size_t>(run.to - run.from)});
+  }
+
   static Region region_of(const ToneMap& tone, const Vec2& image) {
     const int cell = tone.cell_of(image);
     if (cell == none || tone.band[cell] == Band::mach_band) return Region::neither;
-    if (tone.band[cell] == Band::undercut) return Region::crossed;
+    if (tone.band[cell] == Band::undercut) return Region::undercut;
     if (tone.level[cell] == Tone::midtone) return Region::single;
-    return tone.level[cell] == Tone::shadow ? Region::crossed : Region::neither;
+    return tone.level[cell] == Tone::shadow ? Region::shadow : Region::neither;
   }
 
+  // A hatch's regions, and its pieces: what is in single-hatch regions, deleted at first.
   void enter(int hatch, const ToneMap& tone) {
     for (int i = begin(hatch); i < end(hatch); ++i) {
       owner_[i] = hatch;
       region_[i] = region_of(tone, points_[i].image);
       if (region_[i] == Region::neither && i > begin(hatch)) region_[i] = region_[i - 1];
-      if (region_[i] != Region::single || is_undercut(hatch)) continue;
-      grid_.add({points_[i].image, tangent_at(i), i});
+    }
+    if (is_undercut(hatch)) return;
+    const auto is_single = [&](int i) { return region_[i] == Region::single; };
+    for (const Run& run : runs({begin(hatch), end(hatch)}, is_single)) {
+      for (int i = run.from; i < run.to; ++i) {
+        kept_[i] = 0;
+        piece_of_[i] = static_cast<int>(pieces_.size());
+        grid_.add({points_[i].image, tangent_at(i), i});
+      }
+      for (const int i : voters(run)) votes_.add({points_[i].image, tangent_at(i), i});
+      pieces_.push_back(run);
     }
   }
 
@@ -93,123 +129,149 @@ class Reducer {
     return (points_[after].position - points_[before].position).normalized();
   }
 
-  // Of the hatches of a region the longest is visited first, and so is the first to go: the family
-  // that runs straight along a limb gives way to the one that bends round it.
-  std::vector<int> longest_first() const {
-    std::vector<double> length;
-    for (int h = 0; h < count(); ++h) length.push_back(length_px(hatches_.curves[h]));
-    std::vector<int> order(length.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int a, int b) { return length[a] > length[b]; });
-    return order;
-  }
-
-  // Breadth-first over parallel neighbours of deleted hatches.
-  void delete_from(int first) {
-    if (visited_[first] || is_undercut(first)) return;
-    std::vector<int> queue{first};
-    visited_[first] = 1;
-    for (std::size_t next = 0; next < queue.size(); ++next) {
-      const int hatch = queue[next];
-      if (!is_crossed(hatch)) continue;
-      for (int i = begin(hatch); i < end(hatch); ++i) kept_[i] = region_[i] == Region::crossed;
-      add_parallel_neighbours(hatch, false, queue);
+  // The points that a piece votes with.
+  std::vector<int> voters(const Run& run) const {
+    const double spacing = spacing_of(owner_[run.from]);
+    const double step = std::min(options_.step_px, spacing / 4);
+    const int stride = std::max(1, static_cast<int>(vote_step * spacing / step));
+    std::vector<int> chosen;
+    for (int i = run.from + (run.to - run.from - 1) % stride / 2; i < run.to; i += stride) {
+      chosen.push_back(i);
     }
+    return chosen;
   }
 
-  // Departure from section 6.5: where both directions were deleted, each because of what it met
-  // elsewhere, pieces that now cross nothing come back. Breadth-first beside what is kept, so that
-  // regions grow and no new ones start between them.
-  void restore_beside_kept(const std::vector<int>& order) {
-    visited_.assign(visited_.size(), 0);
-    for (const bool from_kept : {true, false}) {
-      std::vector<int> queue;
-      for (const int hatch : order) {
-        if (visited_[hatch] || is_undercut(hatch) || (from_kept && !is_kept_in_single(hatch)))
-          continue;
-        visited_[hatch] = 1;
-        queue.push_back(hatch);
+  Ragged<FamilyLink> links() const {
+    Ragged<FamilyLink> result;
+    std::vector<int> weight(pieces_.size(), 0), others;
+    const auto link = [&](int other, int by) {
+      if (weight[other] == 0) others.push_back(other);
+      weight[other] += by;
+    };
+    for (int piece = 0; piece < static_cast<int>(pieces_.size()); ++piece) {
+      others.clear();
+      link_neighbours(piece, link);
+      for (const int other : {piece - 1, piece + 1}) {
+        if (is_same_hatch(piece, other)) link(other, shadow_link);
       }
-      for (std::size_t next = 0; next < queue.size(); ++next) {
-        restore(queue[next]);
-        add_parallel_neighbours(queue[next], true, queue);
+      for (const int other : others) {
+        if (weight[other] != 0) result.push({other, weight[other]});
+        weight[other] = 0;
+      }
+      result.close_list();
+    }
+    return result;
+  }
+
+  bool is_same_hatch(int piece, int other) const {
+    return other >= 0 && other < static_cast<int>(pieces_.size()) &&
+           owner_[pieces_[other].from] == owner_[pieces_[piece].from];
+  }
+
+  template <class Link>
+  void link_neighbours(int piece, const Link& link) const {
+    for (const int i : voters(pieces_[piece])) {
+      any_neighbour(votes_, i, [&](int other, bool parallel) {
+        if (!curves_.separate(points_[i].image, points_[other].image)) {
+          link(piece_of_[other], parallel ? 1 : -1);
+        }
+        return false;
+      });
+    }
+  }
+
+  // How far the form bends along a piece, in radians.
+  double bend_of(const Run& piece) const {
+    double bend = 0;
+    for (int i = piece.from + 1; i < piece.to; ++i) {
+      const Vec3 a = normal_at(surface_, points_[i - 1].on), b = normal_at(surface_, points_[i].on);
+      bend += std::abs((a.dot(b) < 0 ? Vec3(a + b) : Vec3(a - b)).dot(tangent_at(i)));
+    }
+    return bend;
+  }
+
+  // Strokes show a form best that run round it, where it bends more than across them.
+  std::vector<double> preferences(const Ragged<FamilyLink>& links) const {
+    std::vector<double> curvature, result;
+    for (const Run& piece : pieces_) {
+      const double length = std::max(1.0, length_of(piece) / spacing_of(owner_[piece.from]));
+      curvature.push_back(bend_of(piece) / length + slight_bend + worth_of_length * length);
+    }
+    for (std::size_t piece = 0; piece < pieces_.size(); ++piece) {
+      double across = 0, weight = 0;
+      for (const FamilyLink& link : links[piece]) {
+        across -= std::min(link.weight, 0) * curvature[link.other];
+        weight -= std::min(link.weight, 0);
+      }
+      const double other = weight > 0 ? across / weight : curvature[piece];
+      result.push_back((curvature[piece] - other) / (curvature[piece] + other));
+    }
+    return result;
+  }
+
+  void keep_uncrossed(const Run& within) {
+    for (const Run& run : runs(within, [&](int i) { return !kept_[i] && !is_crossed_at(i); })) {
+      if (run.to - run.from >= 2) std::fill(&kept_[run.from], &kept_[run.to - 1] + 1, 1);
+    }
+  }
+
+  // Parts of deleted pieces that cross nothing that is kept and are worth a stroke.
+  std::vector<Run> longest_uncrossed() const {
+    std::vector<std::pair<double, int>> order;
+    std::vector<Run> found, result;
+    for (const Run& piece : pieces_) {
+      for (const Run& run : runs(piece, [&](int i) { return !kept_[i] && !is_crossed_at(i); })) {
+        const double length = length_of(run);
+        if (length < shortest_stroke * spacing_of(owner_[run.from])) continue;
+        order.push_back({-length, static_cast<int>(found.size())});
+        found.push_back(run);
       }
     }
+    std::sort(order.begin(), order.end());
+    for (const auto& entry : order) result.push_back(found[entry.second]);
+    return result;
   }
 
-  bool is_kept_in_single(int hatch) const {
-    for (int i = begin(hatch); i < end(hatch); ++i) {
-      if (kept_[i] && region_[i] == Region::single) return true;
-    }
-    return false;
-  }
-
-  void restore(int hatch) {
-    const auto is_free = [&](int i) { return !kept_[i] && !is_crossed_at(i); };
-    runs(hatch, is_free, [&](int from, int to) {
-      const double length = length_px({&points_[from], static_cast<std::size_t>(to - from)});
-      if (length >= options_.min_length_px) std::fill(&kept_[from], &kept_[to - 1] + 1, 1);
-    });
-  }
-
-  // Whether use(point, parallel) accepts a point of another hatch that is near this one in a
-  // single-hatch region, no critical curve between.
+  // Whether use(point, parallel) accepts a point of another hatch in `grid` within two spacings.
   template <class Use>
-  bool any_neighbour(int point, const Use& use) const {
-    const double scale =
-        spacing_scale_.empty() ? 1 : spacing_scale_[hatches_.objects[owner_[point]]];
-    const double radius = 2 * std::max(1.0, options_.spacing_px * scale);
+  bool any_neighbour(const NeighbourGrid& grid, int point, const Use& use) const {
+    const double radius = 2 * spacing_of(owner_[point]);
     const Vec3 tangent = tangent_at(point), normal = normal_at(surface_, points_[point].on);
-    const Vec2& image = points_[point].image;
-    return grid_.any_within(image, radius, [&](const HatchNode& node) {
+    return grid.any_within(points_[point].image, radius, [&](const HatchNode& node) {
       if (owner_[node.point] == owner_[point]) return false;
       return use(node.point, are_parallel(tangent, normal, node.tangent));
     });
   }
 
   bool is_crossed_at(int point) const {
-    return any_neighbour(point, [&](int other, bool parallel) {
+    return any_neighbour(grid_, point, [&](int other, bool parallel) {
       return !parallel && kept_[other] &&
              !curves_.separate(points_[point].image, points_[other].image);
     });
   }
 
-  bool is_crossed(int hatch) const {
-    for (int i = begin(hatch); i < end(hatch); ++i) {
-      if (region_[i] == Region::single && is_crossed_at(i)) return true;
-    }
-    return false;
+  bool is_worth_a_stroke(const Run& run) const {
+    const auto is_in_undercut = [](Region region) { return region == Region::undercut; };
+    return std::any_of(&region_[run.from], &region_[run.to - 1] + 1, is_in_undercut) ||
+           length_of(run) >= shortest_stroke * spacing_of(owner_[run.from]);
   }
 
-  // Of the points of a hatch that are kept, or of those that are not.
-  void add_parallel_neighbours(int hatch, bool of_kept, std::vector<int>& queue) {
-    for (int i = begin(hatch); i < end(hatch); ++i) {
-      if (region_[i] != Region::single || (kept_[i] != 0) != of_kept) continue;
-      any_neighbour(i, [&](int other, bool parallel) {
-        if (!parallel || visited_[owner_[other]]) return false;
-        if (curves_.separate(points_[i].image, points_[other].image)) return false;
-        visited_[owner_[other]] = 1;
-        queue.push_back(owner_[other]);
-        return false;
-      });
+  // The longest runs of points that are `chosen`.
+  template <class Chosen>
+  static std::vector<Run> runs(const Run& within, const Chosen& chosen) {
+    std::vector<Run> result;
+    for (int from = within.from, to; from < within.to; from = to + 1) {
+      for (to = from; to < within.to && chosen(to);) ++to;
+      if (to > from) result.push_back({from, to});
     }
+    return result;
   }
 
-  // Calls use(from, to) for the longest runs [from, to) of at least two points of a hatch that are
-  // `chosen`.
-  template <class Chosen, class Use>
-  void runs(int hatch, const Chosen& chosen, const Use& use) const {
-    for (int from = begin(hatch), to; from < end(hatch); from = to + 1) {
-      for (to = from; to < end(hatch) && chosen(to);) ++to;
-      if (to - from >= 2) use(from, to);
-    }
-  }
-
-  void add(Hatches& result, int hatch, int from, int to) const {
-    const bool in_single =
-        std::find(&region_[from], &region_[to - 1] + 1, Region::single) != &region_[to - 1] + 1;
-    result.curves.add(Span<const HatchPoint>{&points_[from], static_cast<std::size_t>(to - from)});
+  void add(Hatches& result, int hatch, const Run& run) const {
+    const Region* last = &region_[run.to - 1] + 1;
+    const bool in_single = std::find(&region_[run.from], last, Region::single) != last;
+    result.curves.add(
+        Span<const HatchPoint>{&points_[run.from], static_cast<std::size_t>(run.to - run.from)});
     result.kinds.push_back(is_undercut(hatch) ? Kind::undercut
                            : in_single        ? Kind::hatch
                                               : Kind::cross_hatch);
@@ -222,11 +284,13 @@ class Reducer {
   const HatchOptions& options_;
   const std::vector<double>& spacing_scale_;
   CriticalCurves curves_;
-  NeighbourGrid grid_;                 // points in single-hatch regions
-  std::vector<int> owner_;             // hatch of each point
-  std::vector<Region> region_;         // of each point
-  std::vector<std::uint8_t> kept_;     // of each point
-  std::vector<std::uint8_t> visited_;  // of each hatch
+  NeighbourGrid grid_;              // points of pieces
+  NeighbourGrid votes_;             // those that vote
+  std::vector<int> owner_;          // hatch of each point
+  std::vector<Region> region_;      // of each point
+  std::vector<std::uint8_t> kept_;  // of each point
+  std::vector<int> piece_of_;       // of each point, none elsewhere
+  std::vector<Run> pieces_;         // in single-hatch regions
 };
 
 }  // namespace

@@ -14,10 +14,13 @@ struct PrincipalCurvature {
 PrincipalCurvature principal_curvature(const Vec3& du, const Vec3& dv, const Vec3& duu,
                                        const Vec3& duv, const Vec3& dvv, const Vec3& normal);
 
-// Curvature for hatching directions: a polynomial jet fitted to the vertices around, smoother than the
-// line curvature. Departure from section 5, step 1: the support takes the place of a smoothed copy.
+// Curvature for hatching directions: a polynomial jet fitted to the vertices around, smoother than
+// the line curvature. Departure from section 5, step 1: the support takes the place of a smoothed
+// copy.
+// Directions lie in the tangent plane of the vertex normal, for polygon meshes in that of the jet,
+// which is nearer to the smooth surface that the vertices come from.
 struct JetOptions {
-  int rings = 3;      // of neighbours, one-sided at creases and boundaries
+  int rings = 3;  // of neighbours, one-sided at creases and boundaries
   int threads = 0;
 };
 Curvature jet_curvature(const Surface& surface, const JetOptions& options,

@@ -188,10 +188,14 @@ PrincipalCurvature JetFitter::fit(int vertex, Workspace& work) const {
   const Vec3 du(1, 0, q[1]), dv(0, 1, q[2]), fitted = du.cross(dv).normalized();
   const Vec3 z = Vec3::UnitZ() / radius;
   PrincipalCurvature k = principal_curvature(du, dv, 2 * q[3] * z, q[4] * z, 2 * q[5] * z, fitted);
-  const Vec3 direction = k.w1.x() * x + k.w1.y() * y;  // back to the vertex's own tangent plane
-  k.w1 = unit_or_zero(direction);
-  if (k.w1.isZero()) k.w1 = x;
-  k.w2 = normal.cross(k.w1);
+  // The normal of a limit surface is exact, that of a polygon mesh is worse than the fit's own.
+  const bool exact_normal = surface_.object_is_smooth[index(surface_.objects[index(vertex)])] != 0;
+  const Vec3 plane =
+      exact_normal ? normal : Vec3(fitted.x() * x + fitted.y() * y + fitted.z() * normal);
+  const Vec3 direction = k.w1.x() * x + k.w1.y() * y + k.w1.z() * normal;
+  k.w1 = unit_or_zero(direction - direction.dot(plane) * plane);
+  if (k.w1.isZero()) k.w1 = any_tangent(plane);
+  k.w2 = plane.cross(k.w1);
   return k;
 }
 

@@ -171,7 +171,7 @@ RefinedMesh base_level(const SoundMesh& mesh, const Far::TopologyRefiner& refine
   const BaseEdgeKinds kinds(mesh);
   for (int e = 0; e < level.GetNumEdges(); ++e) {
     const auto ends = level.GetEdgeVertices(e), faces = level.GetEdgeFaces(e);
-    const int face_a = faces.size() > 0 ? faces[0] : none,
+    const int face_a = !faces.empty() ? faces[0] : none,
               face_b = faces.size() > 1 ? faces[1] : none;
     result.edge_kinds.push_back(kinds.kind(ends[0], ends[1], face_a, face_b));
   }
@@ -188,7 +188,8 @@ RefinedMesh base_level(const SoundMesh& mesh, const Far::TopologyRefiner& refine
   return result;
 }
 
-RefinedMesh next_level(RefinedMesh parent, const Far::TopologyRefiner& refiner, int level_number) {
+RefinedMesh next_level(const RefinedMesh& parent, const Far::TopologyRefiner& refiner,
+                       int level_number) {
   const TopologyLevel& level = refiner.GetLevel(level_number - 1);
   const TopologyLevel& next = refiner.GetLevel(level_number);
   RefinedMesh child;

@@ -15,7 +15,7 @@ std::vector<int> ptex_faces(const SoundMesh& mesh, Scheme scheme);
 // Kinds of edges, origins, domains, places and twins; no corners and no points yet.
 RefinedMesh base_level(const SoundMesh& mesh, const OpenSubdiv::Far::TopologyRefiner& refiner,
                        Scheme scheme);
-RefinedMesh next_level(RefinedMesh parent, const OpenSubdiv::Far::TopologyRefiner& refiner,
+RefinedMesh next_level(const RefinedMesh& parent, const OpenSubdiv::Far::TopologyRefiner& refiner,
                        int level);
 
 // Corners, mates and sharpness of vertices.

@@ -123,6 +123,8 @@ Surface refine(const std::vector<SoundMesh>& meshes, const SurfaceOptions& optio
     const auto done = static_cast<double>(i);
     const Progress part = progress.part(.9 * done / count, .9 * (done + 1) / count);
     report["level_" + std::to_string(i)] = refiner.add(split[i], schemes[i], levels[i], part);
+    report["not_subdivided"] +=
+        schemes[i] != Scheme::polygons && !surface.object_is_smooth.back() ? 1 : 0;
   }
   progress.report(.9);
   mark_flat_outlines(surface);

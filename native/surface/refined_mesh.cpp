@@ -39,7 +39,7 @@ void number_edges(RefinedMesh& mesh) {
       mesh.corner_edges[static_cast<std::size_t>(h->corner)] = edge;
     }
   }
-  mesh.edge_kinds.assign(static_cast<std::size_t>(edge + 1), EdgeKind::smooth);
+  mesh.edge_kinds.assign(static_cast<std::size_t>(edge) + 1, EdgeKind::smooth);
 }
 
 void classify_edges(const SoundMesh& base, RefinedMesh& mesh) {

@@ -25,14 +25,12 @@ struct RefinedMesh {
   std::vector<int> mates;            // (c) corner of the half-edge across, `none` at open edges
   std::vector<EdgeKind> edge_kinds;  // (e)
   std::vector<std::uint8_t> sharp_vertices;  // (n) 1: the surface goes through the point
-  std::vector<std::uint8_t>
-      semi_sharp;               // (n) 1: semi-sharp here, masks of one level do not reach the limit
-  std::vector<int> base_faces;  // (f) face of the sound mesh
-  std::vector<FaceDomain> domains;     // (f) empty for polygons that are not subdivided
-  bool triangles_are_patches = false;  // Loop: a triangle is one ptex face; else it is three
-  std::vector<int>
-      places;  // (n) copies of a vertex split along seams share a number; empty: none are split
-  std::vector<int> twin_faces;     // (f) across the sheets of a double cover; empty: there is none
+  std::vector<std::uint8_t> semi_sharp;      // (n) 1: masks of this level do not reach the limit
+  std::vector<int> base_faces;               // (f) face of the sound mesh
+  std::vector<FaceDomain> domains;           // (f) empty for polygons that are not subdivided
+  bool triangles_are_patches = false;        // Loop: a triangle is one ptex face; else it is three
+  std::vector<int> places;         // (n) shared by vertices split along seams; empty: none are
+  std::vector<int> twin_faces;     // (f) on the other sheet; empty: no double cover
   std::vector<int> twin_vertices;  // (n)
 
   std::size_t face_count() const { return face_offsets.size() - 1; }

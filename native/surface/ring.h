@@ -16,8 +16,7 @@ enum class VertexRule : std::uint8_t { smooth, crease, corner };
 struct Ring {
   Vec3 centre = Vec3::Zero();
   std::vector<Vec3> edges;  // ends of the edges: as many as faces, one more in an open sector
-  std::vector<Vec3>
-      faces;  // quads: corner opposite to the centre, between edges i and i + 1; triangles: empty
+  std::vector<Vec3> faces;  // opposite corners of quads, between edges i and i + 1; else empty
   bool closed = false;
   VertexRule rule = VertexRule::smooth;
 

@@ -86,20 +86,23 @@ std::vector<std::array<int, 2>> sectors_at_seams(const RefinedMesh& mesh, const 
   return found;
 }
 
+// Each normal becomes the mean of those that turn little from it; where very many meet, which would
+// take the square of their number, the mean of all if it turns little.
 void join_normals(const std::vector<std::array<int, 2>>& group, Points& normals) {
-  Points joined;
-  const auto normal = [&](const std::array<int, 2>& g) {
-    return normals[static_cast<std::size_t>(g[1])];
-  };
+  constexpr std::size_t many = 64;
+  Points before, all(1, Vec3::Zero());
   for (const auto& g : group) {
-    Vec3 sum = Vec3::Zero();
-    for (const auto& other : group) {
-      if (normal(g).dot(normal(other)) > seam_smooth_cos) sum += normal(other);
-    }
-    joined.push_back(sum.normalized());
+    before.push_back(normals[static_cast<std::size_t>(g[1])]);
+    all[0] += before.back();
   }
+  all[0] = unit_or_zero(all[0]);
+  const Points& others = group.size() > many ? all : before;
   for (std::size_t i = 0; i < group.size(); ++i) {
-    normals[static_cast<std::size_t>(group[i][1])] = joined[i];
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& other : others) {
+      if (before[i].dot(other) > seam_smooth_cos) sum += other;
+    }
+    if (!sum.isZero()) normals[static_cast<std::size_t>(group[i][1])] = sum.normalized();
   }
 }
 

@@ -115,7 +115,7 @@ bool Subdivision::is_valid() const { return data_->refiner != nullptr; }
 
 RefinedMesh Subdivision::level(int level) const {
   RefinedMesh mesh = base_level(data_->mesh, *data_->refiner, data_->scheme);
-  for (int l = 1; l <= level; ++l) mesh = next_level(std::move(mesh), *data_->refiner, l);
+  for (int l = 1; l <= level; ++l) mesh = next_level(mesh, *data_->refiner, l);
   mesh.points = data_->points[static_cast<std::size_t>(level)];
   read_corners(mesh, data_->refiner->GetLevel(level));
   return mesh;

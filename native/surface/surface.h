@@ -1,5 +1,5 @@
-// The triangulated smooth surface that every later stage works on: points of the limit surface with its
-// normals and curvature (paper section 3).
+// The triangulated smooth surface that every later stage works on: points of the limit surface with
+// its normals and curvature (paper section 3).
 #pragma once
 
 #include "core/types.h"
@@ -10,33 +10,40 @@ namespace illustrate {
 enum class EdgeKind : std::uint8_t { smooth, boundary, crease, flat_outline, seam, mark, material };
 
 // Principal curvatures: |k1| >= |k2|, positive where the surface bends towards the normal's side;
-// w1, w2 unit tangents of the principal directions. All zero where undefined.
+// w1, w2 unit tangents of the principal directions. Where undefined, k1 and k2 are 0 and w1, w2
+// any.
 struct Curvature {
   std::vector<double> k1, k2;  // (n)
   Points w1, w2;               // (n)
 };
 
-// All meshes in one. A vertex on a crease stands once for each smooth side, with that side's normal and
-// curvature. On a surface that cannot be oriented the kept sheets share their vertices: the normal of a
-// vertex belongs to one sheet, and `flips` says which corners see it from the other.
+// All meshes in one. A vertex on a crease stands once for each smooth side, with that side's normal
+// and curvature. On a surface that cannot be oriented the kept sheets share their vertices: the
+// normal of a vertex belongs to one sheet, and `flips` says which corners see it from the other.
 struct Surface {
-  Points positions;                                // (n) on the limit surface
-  Points normals;                                  // (n) unit
-  std::vector<int> objects;                        // (n) mesh of each vertex
-  std::vector<int> places;                         // (n) copies of one point (crease sides, split vertices) share a number
-  std::vector<Triangle> triangles;                 // (t) counter-clockwise seen from the front of their sheet
-  std::vector<std::uint8_t> flips;                 // (t) bit k: corner k's normal and curvature change sign here
-  std::vector<std::array<int, 3>> neighbours;      // (t) triangle across edge k (corner k to k + 1), also across creases
-                                                   //     and seams of a double cover; none at boundaries and seams
-  std::vector<std::array<EdgeKind, 3>> edge_kinds; // (t)
-  std::vector<int> triangle_objects;               // (t)
-  std::vector<int> base_faces;                     // (n) ptex face of the base meshes, one mesh after another; none for scheme none
-  std::vector<Vec2> base_uv;                       // (n)
-  std::vector<std::uint8_t> object_is_smooth;      // (objects) 0: scheme none, drawn as the polygon mesh it is
-  std::vector<Edge> feature_edges;                 // (e) vertices; a crease edge once for each side
-  std::vector<EdgeKind> feature_kinds;             // (e)
-  Curvature curvature;                             // for silhouettes and cusps
-  double diagonal = 0;                             // of the bounding box of all positions
+  Points positions;          // (n) on the limit surface
+  Points normals;            // (n) unit
+  std::vector<int> objects;  // (n) mesh of each vertex
+  // (n) Copies of one point (crease sides, split vertices) share the number of the first of them.
+  std::vector<int> places;
+
+  std::vector<Triangle> triangles;    // (t) counter-clockwise seen from the front of their sheet
+  std::vector<std::uint8_t> flips;    // (t) bit k: corner k's normal and curvature change sign here
+  std::vector<int> triangle_objects;  // (t)
+  // (t) Triangle across edge k (corner k to k + 1), also across creases and where the sheets of a
+  // double cover meet; none at boundaries and seams.
+  std::vector<std::array<int, 3>> neighbours;
+  std::vector<std::array<EdgeKind, 3>> edge_kinds;  // (t)
+
+  // (n) Ptex face of the base meshes, one mesh after another, and where on it; none for polygons.
+  std::vector<int> base_faces;
+  std::vector<Vec2> base_uv;
+  std::vector<std::uint8_t> object_is_smooth;  // (objects) 0: drawn as the polygon mesh it is
+
+  std::vector<Edge> feature_edges;      // (e) vertices; a crease edge once for each side
+  std::vector<EdgeKind> feature_kinds;  // (e)
+  Curvature curvature;                  // for silhouettes and cusps
+  double diagonal = 0;                  // of the bounding box of all positions
 
   // +1, or -1 where the corner's vertex belongs to the other sheet of a double cover.
   double corner_sign(int triangle, int corner) const {

@@ -87,9 +87,21 @@ Far::TopologyDescriptor describe(const SoundMesh& mesh, const Sharpness& sharp) 
   return descriptor;
 }
 
+// OpenSubdiv numbers the edges round a vertex and a face in 16 bits, and does not look whether they
+// fit.
+bool fits(const SoundMesh& mesh) {
+  constexpr int most = 65535;
+  std::vector<int> faces(mesh.positions.size(), 0);
+  for (const int v : mesh.corner_vertices) ++faces[static_cast<std::size_t>(v)];
+  const auto small = [](int count) { return count < most; };
+  return std::all_of(faces.begin(), faces.end(), small) &&
+         std::all_of(mesh.face_sizes.begin(), mesh.face_sizes.end(), small);
+}
+
 }  // namespace
 
 std::unique_ptr<Far::TopologyRefiner> make_refiner(const SoundMesh& mesh, Scheme scheme) {
+  if (!fits(mesh)) return nullptr;
   Sdc::Options options;
   options.SetVtxBoundaryInterpolation(mesh.boundary == BoundaryRule::corners
                                           ? Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER

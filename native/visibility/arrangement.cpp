@@ -65,9 +65,11 @@ class PathFinder {
 void Arrangement::sort_visits() {
   visits.assign(network->strands.size(), {});
   for (std::size_t c = 0; c < crossings.size(); ++c) {
-    if (dropped[c]) continue;
+    if (states[c] == CrossingState::dropped) continue;
     const Crossing& x = crossings[c];
-    visits[idx(x.front.strand)].push_back({static_cast<int>(c), true, x.front});
+    if (states[c] == CrossingState::live) {
+      visits[idx(x.front.strand)].push_back({static_cast<int>(c), true, x.front});
+    }
     visits[idx(x.back.strand)].push_back({static_cast<int>(c), false, x.back});
   }
   for (std::vector<Visit>& list : visits) std::sort(list.begin(), list.end(), runs_before);
@@ -101,7 +103,7 @@ Arrangement arrange(const CurveNetwork& network, const Camera& camera) {
   result.network = &network;
   result.image = project_strands(network, camera);
   result.crossings = find_crossings(network, result.image);
-  result.dropped.assign(result.crossings.size(), 0);
+  result.states.assign(result.crossings.size(), CrossingState::live);
   result.paths = PathFinder(network).run();
   result.sort_visits();
   return result;

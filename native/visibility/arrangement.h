@@ -6,6 +6,10 @@
 
 namespace illustrate {
 
+// What has become of a crossing: repaired away, or demoted to a joint of its back strand, where
+// rays alone say what changes.
+enum class CrossingState : std::uint8_t { live, dropped, demoted };
+
 // One passage of a strand through a crossing.
 struct Visit {
   int crossing;
@@ -25,11 +29,11 @@ struct Arrangement {
   const CurveNetwork* network = nullptr;
   ImageStrands image;
   std::vector<Crossing> crossings;
-  std::vector<std::uint8_t> dropped;  // (crossings) 1: repaired away
+  std::vector<CrossingState> states;  // (crossings)
   std::vector<Path> paths;
-  std::vector<std::vector<Visit>> visits;  // per strand, in order, without dropped ones
+  std::vector<std::vector<Visit>> visits;  // per strand, in order, of what is left
 
-  // Must be called after `dropped` has changed.
+  // Must be called after `states` have changed.
   void sort_visits();
 
   // Image and world points of a strand's place.
@@ -38,6 +42,7 @@ struct Arrangement {
   // Index into network->points.values of point i of a strand, cyclic for closed ones.
   std::size_t point(int strand, int i) const;
   int point_count(int strand) const;
+  bool is_live(int crossing) const { return states[idx(crossing)] == CrossingState::live; }
 };
 
 // `network` must outlive the result.

@@ -37,10 +37,12 @@ class GraphBuilder {
   void add_crossing_nodes() {
     crossing_nodes_.resize(arrangement_.crossings.size(), none);
     for (std::size_t c = 0; c < arrangement_.crossings.size(); ++c) {
-      if (arrangement_.dropped[c]) continue;
+      if (arrangement_.states[c] == CrossingState::dropped) continue;
+      const bool live = arrangement_.states[c] == CrossingState::live;
       crossing_nodes_[c] = static_cast<int>(graph_.nodes.size());
-      graph_.nodes.push_back(
-          {NodeKind::crossing, arrangement_.crossings[c].image, {none, none, none, none}});
+      graph_.nodes.push_back({live ? NodeKind::crossing : NodeKind::joint,
+                              arrangement_.crossings[c].image,
+                              {none, none, none, none}});
     }
   }
 
@@ -51,33 +53,32 @@ class GraphBuilder {
   void add_path(const LabelledPath& path) {
     for (std::size_t i = 0; i < path.labels.arcs.size(); ++i) {
       const PathArc& arc = path.labels.arcs[i];
-      if (path.is_broken(i)) {
-        add_broken(arc, arc.samples[idx(path.break_sample[i])], path.at_start[i], path.at_end[i]);
-      } else {
-        start(arc, path.at_start[i]);
-        push_points(arc, begin_place(arc), end_place(arc));
-        finish(arc);
-      }
+      StrandPlace from = begin_place(arc);
+      start(arc, path.at_start[i]);
+      if (path.at_start[i] != path.along[i])
+        from = jump(arc, from, arc.samples.front(), path.along[i]);
+      if (path.along[i] != path.at_end[i])
+        from = jump(arc, from, arc.samples.back(), path.at_end[i]);
+      push_points(arc, from, end_place(arc));
+      finish(arc);
     }
   }
 
-  // Two arcs that meet at a joint in the middle, where the label jumps against all rules: the last
-  // resort.
-  void add_broken(const PathArc& arc, StrandPlace middle, int at_start, int at_end) {
+  // Ends the current arc at a joint where the label jumps against all rules, the last resort, and
+  // goes on behind it.
+  StrandPlace jump(const PathArc& arc, const StrandPlace& from, StrandPlace place, int layers) {
     const int node = static_cast<int>(graph_.nodes.size());
     graph_.nodes.push_back(
-        {NodeKind::joint, arrangement_.image_at(middle), {none, none, none, none}});
-    if (wraps(arc) && middle.segment < begin_place(arc).segment) {
-      middle.segment += arrangement_.point_count(arc.strand);
+        {NodeKind::joint, arrangement_.image_at(place), {none, none, none, none}});
+    if (wraps(arc) && place.segment < begin_place(arc).segment) {
+      place.segment += arrangement_.point_count(arc.strand);
     }
-    start(arc, at_start);
-    push_points(arc, begin_place(arc), middle);
+    push_points(arc, from, place);
     current().end_node = node;
     close();
-    open(arc, at_end);
+    open(arc, layers);
     current().start_node = node;
-    push_points(arc, middle, end_place(arc));
-    finish(arc);
+    return place;
   }
 
   bool closed(const PathArc& arc) const { return network_.strands[idx(arc.strand)].closed(); }
@@ -136,7 +137,9 @@ class GraphBuilder {
   int attach(const PathArc& arc, int visit_index, std::size_t side) {
     const Visit& visit = arrangement_.visits[idx(arc.strand)][idx(visit_index)];
     const int node = crossing_nodes_[idx(visit.crossing)];
-    graph_.nodes[idx(node)].arcs[(visit.front ? 0 : 2) + side] = current_index();
+    if (arrangement_.is_live(visit.crossing)) {
+      graph_.nodes[idx(node)].arcs[(visit.front ? 0 : 2) + side] = current_index();
+    }
     return node;
   }
 

@@ -12,10 +12,11 @@ namespace {
 
 constexpr std::size_t most_arcs_asked = 1000;  // of one path, the longest ones
 constexpr double asked_thrice_px = 30;         // longer arcs are asked at three places
-constexpr double outline_weight = 1e4;    // the outside of the drawing is certain: px of length
-constexpr double beside_nothing_px = 40;  // an arc next to the empty background is nearly certain
-constexpr double hidden_break_px = 12;    // what a break costs, in px of wrong label
+constexpr double outline_weight = 1e4;     // the outside of the drawing is certain: px of length
+constexpr double beside_nothing_px = 100;  // an arc next to the empty background is nearly certain
+constexpr double hidden_break_px = 12;     // what a break costs, in px of wrong label
 constexpr double visible_break_px = 30;
+constexpr double free_change_px = 1;  // a change at a demoted crossing
 constexpr int most_layers = 64;
 constexpr double least_weight = 1e-6;  // an arc without length still prefers its ray
 constexpr int outline_directions = 16;
@@ -60,49 +61,57 @@ class LeastContradiction {
     return evidence_[arc].weight * std::abs(layers - evidence_[arc].layers);
   }
 
-  // A break stands at the end where the label is wrong, so it costs little but its price.
-  double broken(std::size_t arc, int from, int to) const {
-    const double price = from == 0 || to == 0 ? visible_break_px : hidden_break_px;
-    return std::min(wrong(arc, from), wrong(arc, to)) + price;
-  }
-
-  int break_sample(std::size_t arc, int from, int to) const {
-    const double before = wrong(arc, from), behind = wrong(arc, to);
-    return before == behind ? 2 : before > behind ? 0 : 4;
-  }
-
-  // The label at an arc's end from the costs of those at its start; remembers where each came from.
-  std::vector<double> through(std::size_t arc, const std::vector<double>& in) {
-    std::vector<double> out(in.size());
+  // Past a possible break; `origin` remembers where each label came from. Only the cheapest hidden
+  // label and 0 can be worth leaving.
+  std::vector<double> past_break(const std::vector<double>& in, int* origin) const {
+    const auto hidden = std::min_element(in.begin() + 1, in.end());
+    const int cheapest = static_cast<int>(hidden - in.begin());
+    std::vector<double> out(in);
+    const auto offer = [&](int from, int to, double price) {
+      if (from == to || in[idx(from)] + price >= out[idx(to)]) return;
+      out[idx(to)] = in[idx(from)] + price;
+      origin[to] = from;
+    };
     for (int to = 0; to < states_; ++to) {
-      double best = in[idx(to)] + wrong(arc, to);
-      int best_from = to;
-      for (int from = 0; from < states_; ++from) {
-        if (from == to || in[idx(from)] == infinity) continue;
-        const double cost = in[idx(from)] + broken(arc, from, to);
-        if (cost < best) {
-          best = cost;
-          best_from = from;
-        }
-      }
-      out[idx(to)] = best;
-      origin_[arc * idx(states_) + idx(to)] = best_from;
+      origin[to] = to;
+      offer(0, to, visible_break_px);
+      offer(cheapest, to, to == 0 ? visible_break_px : hidden_break_px);
     }
     return out;
   }
 
-  std::vector<double> to_next(std::size_t arc, const std::vector<double>& out) const {
+  // The labels at an arc's end from the costs of those at its start.
+  std::vector<double> through(std::size_t arc, const std::vector<double>& in) {
+    std::vector<double> along = past_break(in, &start_of_[arc * idx(states_)]);
+    for (int q = 0; q < states_; ++q) along[idx(q)] += wrong(arc, q);
+    return past_break(along, &along_of_[arc * idx(states_)]);
+  }
+
+  // At the start of the next arc, remembering the label at this one's end.
+  std::vector<double> to_next(std::size_t arc, const std::vector<double>& out) {
     std::vector<double> in(out.size(), infinity);
     const int change = path_.labels.change_behind(arc);
+    const bool is_free = arcs_[arc + 1].starts_free;
     for (int q = 0; q < states_; ++q) {
-      if (q + change >= 0 && q + change < states_) in[idx(q + change)] = out[idx(q)];
+      const bool possible = q - change >= 0 && q - change < states_;
+      int from = possible ? q - change : 0;
+      double best = possible ? out[idx(from)] : infinity;
+      for (int other = 0; is_free && other < states_; ++other) {
+        if (out[idx(other)] + free_change_px >= best) continue;
+        best = out[idx(other)] + free_change_px;
+        from = other;
+      }
+      in[idx(q)] = best;
+      previous_[(arc + 1) * idx(states_) + idx(q)] = from;
     }
     return in;
   }
 
   // Cyclic paths start with exactly `start` layers and have to come back to them.
   void try_start(int start, double& best) {
-    origin_.assign(arcs_.size() * idx(states_), 0);
+    start_of_.assign(arcs_.size() * idx(states_), 0);
+    along_of_.assign(arcs_.size() * idx(states_), 0);
+    previous_.assign(arcs_.size() * idx(states_), 0);
     std::vector<double> cost(idx(states_), cyclic_ ? infinity : 0);
     cost[idx(start)] = 0;
     for (std::size_t arc = 0; arc < arcs_.size(); ++arc) {
@@ -110,7 +119,9 @@ class LeastContradiction {
       if (arc + 1 < arcs_.size()) cost = to_next(arc, cost);
     }
     int last = static_cast<int>(std::min_element(cost.begin(), cost.end()) - cost.begin());
-    if (cyclic_) last = start - path_.labels.change_behind(arcs_.size() - 1);
+    if (cyclic_ && !arcs_.front().starts_free) {
+      last = start - path_.labels.change_behind(arcs_.size() - 1);
+    }
     if (last < 0 || last >= states_ || !(cost[idx(last)] < best)) return;
     best = cost[idx(last)];
     trace_back(last);
@@ -118,13 +129,14 @@ class LeastContradiction {
 
   void trace_back(int last) {
     path_.at_start.assign(arcs_.size(), 0);
+    path_.along.assign(arcs_.size(), 0);
     path_.at_end.assign(arcs_.size(), 0);
-    path_.break_sample.assign(arcs_.size(), 0);
     for (std::size_t arc = arcs_.size(); arc-- > 0;) {
+      const std::size_t row = arc * idx(states_);
       path_.at_end[arc] = last;
-      path_.at_start[arc] = origin_[arc * idx(states_) + idx(last)];
-      path_.break_sample[arc] = break_sample(arc, path_.at_start[arc], last);
-      if (arc > 0) last = path_.at_start[arc] - path_.labels.change_behind(arc - 1);
+      path_.along[arc] = along_of_[row + idx(last)];
+      path_.at_start[arc] = start_of_[row + idx(path_.along[arc])];
+      last = previous_[row + idx(path_.at_start[arc])];
     }
   }
 
@@ -133,8 +145,15 @@ class LeastContradiction {
   const std::vector<Evidence>& evidence_;
   bool cyclic_;
   int states_;
-  std::vector<int> origin_;  // [arc, label at its end] -> label at its start
+  std::vector<int> start_of_;  // [arc, label along it] -> label at its start
+  std::vector<int> along_of_;  // [arc, label at its end] -> label along it
+  std::vector<int> previous_;  // [arc, label at its start] -> label at the end of the arc before
 };
+
+bool is_inner(const Arrangement& arrangement, int strand, int point) {
+  return arrangement.network->strands[idx(strand)].closed() ||
+         (point > 0 && point + 1 < arrangement.point_count(strand));
+}
 
 // Points of the drawing that are extreme in some direction: nothing can lie in front of their
 // strands.
@@ -156,7 +175,9 @@ std::map<int, std::vector<int>> outline_points(const Arrangement& arrangement) {
         best_point = i;
       }
     }
-    if (best_strand != none) result[best_strand].push_back(best_point);
+    if (best_strand != none && is_inner(arrangement, best_strand, best_point)) {
+      result[best_strand].push_back(best_point);
+    }
   }
   return result;
 }
@@ -197,10 +218,8 @@ class Labeller {
   Evidence ask(const PathArc& arc) {
     std::array<LayerCount, 3> counts{rays_.count(arrangement_, arc.samples[2])};
     counts[1] = counts[2] = counts[0];
-    if (arc.length_px >= asked_thrice_px) {
-      counts[0] = rays_.count(arrangement_, arc.samples[1]);
-      counts[2] = rays_.count(arrangement_, arc.samples[3]);
-    }
+    if (arc.length_px >= asked_thrice_px) counts[1] = rays_.count(arrangement_, arc.samples[1]);
+    if (counts[1].layers != counts[0].layers) counts[2] = rays_.count(arrangement_, arc.samples[3]);
     std::sort(counts.begin(), counts.end(), [](const LayerCount& a, const LayerCount& b) {
       return std::tie(a.layers, b.beside_nothing) < std::tie(b.layers, a.beside_nothing);
     });
@@ -241,6 +260,23 @@ std::vector<LabelledPath> label_paths(const Arrangement& arrangement, LayerRays&
   return result;
 }
 
+void relabel_paths(const Arrangement& arrangement, const std::vector<CrossingState>& before,
+                   LayerRays& rays, std::vector<LabelledPath>& paths) {
+  std::vector<std::uint8_t> changed(arrangement.network->strands.size(), 0);
+  for (std::size_t c = 0; c < before.size(); ++c) {
+    if (before[c] == arrangement.states[c]) continue;
+    changed[idx(arrangement.crossings[c].front.strand)] = 1;
+    changed[idx(arrangement.crossings[c].back.strand)] = 1;
+  }
+  Labeller labeller(arrangement, rays);
+  for (std::size_t p = 0; p < arrangement.paths.size(); ++p) {
+    const std::vector<int>& strands = arrangement.paths[p].strands;
+    const bool touched =
+        std::any_of(strands.begin(), strands.end(), [&](int s) { return changed[idx(s)] != 0; });
+    if (touched) paths[p] = labeller.label(arrangement.paths[p]);
+  }
+}
+
 std::vector<int> contradictions(const Arrangement& arrangement,
                                 const std::vector<LabelledPath>& paths) {
   std::vector<int> front(arrangement.crossings.size(), 0), back(arrangement.crossings.size(), 0);
@@ -260,7 +296,8 @@ std::vector<int> contradictions(const Arrangement& arrangement,
   }
   std::vector<int> result;
   for (std::size_t c = 0; c < front.size(); ++c) {
-    if (!arrangement.dropped[c] && back[c] < front[c]) result.push_back(static_cast<int>(c));
+    if (arrangement.is_live(static_cast<int>(c)) && back[c] < front[c])
+      result.push_back(static_cast<int>(c));
   }
   return result;
 }

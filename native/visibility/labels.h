@@ -7,15 +7,18 @@
 
 namespace illustrate {
 
-// A path's arcs with the number of layers in front of each, at its start and at its end. They
-// differ where the path had to be broken: in the arc's middle the label jumps against all rules.
+// A path's arcs with the number of layers in front of each: at its start, along it, at its end.
+// They differ where the path had to be broken: just behind an arc's start or just before its end
+// the label then jumps against all rules.
 struct LabelledPath {
   PathLabels labels;
-  std::vector<int> at_start;      // (arcs)
-  std::vector<int> at_end;        // (arcs)
-  std::vector<int> break_sample;  // (arcs) where the jump is, if there is one
+  std::vector<int> at_start;  // (arcs)
+  std::vector<int> along;     // (arcs)
+  std::vector<int> at_end;    // (arcs)
 
-  bool is_broken(std::size_t arc) const { return at_start[arc] != at_end[arc]; }
+  int breaks(std::size_t arc) const {
+    return (at_start[arc] != along[arc]) + (along[arc] != at_end[arc]);
+  }
 };
 
 // One for each path of the arrangement: the labels that contradict the rays least, by length of
@@ -24,6 +27,10 @@ struct LabelledPath {
 // negative.
 std::vector<LabelledPath> label_paths(const Arrangement& arrangement, LayerRays& rays,
                                       const Progress& progress);
+
+// Labels anew the paths on which a crossing's state is no longer what it was in `before`.
+void relabel_paths(const Arrangement& arrangement, const std::vector<CrossingState>& before,
+                   LayerRays& rays, std::vector<LabelledPath>& paths);
 
 // Crossings whose back strand has fewer layers in front than the front strand.
 std::vector<int> contradictions(const Arrangement& arrangement,

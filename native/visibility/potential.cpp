@@ -29,12 +29,16 @@ class PathWalker {
     if (!closed || count == 0) add_arc(strand, none, count == 0 ? none : 0);
     for (int v = 0; v < count; ++v) {
       const Visit& visit = visits[idx(v)];
-      if (!visit.front) {
+      if (!visit.front && arrangement_.is_live(visit.crossing)) {
         offset_ += back_change(arrangement_, arrangement_.crossings[idx(visit.crossing)]);
       }
       const bool last = v + 1 == count;
       add_arc(strand, v, last ? (closed ? 0 : none) : v + 1);
     }
+  }
+
+  bool is_demoted(int strand, int visit) const {
+    return !arrangement_.is_live(arrangement_.visits[idx(strand)][idx(visit)].crossing);
   }
 
   StrandPlace place(int strand, int visit, int point) const {
@@ -45,11 +49,12 @@ class PathWalker {
   void add_arc(int strand, int begin, int end) {
     const int count = arrangement_.point_count(strand);
     const bool closed = arrangement_.network->strands[idx(strand)].closed();
+    const bool free = begin != none && is_demoted(strand, begin);
     const StrandPlace from = place(strand, begin, 0);
     StrandPlace to = place(strand, end, closed ? count : count - 1);
     const bool wraps = closed && begin != none && end != none && end <= begin;
     if (wraps) to.segment += count;
-    measure({strand, begin, end, offset_, 0, {}}, from, to);
+    measure({strand, begin, end, offset_, free, 0, {}}, from, to);
   }
 
   // Image length and the sample places.

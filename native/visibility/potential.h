@@ -12,7 +12,8 @@ struct PathArc {
   int strand;
   int begin;
   int end;
-  int offset;  // invisibility minus the path's base
+  int offset;        // invisibility minus the path's base
+  bool starts_free;  // at a demoted crossing: the label may change by anything there
   double length_px;
   std::array<StrandPlace, 5>
       samples;  // just behind its start, at its quarters, just before its end

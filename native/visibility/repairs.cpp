@@ -6,8 +6,10 @@
 namespace illustrate {
 namespace {
 
-constexpr double twist_px = 0.5;
+constexpr double twist_px = 1.0;
 constexpr double lens_px = 0.3;
+constexpr double joint_lens_px =
+    1.0;                            // between a joint and a crossing of two strands that meet there
 constexpr int longest_repair = 60;  // points between two crossings that are taken for one
 
 // Where a crossing is met along a path: which strand of it, and which visit of that strand.
@@ -63,7 +65,7 @@ class Repairer {
     index_stops();
     int dropped = 0;
     for (std::size_t c = 0; c < arrangement_.crossings.size(); ++c) {
-      if (!arrangement_.dropped[c] && is_twist(static_cast<int>(c)))
+      if (arrangement_.is_live(static_cast<int>(c)) && is_twist(static_cast<int>(c)))
         dropped += drop(static_cast<int>(c));
     }
     arrangement_.sort_visits();
@@ -76,9 +78,13 @@ class Repairer {
     int dropped = 0;
     for (std::size_t k = 0; k < (wanted ? wanted->size() : arrangement_.crossings.size()); ++k) {
       const int c = wanted ? (*wanted)[k] : static_cast<int>(k);
-      if (arrangement_.dropped[idx(c)]) continue;
+      if (!arrangement_.is_live(c)) continue;
       const int partner = lens_partner(c, wanted == nullptr);
-      if (partner != none) dropped += drop(c) + drop(partner);
+      if (partner != none) {
+        dropped += drop(c) + drop(partner);
+      } else if (wanted && ends_in_joint(c)) {
+        dropped += drop(c);
+      }
     }
     arrangement_.sort_visits();
     return dropped;
@@ -105,7 +111,7 @@ class Repairer {
   }
 
   int drop(int c) {
-    arrangement_.dropped[idx(c)] = 1;
+    arrangement_.states[idx(c)] = CrossingState::dropped;
     return 1;
   }
 
@@ -181,7 +187,7 @@ class Repairer {
       const Stop there = next(here);
       if (there.visit == none) continue;
       const int partner = visit(there).crossing;
-      if (partner == c || arrangement_.dropped[idx(partner)]) continue;
+      if (partner == c || !arrangement_.is_live(partner)) continue;
       const bool same_role = visit(there).front == (role == 0);
       if (only_contradictory && same_role) continue;
       const Stop other_here = stops_[2 * idx(c) + 1 - role];
@@ -196,9 +202,50 @@ class Repairer {
     const bool forward = same(next(c), d), backward = same(next(d), c);
     if (!forward && !backward) return false;
     const Stretch one = stretch(a, b), two = forward ? stretch(c, d) : stretch(d, c);
+    return is_thin(one, two, lens_px);
+  }
+
+  // Whether both strands run from the crossing into one joint without anything in between, close
+  // together.
+  bool ends_in_joint(int c) {
+    const Stop a = stops_[2 * idx(c)], b = stops_[2 * idx(c) + 1];
+    for (const bool a_forward : {true, false}) {
+      for (const bool b_forward : {true, false}) {
+        const int node = end_behind(a, a_forward);
+        if (node == none || node != end_behind(b, b_forward)) continue;
+        if (is_thin(way_to_end(a, a_forward), way_to_end(b, b_forward), joint_lens_px)) return true;
+      }
+    }
+    return false;
+  }
+
+  // The node that the strand ends in behind (before) a stop, none if there is another crossing
+  // first.
+  int end_behind(const Stop& stop, bool forward) const {
+    const Strand& s = arrangement_.network->strands[idx(strand(stop))];
+    const int last = static_cast<int>(arrangement_.visits[idx(strand(stop))].size()) - 1;
+    if (stop.visit != (forward ? last : 0)) return none;
+    return forward ? s.end_node : s.start_node;
+  }
+
+  Stretch way_to_end(const Stop& stop, bool forward) const {
+    Stretch result;
+    const StrandPlace& place = visit(stop).place;
+    const int first = forward ? place.segment + 1 : 0;
+    const int last = forward ? arrangement_.point_count(strand(stop)) - 1 : place.segment;
+    result.found = last - first < longest_repair;
+    result.points.push_back(arrangement_.crossings[idx(visit(stop).crossing)].image);
+    for (int k = 0; result.found && k <= last - first; ++k) {
+      const int i = forward ? first + k : last - k;
+      result.points.push_back(arrangement_.image.image[arrangement_.point(strand(stop), i)]);
+    }
+    return result;
+  }
+
+  bool is_thin(const Stretch& one, const Stretch& two, double limit_px) {
     if (!one.found || !two.found) return false;
     const double gap = std::max(farthest(one.points, two.points), farthest(two.points, one.points));
-    if (gap > lens_px) return false;
+    if (gap > limit_px) return false;
     moved_px_ = std::max(moved_px_, gap);
     return true;
   }

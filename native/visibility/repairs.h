@@ -11,8 +11,8 @@ namespace illustrate {
 // dropped; `moved_px` grows to the farthest distance bridged.
 int drop_twists_and_lenses(Arrangement& arrangement, double& moved_px);
 
-// Drops the lens that each of these crossings belongs to, where it belongs to one. Returns the
-// number of crossings dropped.
+// Drops the lens that each of these crossings belongs to, where it belongs to one: with another
+// crossing, or with the joint that both strands run into. Returns the number of crossings dropped.
 int drop_lenses(Arrangement& arrangement, const std::vector<int>& crossings, double& moved_px);
 
 // Joins pairs of cusps that turn the same way less than a pixel apart, on cycles whose changes do

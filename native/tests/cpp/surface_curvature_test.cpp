@@ -53,6 +53,28 @@ TEST(Jet, SphereAndEllipsoid) {
   EXPECT_LT(last, 1e-4);
 }
 
+TEST(Jet, DirectionsOfPolygonsAreThoseOfTheSmoothSurface) {
+  // A monkey saddle on a sheared grid, whose angle-weighted normals are off.
+  PolygonMesh mesh = shapes::plane(40, 40);
+  for (Vec3& p : mesh.positions) {
+    const double x = .8 * p.x() + .2 * std::sin(5 * p.y()), y = .8 * p.y();
+    p = Vec3(x, y, x * x * x - 3 * x * y * y);
+  }
+  const Surface surface = refined(mesh, at_level(0, Scheme::polygons));
+  const Curvature jet = jet_curvature(surface, {});
+  double worst = 0, worst_normal = 0;
+  for (std::size_t v = 0; v < surface.positions.size(); ++v) {
+    const Vec3& p = surface.positions[v];
+    if (std::abs(p.x()) > .5 || std::abs(p.y()) > .5) continue;
+    const Vec3 normal =
+        Vec3(3 * (p.y() * p.y() - p.x() * p.x()), 6 * p.x() * p.y(), 1).normalized();
+    worst_normal = std::max(worst_normal, (normal - surface.normals[v]).norm());
+    worst = std::max({worst, std::abs(jet.w1[v].dot(normal)), std::abs(jet.w2[v].dot(normal))});
+  }
+  EXPECT_LT(worst, 1e-3);
+  EXPECT_LT(worst, worst_normal / 3);
+}
+
 TEST(Jet, OneSidedAtCreasesAndBoundaries) {
   // Half a cylinder of radius 1 that ends in a flat floor along a crease.
   PolygonMesh mesh = shapes::height_field(24, 12, [](double, double) { return 0; });

@@ -120,6 +120,31 @@ TEST(Refine, CanBeCancelledAnywhere) {
   }
 }
 
+TEST(Refine, VertexOfVeryManyFaces) {
+  PolygonMesh cone;
+  const int n = 70000;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * shapes::pi * i / n;
+    cone.positions.emplace_back(std::cos(angle), std::sin(angle), 0);
+    shapes::add_face(cone, {n, i, (i + 1) % n});
+  }
+  cone.positions.emplace_back(0, 0, 1);
+  Counts report;
+  EXPECT_EQ(refined({cone}, at_level(0), report).triangles.size(), static_cast<std::size_t>(n));
+  EXPECT_EQ(report["not_subdivided"], 0);
+
+  SoundMesh whole;  // as no sanitized mesh is
+  whole.positions = cone.positions;
+  whole.face_sizes = cone.face_sizes;
+  whole.corner_vertices = cone.corner_vertices;
+  for (int v = 0; v <= n; ++v) whole.source_vertices.push_back(v);
+  const Surface surface = refine({whole}, at_level(1), report);
+  check_surface(surface);
+  EXPECT_EQ(report["not_subdivided"], 1);
+  EXPECT_EQ(surface.triangles.size(), static_cast<std::size_t>(n));
+  EXPECT_FALSE(surface.object_is_smooth[0]);
+}
+
 TEST(Refine, NothingGivesNothing) {
   Counts report;
   const Surface surface =

@@ -8,7 +8,7 @@ from pathlib import Path
 import illustrate_native as ill
 import numpy as np
 import pytest
-from checker import check_drawing, digest
+from checker import check_drawing, check_offsets, check_strokes, digest
 from shapes import Shape, look_at
 
 SHARED = Path(os.environ.get("ILLUSTRATE_SHARED", Path(__file__).parents[4] / "shared"))
@@ -20,16 +20,14 @@ FILES = [
     "smooth/gen_klein_bottle.obj", "smooth/gen_drape.obj", "smooth/quadknot.obj",
     "smooth/rabbit_parts.obj", "smooth/hand_1602_open.obj", "smooth/spot_loop_1654.obj",
 ]  # fmt: skip
-LARGEST_BAD_BYTES = 400_000
+LARGEST_BYTES = 400_000
+CREASE_ANGLE_DEG = 60
 
 
-def bad_files() -> list[str]:
-    """The broken meshes that can be read quickly."""
-    if not MESHES.is_dir():
-        return []
-    files = sorted(MESHES.glob("bad/**/*.obj")) + sorted(MESHES.glob("cad/**/*.obj"))
-    small = [f for f in files if f.stat().st_size <= LARGEST_BAD_BYTES]
-    return [str(f.relative_to(MESHES)) for f in small]
+def small_files(folder: str) -> list[str]:
+    """Those of a folder that can be read quickly."""
+    files = sorted(MESHES.glob(f"{folder}/**/*.obj"))
+    return [str(f.relative_to(MESHES)) for f in files if f.stat().st_size <= LARGEST_BYTES]
 
 
 def read_obj(path: Path) -> Shape:
@@ -78,11 +76,26 @@ def test_graph_rules_hold_and_two_runs_agree(name: str) -> None:
     assert digest(once_more) == digest(drawing)
 
 
-@pytest.mark.skipif(not MESHES.is_dir(), reason="the shared meshes are not beside this checkout")
-@pytest.mark.parametrize("name", bad_files())
-def test_bad_meshes_are_drawn_soundly(name: str) -> None:
+def coarse(name: str) -> tuple[Shape, ill.Prepared]:
+    """A part of a machine or a broken mesh, with its sharp edges told by their angle."""
     shape = read_obj(MESHES / name)
-    prepared = ill.prepare([shape.mesh(crease_angle_deg=60)],
-                           ill.PrepareOptions(triangle_budget=10_000))  # fmt: skip
+    mesh = shape.mesh(crease_angle_deg=CREASE_ANGLE_DEG)
+    return shape, ill.prepare([mesh], ill.PrepareOptions(triangle_budget=10_000))
+
+
+@pytest.mark.skipif(not MESHES.is_dir(), reason="the shared meshes are not beside this checkout")
+@pytest.mark.parametrize("name", small_files("cad"))
+def test_graph_rules_hold_on_parts_of_machines(name: str) -> None:
+    shape, prepared = coarse(name)
     for camera in cameras(shape):
         check_drawing(ill.draw(prepared, camera), camera)
+
+
+@pytest.mark.skipif(not MESHES.is_dir(), reason="the shared meshes are not beside this checkout")
+@pytest.mark.parametrize("name", small_files("bad"))
+def test_broken_meshes_give_sound_strokes(name: str) -> None:
+    shape, prepared = coarse(name)
+    for camera in cameras(shape):
+        drawing = ill.draw(prepared, camera)
+        check_strokes(drawing, camera)
+        check_offsets(drawing.graph)
