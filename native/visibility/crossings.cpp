@@ -83,8 +83,22 @@ class CrossingFinder {
   double fraction(const Segment& s, const Segment& t) const {
     const auto from = static_cast<long double>(turn(grid(t.a), grid(t.b), grid(s.a)));
     const auto to = static_cast<long double>(turn(grid(t.a), grid(t.b), grid(s.b)));
-    if (from == to) return 0.5;
+    if (from == to) return middle_of_overlap(s, t);
     return std::clamp(static_cast<double>(from / (from - to)), 0.0, 1.0);
+  }
+
+  // Of segments on one line, where only the perturbation says that they cross: the same point from
+  // both.
+  double middle_of_overlap(const Segment& s, const Segment& t) const {
+    const Vec2 a = flat(s.a), along = flat(s.b) - a;
+    const double square = along.squaredNorm();
+    if (square == 0) return 0.5;
+    const double c = (flat(t.a) - a).dot(along) / square, d = (flat(t.b) - a).dot(along) / square;
+    return (std::clamp(c, 0.0, 1.0) + std::clamp(d, 0.0, 1.0)) / 2;
+  }
+
+  Vec2 flat(int point) const {
+    return {static_cast<double>(grid(point).x), static_cast<double>(grid(point).y)};
   }
 
   double depth(const Segment& s, double image_fraction) const {

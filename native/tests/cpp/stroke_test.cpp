@@ -296,7 +296,7 @@ double farthest_from(const std::vector<StrokePoint>& line, const Vec2& p) {
 TEST(Simplify, StaysWithinToleranceAndNeedsFewerPoints) {
   StrokePath path;
   path.closed = true;
-  for (const Vec2& p : circle({50, 50}, 40, 2000)) path.points.push_back({{}, {}, p, 1});
+  for (const Vec2& p : circle({50, 50}, 40, 2000)) path.points.push_back({Vec3::Zero(), {}, p, 1});
   std::size_t last_count = 2000;
   for (const double tolerance : {0.01, 0.1, 1.0}) {
     const StrokePath simple = simplify(path, tolerance);
@@ -313,7 +313,7 @@ TEST(Simplify, StaysWithinToleranceAndNeedsFewerPoints) {
 
 TEST(Simplify, KeepsEndsAndTriangles) {
   StrokePath line;
-  for (const double x : {0.0, 1.0, 2.0, 3.0}) line.points.push_back({{}, {}, {x, 0}, 1});
+  for (const double x : {0.0, 1.0, 2.0, 3.0}) line.points.push_back({Vec3::Zero(), {}, {x, 0}, 1});
   EXPECT_EQ(simplify(line, 0.1).points.size(), 2U);
   StrokePath loop = line;
   loop.closed = true;
