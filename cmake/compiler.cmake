@@ -6,9 +6,10 @@ add_library(illustrate_compiler INTERFACE)
 
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+  # Indices are int; Clang's -Wconversion, unlike GCC's, would object to each use of one.
   target_compile_options(illustrate_compiler INTERFACE
-    -fno-math-errno -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion -Wnon-virtual-dtor
-    -Woverloaded-virtual)
+    -fno-math-errno -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion
+    -Wnon-virtual-dtor -Woverloaded-virtual)
 elseif(MSVC)
   target_compile_options(illustrate_compiler INTERFACE /W4 /permissive- /fp:precise)
 endif()
