@@ -71,7 +71,7 @@ def klein_bottle(rows: int = 128, columns: int = 40) -> tuple[Any, Any]:
     return np.stack([x, y, z], axis=-1).reshape(-1, 3), _grid_quads(index)
 
 
-def drape(rows: int = 90, columns: int = 260, folds: float = 4.5) -> tuple[Any, Any]:
+def drape(rows: int = 90, columns: int = 260, folds: float = 4.8) -> tuple[Any, Any]:
     """A cloth in the x-z plane that hangs from a gathered top, in folds that lie over each other.
 
     Each level is a meander: its direction swings to and fro, below by more than a right angle, so

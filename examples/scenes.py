@@ -51,7 +51,7 @@ def klein() -> None:
 def drape() -> None:
     """A cloth hanging in folds."""
     cloth = add("Drape", formulas.drape())
-    finish([cloth], toward_camera=(0.55, -1.6, 0.4), size=(1500, 1300))
+    finish([cloth], toward_camera=(0.5, -1.6, 0.4), size=(1500, 1300))
 
 
 def cube() -> None:
