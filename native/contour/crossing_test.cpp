@@ -60,7 +60,7 @@ void CrossingTest::place_vertices(const Surface& surface) {
   const int last = surface.places.empty()
                        ? none
                        : *std::max_element(surface.places.begin(), surface.places.end());
-  vertices_.assign(static_cast<std::size_t>(last + 1), none);
+  vertices_.assign(static_cast<std::size_t>(last) + 1, none);
   for (std::size_t v = 0; v < surface.places.size(); ++v)
     if (vertices_[surface.places[v]] == none) vertices_[surface.places[v]] = static_cast<int>(v);
   triangles_.reserve(surface.triangles.size());

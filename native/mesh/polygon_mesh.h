@@ -29,16 +29,16 @@ struct PolygonMesh {
   std::vector<int> face_materials;       // (f) or empty; their borders are Kind::material
   std::vector<int> hole_faces;           // (h) faces that shape the limit and are not there
   BoundaryRule boundary = BoundaryRule::corners;
-  double crease_angle_deg = 180;         // edges that turn more become infinitely sharp; 180: none
-  std::optional<Scheme> scheme;          // this mesh's own, instead of the options'
+  double crease_angle_deg = 180;  // edges that turn more become infinitely sharp; 180: none
+  std::optional<Scheme> scheme;   // this mesh's own, instead of the options'
   std::optional<int> level;
-  std::optional<double> edge_length;     // world units
+  std::optional<double> edge_length;  // world units
   std::string name;
 };
 
-// Throws InvalidInput, naming the argument and the index, where arrays do not fit together: face_sizes
-// that are negative or do not sum up to the corners, sharpness or materials of another length, indices of faces,
-// corners and edges out of range.
+// Throws InvalidInput, naming the argument and the index, where arrays do not fit together:
+// face_sizes that are negative or do not sum up to the corners, sharpness or materials of another
+// length, indices of faces, corners and edges out of range.
 void validate(const PolygonMesh& mesh);
 
 }  // namespace illustrate

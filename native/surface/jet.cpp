@@ -23,7 +23,6 @@ constexpr std::size_t points_for_quartic = 22, points_for_cubic = 13;
 // smallest.
 constexpr double ridge = 1e-12;
 
-constexpr int most_coefficients = 15;
 constexpr int coefficient_count(int degree) { return (degree + 1) * (degree + 2) / 2; }
 
 // Number of the monomial x^i y^j among those of degree i + j and below.

@@ -50,7 +50,8 @@ void step_along(Span<const Vec2> line, bool closed, double step, const Frame& fr
   double next = step / 2;  // distance from the segment's start to the next sample
   const std::size_t segments = line.size() < 2 ? 0 : line.size() - (closed ? 0 : 1);
   for (std::size_t i = 0; i < segments; ++i) {
-    const Vec2 a = line[i], b = line[i + 1 == line.size() ? 0 : i + 1];
+    const Vec2& a = line[i];
+    const Vec2& b = line[i + 1 == line.size() ? 0 : i + 1];
     const double length = (b - a).norm();
     double from, to;
     if (!(length > 0) || !clip_to_frame(frame, a, b, from, to)) continue;

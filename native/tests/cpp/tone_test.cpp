@@ -82,7 +82,8 @@ TEST(Light, BadFieldsAreNamed) {
 // ----------------------------------------------------------------------------
 
 Vec2 centre_of(const VisibleImage& image, int cell) {
-  return Vec2(cell % image.width + 0.5, cell / image.width + 0.5) * image.cell_px;
+  const int column = cell % image.width, row = cell / image.width;
+  return Vec2(column + 0.5, row + 0.5) * image.cell_px;
 }
 
 // Greatest error in depth of an icosphere seen from the front, where it is not seen at a grazing
