@@ -1,4 +1,4 @@
-// Stage `mesh`: any polygon mesh in, a sound one out (method: section 0; not in the paper, which
+// Stage `mesh`: any polygon mesh in, a sound one out (not in the paper, which
 // assumes sound input).
 //
 // After it every edge has one or two faces, every vertex one fan, faces on both sides of an edge

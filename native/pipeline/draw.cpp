@@ -100,7 +100,7 @@ class View {
     });
     hatches_ = timed(result_.timings["hatch"], [&] {
       return reduce_hatches(placed, surface, result_.tone, result_.graph, options_.hatch,
-                            result_.counts);
+                            result_.counts, spacing_scales(options_.styles));
     });
   }
 

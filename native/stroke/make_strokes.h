@@ -2,9 +2,9 @@
 // by light).
 //
 // Arcs of one kind, one object and one number of layers are chained through nodes where the
-// direction goes on, the front strand of a crossing first. Specks shorter than `speck_px` are
-// dropped unless they close a gap between two strokes. Points are simplified within `simplify_px`,
-// ends of open strokes taper, everything is clipped at the frame.
+// direction goes on, front with front and back with back at a crossing. Specks shorter than
+// `speck_px` are dropped unless they close a gap between two strokes. Points are simplified within
+// `simplify_px`, ends of open strokes taper, everything is clipped at the frame.
 #pragma once
 
 #include <optional>

@@ -4,9 +4,11 @@
 //
 // Image points are rounded to a grid of 2^-16 px; crossings are decided with exact predicates and a
 // symbolic perturbation by index, so that two closed curves always cross an even number of times.
-// Quantitative invisibility is then a potential: it changes only where a curve passes behind
-// another and at cusps. One ray, or the outside of the drawing, gives the base of each connected
-// component. A cycle whose changes do not sum to zero is broken where it shows least.
+// Quantitative invisibility is then a potential along each path of strands: it changes only where
+// the path passes behind another curve and at cusps. Rays beside the arcs say how many layers there
+// are; the labels are the cheapest ones that obey the rules, where a break of the rules has a
+// price. Crossings that only the interpolation has made are repaired first (repairs.h), so that no
+// crossing of the result contradicts its labels.
 #pragma once
 
 #include "contour/curve_network.h"

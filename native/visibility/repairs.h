@@ -5,19 +5,19 @@
 
 namespace illustrate {
 
-// Drops twists (a path crosses itself, all between stays within half a pixel, at most one cusp) and
+// Drops twists (a path crosses itself, all between stays within a pixel, at most one cusp) and
 // lenses whose two crossings contradict each other: consecutive on both strands, everything between
-// closer than a third of a pixel, front and back exchanged. Returns the number of crossings
-// dropped; `moved_px` grows to the farthest distance bridged.
+// closer than 0.3 px, front and back exchanged. Returns the number of crossings dropped; `moved_px`
+// grows to the farthest distance bridged.
 int drop_twists_and_lenses(Arrangement& arrangement, double& moved_px);
 
 // Drops the lens that each of these crossings belongs to, where it belongs to one: with another
 // crossing, or with the joint that both strands run into. Returns the number of crossings dropped.
 int drop_lenses(Arrangement& arrangement, const std::vector<int>& crossings, double& moved_px);
 
-// Joins pairs of cusps that turn the same way less than a pixel apart, on cycles whose changes do
-// not sum to zero: swallowtails whose crossing the interpolation has lost. The smallest go first.
-// Returns the number of pairs; the cusps' jumps become 0.
+// Joins pairs of cusps that turn the same way with no more than a pixel of strand between them, on
+// cycles whose changes do not sum to zero: swallowtails whose crossing the interpolation has lost.
+// The smallest go first. Returns the number of pairs; the cusps' jumps become 0.
 int collapse_swallowtails(Arrangement& arrangement, double& moved_px);
 
 }  // namespace illustrate
