@@ -51,9 +51,10 @@ class Chooser {
     std::vector<double> next(form_.size());
     for (int round = 0; round < spreading_rounds; ++round) {
       for (std::size_t piece = 0; piece < form_.size(); ++piece) {
-        double sum = all_votes_[piece] * form_[piece];
+        const int own_weight = std::max(1, all_votes_[piece]);
+        double sum = own_weight * form_[piece];
         for (const FamilyLink& link : links_[piece]) sum += link.weight * form_[link.other];
-        next[piece] = sum / std::max(1, 2 * all_votes_[piece]);
+        next[piece] = sum / (own_weight + all_votes_[piece]);
       }
       form_.swap(next);
     }

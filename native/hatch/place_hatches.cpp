@@ -1,7 +1,9 @@
 #include "hatch/place_hatches.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "core/errors.h"
@@ -22,8 +24,15 @@ constexpr double undercut_clearance = 0.65;
 // meant for.
 constexpr double curve_offset_px = 2;
 
-// The fill pass looks at points this many spacings apart.
-constexpr double fill_step = 0.25;
+// Sine of the least angle between a critical curve and hatches that are seeded along it. Others, as
+// near outlines of round forms, only slip along the curve.
+constexpr double least_slant = 0.5;
+
+// Places for seeds along critical curves, and points of the fill pass, lie this many spacings
+// apart.
+constexpr double seed_step = 0.25;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // No drawing needs more; beyond it placement stops.
 constexpr std::size_t most_points = 20'000'000;
@@ -105,21 +114,22 @@ class Placer {
     return area_.visible_point(image);
   }
 
-  // A new hatch, where it is clear of parallel ones and long enough.
-  void grow(const SurfacePoint& seed, const Vec3& towards, double clearance, Area area) {
-    if (hatches_.curves.values.size() > most_points) return;
+  // A new hatch, where it is clear of parallel ones and long enough; whether there is one.
+  bool grow(const SurfacePoint& seed, const Vec3& towards, double clearance, Area area) {
+    if (hatches_.curves.values.size() > most_points) return false;
     const int object = surface_.triangle_objects[seed.triangle];
     const Style style = style_of(object, area);
     const HatchSample first{walker_.point(seed), walker_.start(seed, towards).tangent};
-    if (!area_.may_pass(first.point, area)) return;
-    if (tracer_.is_near_parallel(first, clearance * style.spacing_px)) return;
+    if (!area_.may_pass(first.point, area)) return false;
+    if (tracer_.is_near_parallel(first, clearance * style.spacing_px)) return false;
     const HatchLine line = tracer_.trace(seed, towards, style.rules);
     double length = 0;
     for (std::size_t i = 1; i < line.size(); ++i) {
       length += (line[i].point.image - line[i - 1].point.image).norm();
     }
-    if (line.size() < 2 || length < style.min_length_px) return;
+    if (line.size() < 2 || length < style.min_length_px) return false;
     add(line, object, area, length);
+    return true;
   }
 
   void add(const HatchLine& line, int object, Area area, double length) {
@@ -139,19 +149,23 @@ class Placer {
   // Hatches leave critical curves as nearly at right angles as the cross allows.
   void seed_along_curves() {
     const Vec2 size(camera_.width_px(), camera_.height_px());
+    const double step = seed_step * options_.spacing_px;
     for (int arc = 0; arc < static_cast<int>(graph_.arcs.size()); ++arc) {
       if (graph_.arcs[arc].invisibility != 0 || !is_critical(graph_.arcs[arc].kind)) continue;
       progress_.report(0);
-      step_along(graph_.image[arc], graph_.arcs[arc].start_node == none, options_.spacing_px,
+      std::array<double, 2> apart{infinite, infinite};  // from the last hatch on either side
+      step_along(graph_.image[arc], graph_.arcs[arc].start_node == none, step,
                  Frame{Vec2::Zero(), size}, [&](const CurveSample& at) {
                    const Vec2 across(-at.heading.y(), at.heading.x());
-                   seed_across(at.image + curve_offset_px * across, across);
-                   seed_across(at.image - curve_offset_px * across, across);
+                   seed_across(at.image + curve_offset_px * across, across, step, apart[0]);
+                   seed_across(at.image - curve_offset_px * across, across, step, apart[1]);
                  });
     }
   }
 
-  void seed_across(const Vec2& image, const Vec2& across) {
+  // `apart` grows by how far `step` along the curve leads away from hatches that leave it at a
+  // slant.
+  void seed_across(const Vec2& image, const Vec2& across, double step, double& apart) {
     const SurfacePoint seed = seed_at(image, Area::hatched);
     if (seed.triangle == none) return;
     const Vec3 position = position_at(surface_, seed), normal = normal_at(surface_, seed);
@@ -160,7 +174,14 @@ class Placer {
     const auto alignment = [&](const Vec3& direction) {
       return std::abs(walker_.image_direction(position, direction).normalized().dot(across));
     };
-    grow(seed, alignment(one) >= alignment(other) ? one : other, queue_clearance, Area::hatched);
+    const double of_one = alignment(one), of_other = alignment(other);
+    const double slant = std::max(of_one, of_other);
+    apart += step * slant;
+    const double spacing =
+        style_of(surface_.triangle_objects[seed.triangle], Area::hatched).spacing_px;
+    if (apart < spacing || slant < least_slant) return;
+    const Vec3& towards = of_one >= of_other ? one : other;
+    if (grow(seed, towards, queue_clearance, Area::hatched)) apart = 0;
   }
 
   // First come, first served: beside every hatch at one spacing, and across it.
@@ -198,7 +219,7 @@ class Placer {
   // ratio round the list.
   void fill(Area area) {
     const double base = area == Area::undercut ? options_.undercut_spacing_px : options_.spacing_px;
-    const double step = std::max(1.0, fill_step * base);
+    const double step = std::max(1.0, seed_step * base);
     const auto columns = static_cast<std::int64_t>(camera_.width_px() / step);
     const std::int64_t count = columns * static_cast<std::int64_t>(camera_.height_px() / step);
     if (count < 1) return;

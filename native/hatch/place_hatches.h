@@ -1,12 +1,12 @@
 // Stage `hatch`, placement (paper sections 6.2, 6.4): evenly spaced curves along the cross field,
 // on the surface.
 //
-// Seeds lie on critical curves (hatches leave them at right angles) and beside other hatches at
-// spacing_px; a fill pass follows until no wanted area is farther than about 3/4 spacing from a
-// stroke. A hatch ends at a critical curve, at the edge of its tone, when its world direction has
-// turned too far, at its greatest length, where it would be hidden, or near a parallel hatch:
-// within test_factor * spacing in the image, no visible critical curve between, world tangents
-// within 45 degrees.
+// Seeds lie on critical curves (hatches leave them as nearly at right angles as the cross allows,
+// one spacing_px apart) and beside other hatches at spacing_px; a fill pass follows until no wanted
+// area is farther than about 3/4 spacing from a stroke. A hatch ends at a critical curve, at the
+// edge of its tone, when its world direction has turned too far, at its greatest length, where it
+// would be hidden, or near a parallel hatch: within test_factor * spacing in the image, no visible
+// critical curve between, world tangents within 45 degrees.
 #pragma once
 
 #include "core/progress.h"
@@ -22,8 +22,8 @@ struct HatchOptions {
   double undercut_spacing_px = 5;  // d_sep inside undercuts
   double test_factor = 0.6;        // d_test
   double step_px = 1.5;            // length of a tracing step in the image
-  double max_turn_deg = 100;       // of the world direction against the first one
-  double max_length_px = 600;      // a hatch gets .6 to 1 times this: ends must not line up
+  double max_turn_deg = 150;       // of the world direction against the first one
+  double max_length_px = 2500;     // a hatch gets .6 to 1 times this: ends must not line up
   double min_length_px = 8;        // shorter strokes are dropped; in undercuts half as long
 };
 void validate(const HatchOptions& options);  // throws InvalidInput naming the field

@@ -11,8 +11,11 @@
 namespace illustrate {
 namespace {
 
-// Shorter strokes are specks, in spacings. Undercuts are full of them.
-constexpr double shortest_stroke = 1.5;
+// In spacings: shorter strokes are specks where no longer one runs parallel within `company`,
+// unless they lie in an undercut; still shorter ones are nowhere worth a stroke.
+constexpr double speck = 1.5;
+constexpr double company = 2;
+constexpr double least_stroke = 0.5;
 
 // Pieces vote with one point in so many spacings.
 constexpr double vote_step = 0.8;
@@ -48,8 +51,8 @@ class Reducer {
         options_(options),
         spacing_scale_(spacing_scale),
         curves_(graph, tone.width * tone.cell_px, tone.height * tone.cell_px),
-        grid_(tone.width * tone.cell_px, tone.height * tone.cell_px, options.spacing_px),
-        votes_(tone.width * tone.cell_px, tone.height * tone.cell_px, options.spacing_px),
+        size_px_(Vec2(tone.width, tone.height) * tone.cell_px),
+        grid_(empty_grid()),
         owner_(points_.size()),
         region_(points_.size(), Region::neither),
         kept_(points_.size(), 1),
@@ -65,13 +68,7 @@ class Reducer {
       if (choice.is_kept[piece]) keep_uncrossed(pieces_[piece]);
     }
     for (const Run& run : longest_uncrossed()) keep_uncrossed(run);
-    Hatches result;
-    for (int h = 0; h < count(); ++h) {
-      for (const Run& run : runs({begin(h), end(h)}, [&](int i) { return kept_[i] != 0; })) {
-        if (run.to - run.from >= 2 && is_worth_a_stroke(run)) add(result, h, run);
-      }
-    }
-    return result;
+    return strokes();
   }
 
  private:
@@ -118,7 +115,6 @@ class Reducer {
         piece_of_[i] = static_cast<int>(pieces_.size());
         grid_.add({points_[i].image, tangent_at(i), i});
       }
-      for (const int i : voters(run)) votes_.add({points_[i].image, tangent_at(i), i});
       pieces_.push_back(run);
     }
   }
@@ -143,6 +139,10 @@ class Reducer {
 
   Ragged<FamilyLink> links() const {
     Ragged<FamilyLink> result;
+    NeighbourGrid all_voters = empty_grid();
+    for (const Run& piece : pieces_) {
+      for (const int i : voters(piece)) all_voters.add({points_[i].image, tangent_at(i), i});
+    }
     std::vector<int> weight(pieces_.size(), 0), others;
     const auto link = [&](int other, int by) {
       if (weight[other] == 0) others.push_back(other);
@@ -150,7 +150,7 @@ class Reducer {
     };
     for (int piece = 0; piece < static_cast<int>(pieces_.size()); ++piece) {
       others.clear();
-      link_neighbours(piece, link);
+      link_neighbours(all_voters, piece, link);
       for (const int other : {piece - 1, piece + 1}) {
         if (is_same_hatch(piece, other)) link(other, shadow_link);
       }
@@ -169,9 +169,9 @@ class Reducer {
   }
 
   template <class Link>
-  void link_neighbours(int piece, const Link& link) const {
+  void link_neighbours(const NeighbourGrid& all_voters, int piece, const Link& link) const {
     for (const int i : voters(pieces_[piece])) {
-      any_neighbour(votes_, i, [&](int other, bool parallel) {
+      any_neighbour(all_voters, i, reach(i), [&](int other, bool parallel) {
         if (!curves_.separate(points_[i].image, points_[other].image)) {
           link(piece_of_[other], parallel ? 1 : -1);
         }
@@ -222,7 +222,7 @@ class Reducer {
     for (const Run& piece : pieces_) {
       for (const Run& run : runs(piece, [&](int i) { return !kept_[i] && !is_crossed_at(i); })) {
         const double length = length_of(run);
-        if (length < shortest_stroke * spacing_of(owner_[run.from])) continue;
+        if (length < speck * spacing_of(owner_[run.from])) continue;
         order.push_back({-length, static_cast<int>(found.size())});
         found.push_back(run);
       }
@@ -232,10 +232,14 @@ class Reducer {
     return result;
   }
 
-  // Whether use(point, parallel) accepts a point of another hatch in `grid` within two spacings.
+  // How near hatches are neighbours.
+  double reach(int point) const { return 2 * spacing_of(owner_[point]); }
+
+  NeighbourGrid empty_grid() const { return {size_px_.x(), size_px_.y(), options_.spacing_px}; }
+
+  // Whether use(point, parallel) accepts a point of another hatch in `grid` within `radius`.
   template <class Use>
-  bool any_neighbour(const NeighbourGrid& grid, int point, const Use& use) const {
-    const double radius = 2 * spacing_of(owner_[point]);
+  bool any_neighbour(const NeighbourGrid& grid, int point, double radius, const Use& use) const {
     const Vec3 tangent = tangent_at(point), normal = normal_at(surface_, points_[point].on);
     return grid.any_within(points_[point].image, radius, [&](const HatchNode& node) {
       if (owner_[node.point] == owner_[point]) return false;
@@ -244,16 +248,45 @@ class Reducer {
   }
 
   bool is_crossed_at(int point) const {
-    return any_neighbour(grid_, point, [&](int other, bool parallel) {
-      return !parallel && kept_[other] &&
+    const Vec3 tangent = tangent_at(point);
+    return any_neighbour(grid_, point, reach(point), [&](int other, bool parallel) {
+      if (!kept_[other]) return false;
+      const double along = tangent.dot(tangent_at(other));
+      return (!parallel || 2 * along * along < 1) &&
              !curves_.separate(points_[point].image, points_[other].image);
     });
   }
 
-  bool is_worth_a_stroke(const Run& run) const {
-    const auto is_in_undercut = [](Region region) { return region == Region::undercut; };
-    return std::any_of(&region_[run.from], &region_[run.to - 1] + 1, is_in_undercut) ||
-           length_of(run) >= shortest_stroke * spacing_of(owner_[run.from]);
+  // What is kept, without specks.
+  Hatches strokes() const {
+    std::vector<Run> kept;
+    NeighbourGrid longer = empty_grid();
+    for (int h = 0; h < count(); ++h) {
+      for (const Run& run : runs({begin(h), end(h)}, [&](int i) { return kept_[i] != 0; })) {
+        if (run.to - run.from < 2 || length_of(run) < least_stroke * spacing_of(h)) continue;
+        kept.push_back(run);
+        if (length_of(run) < speck * spacing_of(h)) continue;
+        for (int i = run.from; i < run.to; ++i) longer.add({points_[i].image, tangent_at(i), i});
+      }
+    }
+    Hatches result;
+    for (const Run& run : kept) {
+      if (is_in_undercut(run) || is_beside(longer, run)) add(result, run);
+    }
+    return result;
+  }
+
+  bool is_in_undercut(const Run& run) const {
+    return std::find(&region_[run.from], &region_[run.to - 1] + 1, Region::undercut) !=
+           &region_[run.to - 1] + 1;
+  }
+
+  // Whether a run, or a parallel one of another hatch near its middle, is in `grid`.
+  bool is_beside(const NeighbourGrid& longer, const Run& run) const {
+    const double spacing = spacing_of(owner_[run.from]);
+    if (length_of(run) >= speck * spacing) return true;
+    return any_neighbour(longer, (run.from + run.to) / 2, company * spacing,
+                         [&](int, bool parallel) { return parallel; });
   }
 
   // The longest runs of points that are `chosen`.
@@ -267,7 +300,8 @@ class Reducer {
     return result;
   }
 
-  void add(Hatches& result, int hatch, const Run& run) const {
+  void add(Hatches& result, const Run& run) const {
+    const int hatch = owner_[run.from];
     const Region* last = &region_[run.to - 1] + 1;
     const bool in_single = std::find(&region_[run.from], last, Region::single) != last;
     result.curves.add(
@@ -284,8 +318,8 @@ class Reducer {
   const HatchOptions& options_;
   const std::vector<double>& spacing_scale_;
   CriticalCurves curves_;
+  Vec2 size_px_;
   NeighbourGrid grid_;              // points of pieces
-  NeighbourGrid votes_;             // those that vote
   std::vector<int> owner_;          // hatch of each point
   std::vector<Region> region_;      // of each point
   std::vector<std::uint8_t> kept_;  // of each point

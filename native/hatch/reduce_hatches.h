@@ -1,14 +1,19 @@
 // Stage `hatch`, reduction (paper section 6.5): one direction is left in single-hatch regions.
 //
-// Breadth-first over parallel neighbours, so that single-hatch regions come out locally consistent.
-// A hatch that is perpendicular to another within 2 * spacing inside a single-hatch region, no
-// visible critical curve between, is clipped to the cross-hatch region: shadows and undercuts. What
-// is left of it there is of kind cross_hatch, and so is a hatch that lies there altogether.
-// Undercut hatches stay as they are.
+// The pieces of hatches in single-hatch regions fall into two families, one of which is kept
+// (choose_family.h). No two kept pieces are perpendicular within 2 * spacing, no visible critical
+// curve between: the one decided later is clipped. What is left of a deleted hatch in shadows and
+// undercuts is of kind cross_hatch, and so is a hatch that lies there altogether. Undercut hatches
+// stay as they are. Strokes shorter than 1.5 * spacing with no longer parallel one near are
+// dropped outside undercuts.
 //
-// Departure from section 6.5: a hatch that is perpendicular to another somewhere is deleted
-// everywhere, and where both directions went, each because of what it met elsewhere, nothing would
-// be left. Pieces that cross nothing come back there.
+// Departures from section 6.5. There a hatch is deleted that is perpendicular to another, breadth-
+// first over parallel neighbours, and each time the queue is empty any hatch may start it again,
+// also one of the family that its surroundings keep: patches of the other direction remain, framed
+// in white. Here what is decided spreads over parallel and perpendicular neighbours alike, and the
+// form decides between the families: strokes are to run round it, the way it bends more, and where
+// it is flat along their greater length. Parts of deleted hatches come back where they cross
+// nothing that is kept, the longest first.
 #pragma once
 
 #include "hatch/place_hatches.h"
