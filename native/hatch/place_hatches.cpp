@@ -227,7 +227,8 @@ class Placer {
     while (gcd(stride, count) != 1) ++stride;
     for (std::int64_t i = 0, at = 0; i < count; ++i, at = (at + stride) % count) {
       if (i % 4096 == 0) progress_.report(std::min(0.95, placed_px_ / expected_px_));
-      fill_at(Vec2(double(at % columns) + 0.5, double(at / columns) + 0.5) * step, area);
+      const std::int64_t column = at % columns, row = at / columns;
+      fill_at(Vec2(double(column) + 0.5, double(row) + 0.5) * step, area);
     }
   }
 
