@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "visibility/outline.h"
+
 namespace illustrate {
 namespace {
 
@@ -45,6 +47,7 @@ class PathFinder {
       used_[idx(s)] = 1;
       path.strands.push_back(s);
       path.jumps.push_back(jump);
+      path.freed.push_back(0);
       const int tie = next_[idx(s)];
       if (tie == none) break;
       s = network_.ties[idx(tie)].b;
@@ -105,6 +108,7 @@ Arrangement arrange(const CurveNetwork& network, const Camera& camera) {
   result.crossings = find_crossings(network, result.image);
   result.states.assign(result.crossings.size(), CrossingState::live);
   result.paths = PathFinder(network).run();
+  result.outline = outline_places(network, result.image);
   result.sort_visits();
   return result;
 }

@@ -22,7 +22,8 @@ struct Path {
   std::vector<int> strands;
   std::vector<int>
       jumps;  // change of invisibility on entering strands[i]; [0] only counts when cyclic
-  bool cyclic = false;  // also a single closed strand
+  bool cyclic = false;              // also a single closed strand
+  std::vector<std::uint8_t> freed;  // 1: the cusp at the start of strands[i] was demoted to a joint
 };
 
 struct Arrangement {
@@ -31,7 +32,8 @@ struct Arrangement {
   std::vector<Crossing> crossings;
   std::vector<CrossingState> states;  // (crossings)
   std::vector<Path> paths;
-  std::vector<std::vector<Visit>> visits;  // per strand, in order, of what is left
+  std::vector<std::vector<StrandPlace>> outline;  // per strand: outline.h
+  std::vector<std::vector<Visit>> visits;         // per strand, in order, of what is left
 
   // Must be called after `states` have changed.
   void sort_visits();

@@ -23,30 +23,109 @@ std::int64_t count_breaks(const std::vector<LabelledPath>& labels) {
   return count;
 }
 
-// The last resort: the label jumps at a joint, and the front strand runs on.
-int demote(Arrangement& arrangement, const std::vector<int>& crossings) {
-  for (const int c : crossings) arrangement.states[idx(c)] = CrossingState::demoted;
-  arrangement.sort_visits();
-  return static_cast<int>(crossings.size());
-}
-
-// Repairs until no crossing contradicts its labels. Ends, since every round takes at least one
-// crossing away.
-std::vector<LabelledPath> label_without_contradiction(Arrangement& arrangement, LayerRays& rays,
-                                                      int& repairs, double& moved_px,
-                                                      const Progress& progress) {
-  std::vector<LabelledPath> labels = label_paths(arrangement, rays, progress);
-  for (;;) {
-    const std::vector<int> wrong = contradictions(arrangement, labels);
-    if (wrong.empty()) return labels;
-    const std::vector<CrossingState> before = arrangement.states;
-    int repaired = drop_lenses(arrangement, wrong, moved_px);
-    if (repaired == 0) repaired = demote(arrangement, wrong);
-    repairs += repaired;
-    progress.report(1);
-    relabel_paths(arrangement, before, rays, labels);
+// Labels all paths, and repairs until none of them has to contradict anything at a crossing or a
+// cusp.
+class ConsistentLabels {
+ public:
+  ConsistentLabels(Arrangement& arrangement, LayerRays& rays, double& moved_px)
+      : arrangement_(arrangement),
+        rays_(rays),
+        moved_px_(moved_px),
+        path_of_(arrangement.visits.size()) {
+    for (std::size_t p = 0; p < arrangement.paths.size(); ++p) {
+      for (const int s : arrangement.paths[p].strands) path_of_[idx(s)] = p;
+    }
   }
-}
+
+  // Ends, since every round takes at least one crossing or cusp away.
+  std::vector<LabelledPath> run(const Progress& progress) {
+    labels_.resize(arrangement_.paths.size());
+    changed_.assign(labels_.size(), 1);
+    for (;;) {
+      label_changed(progress);
+      if (!repair_crossings() && !free_broken_places()) return std::move(labels_);
+    }
+  }
+
+  std::int64_t repairs() const { return repairs_; }
+
+ private:
+  void label_changed(const Progress& progress) {
+    for (std::size_t p = 0; p < labels_.size(); ++p) {
+      if (changed_[p]) labels_[p] = label_path(arrangement_, arrangement_.paths[p], rays_, known_);
+      if (p % 16 == 0)
+        progress.report(static_cast<double>(p) / static_cast<double>(labels_.size()));
+    }
+    changed_.assign(labels_.size(), 0);
+  }
+
+  // Contradictory crossings go with their lens, or else become joints of their back strand: the
+  // front strand runs on.
+  bool repair_crossings() {
+    const std::vector<int> wrong = contradictions(arrangement_, labels_);
+    if (wrong.empty()) return false;
+    const std::vector<CrossingState> before = arrangement_.states;
+    if (drop_lenses(arrangement_, wrong, moved_px_) == 0) {
+      for (const int c : wrong) arrangement_.states[idx(c)] = CrossingState::demoted;
+    }
+    note_changes(before);
+    return true;
+  }
+
+  // A break right behind or before a crossing or a cusp takes its place: the last resort.
+  bool free_broken_places() {
+    const std::int64_t repairs_before = repairs_;
+    const std::vector<CrossingState> before = arrangement_.states;
+    for (std::size_t p = 0; p < labels_.size(); ++p) {
+      const LabelledPath& path = labels_[p];
+      for (std::size_t i = 0; i < path.labels.arcs.size(); ++i) {
+        const PathArc& arc = path.labels.arcs[i];
+        if (path.at_start[i] != path.along[i]) free_place(p, arc, arc.begin, 0);
+        if (path.along[i] != path.at_end[i]) free_place(p, arc, arc.end, 1);
+      }
+    }
+    note_changes(before);
+    return repairs_ != repairs_before;
+  }
+
+  // side 0: where the arc starts, 1: where it ends.
+  void free_place(std::size_t p, const PathArc& arc, int visit_index, std::size_t side) {
+    if (visit_index == none) return free_cusp(p, arc.strand, side);
+    const Visit& visit = arrangement_.visits[idx(arc.strand)][idx(visit_index)];
+    if (!visit.front) arrangement_.states[idx(visit.crossing)] = CrossingState::demoted;
+  }
+
+  void free_cusp(std::size_t p, int strand, std::size_t side) {
+    Path& path = arrangement_.paths[p];
+    const auto found = std::find(path.strands.begin(), path.strands.end(), strand);
+    std::size_t step = static_cast<std::size_t>(found - path.strands.begin()) + side;
+    if (path.cyclic) step %= path.strands.size();
+    const bool is_cusp = step < path.jumps.size() && path.jumps[step] != 0;
+    if (!is_cusp || path.freed[step] || (step == 0 && !path.cyclic)) return;
+    path.freed[step] = 1;
+    changed_[p] = 1;
+    ++repairs_;
+  }
+
+  void note_changes(const std::vector<CrossingState>& before) {
+    for (std::size_t c = 0; c < before.size(); ++c) {
+      if (before[c] == arrangement_.states[c]) continue;
+      changed_[path_of_[idx(arrangement_.crossings[c].front.strand)]] = 1;
+      changed_[path_of_[idx(arrangement_.crossings[c].back.strand)]] = 1;
+      ++repairs_;
+    }
+    arrangement_.sort_visits();
+  }
+
+  Arrangement& arrangement_;
+  LayerRays& rays_;
+  double& moved_px_;
+  std::vector<std::size_t> path_of_;
+  std::vector<std::uint8_t> changed_;
+  std::vector<LabelledPath> labels_;
+  KnownEvidence known_;
+  std::int64_t repairs_ = 0;
+};
 
 }  // namespace
 
@@ -59,8 +138,8 @@ LabelledGraph label_network(const CurveNetwork& network, const Surface& surface,
   const std::int64_t unbalanced = count_unbalanced(arrangement);
   repairs += collapse_swallowtails(arrangement, moved_px);
   LayerRays rays(surface, bvh, camera);
-  const std::vector<LabelledPath> labels =
-      label_without_contradiction(arrangement, rays, repairs, moved_px, progress.part(0.3, 1));
+  ConsistentLabels consistent(arrangement, rays, moved_px);
+  const std::vector<LabelledPath> labels = consistent.run(progress.part(0.3, 1));
   LabelledGraph graph = build_graph(arrangement, labels, surface);
   graph.repair_max_px = moved_px;
   counts["crossings"] +=
@@ -69,7 +148,7 @@ LabelledGraph label_network(const CurveNetwork& network, const Surface& surface,
   counts["loops"] += std::count_if(arrangement.paths.begin(), arrangement.paths.end(),
                                    [](const Path& path) { return path.cyclic; });
   counts["unbalanced_loops"] += unbalanced;
-  counts["repairs"] += repairs + count_breaks(labels);
+  counts["repairs"] += repairs + consistent.repairs() + count_breaks(labels);
   return graph;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <tuple>
 
@@ -19,14 +18,6 @@ constexpr double visible_break_px = 30;
 constexpr double free_change_px = 1;  // a change at a demoted crossing
 constexpr int most_layers = 64;
 constexpr double least_weight = 1e-6;  // an arc without length still prefers its ray
-constexpr int outline_directions = 16;
-constexpr double full_turn = 6.283185307179586;
-
-// What is known of an arc: so many layers, worth so much.
-struct Evidence {
-  int layers;
-  double weight;
-};
 
 // The labels along a path as the cheapest way through (arc, layers): from one arc to the next the
 // label changes as the rules say, within an arc it may jump at the price of a break.
@@ -150,42 +141,10 @@ class LeastContradiction {
   std::vector<int> previous_;  // [arc, label at its start] -> label at the end of the arc before
 };
 
-bool is_inner(const Arrangement& arrangement, int strand, int point) {
-  return arrangement.network->strands[idx(strand)].closed() ||
-         (point > 0 && point + 1 < arrangement.point_count(strand));
-}
-
-// Points of the drawing that are extreme in some direction: nothing can lie in front of their
-// strands.
-std::map<int, std::vector<int>> outline_points(const Arrangement& arrangement) {
-  std::map<int, std::vector<int>> result;
-  const CurveNetwork& network = *arrangement.network;
-  for (int d = 0; d < outline_directions; ++d) {
-    const double angle = full_turn * (d + 0.137) / outline_directions;
-    const Vec2 direction(std::cos(angle), std::sin(angle));
-    int best_strand = none, best_point = none;
-    double best = 0;
-    for (std::size_t s = 0; s < network.strands.size(); ++s) {
-      for (int i = 0; i < arrangement.point_count(static_cast<int>(s)); ++i) {
-        const Vec2& p = arrangement.image.image[arrangement.point(static_cast<int>(s), i)];
-        const double reach = p.dot(direction);
-        if (best_strand != none && reach <= best) continue;
-        best = reach;
-        best_strand = static_cast<int>(s);
-        best_point = i;
-      }
-    }
-    if (best_strand != none && is_inner(arrangement, best_strand, best_point)) {
-      result[best_strand].push_back(best_point);
-    }
-  }
-  return result;
-}
-
 class Labeller {
  public:
-  Labeller(const Arrangement& arrangement, LayerRays& rays)
-      : arrangement_(arrangement), rays_(rays), outline_(outline_points(arrangement)) {}
+  Labeller(const Arrangement& arrangement, LayerRays& rays, KnownEvidence& known)
+      : arrangement_(arrangement), rays_(rays), known_(known) {}
 
   LabelledPath label(const Path& path) {
     LabelledPath result;
@@ -206,12 +165,22 @@ class Labeller {
     std::vector<Evidence> evidence(arcs.size(), {0, 0});
     for (std::size_t k = 0; k < std::min(most_arcs_asked, order.size()); ++k) {
       const PathArc& arc = arcs[order[k]];
-      evidence[order[k]] = ask(arc);
+      evidence[order[k]] = remember(arc);
     }
     for (std::size_t i = 0; i < arcs.size(); ++i) {
       if (is_outline(arcs[i])) evidence[i] = {0, outline_weight};
     }
     return evidence;
+  }
+
+  Evidence remember(const PathArc& arc) {
+    const std::vector<Visit>& visits = arrangement_.visits[idx(arc.strand)];
+    const auto crossing = [&](int visit) {
+      return visit == none ? none : visits[idx(visit)].crossing;
+    };
+    const std::array<int, 3> key{arc.strand, crossing(arc.begin), crossing(arc.end)};
+    const auto found = known_.find(key);
+    return found != known_.end() ? found->second : known_[key] = ask(arc);
   }
 
   // The middle one of three counts; one on the outline counts for more than its length.
@@ -228,53 +197,32 @@ class Labeller {
   }
 
   bool is_outline(const PathArc& arc) const {
-    const auto found = outline_.find(arc.strand);
-    if (found == outline_.end()) return false;
     const std::vector<Visit>& visits = arrangement_.visits[idx(arc.strand)];
     const bool closed = arrangement_.network->strands[idx(arc.strand)].closed();
-    const auto contains = [&](int point) {
-      const bool behind = arc.begin == none || visits[idx(arc.begin)].place.segment < point;
-      const bool before = arc.end == none || visits[idx(arc.end)].place.segment >= point;
-      const bool wraps = closed && arc.begin != none && arc.end <= arc.begin;
+    const bool wraps = closed && arc.begin != none && arc.end <= arc.begin;
+    const auto contains = [&](const StrandPlace& place) {
+      const bool behind = arc.begin == none || is_before(visits[idx(arc.begin)].place, place);
+      const bool before = arc.end == none || is_before(place, visits[idx(arc.end)].place);
       return wraps ? behind || before : behind && before;
     };
-    return std::any_of(found->second.begin(), found->second.end(), contains);
+    const std::vector<StrandPlace>& places = arrangement_.outline[idx(arc.strand)];
+    return std::any_of(places.begin(), places.end(), contains);
+  }
+
+  static bool is_before(const StrandPlace& a, const StrandPlace& b) {
+    return std::tie(a.segment, a.fraction) < std::tie(b.segment, b.fraction);
   }
 
   const Arrangement& arrangement_;
   LayerRays& rays_;
-  std::map<int, std::vector<int>> outline_;
+  KnownEvidence& known_;
 };
 
 }  // namespace
 
-std::vector<LabelledPath> label_paths(const Arrangement& arrangement, LayerRays& rays,
-                                      const Progress& progress) {
-  Labeller labeller(arrangement, rays);
-  std::vector<LabelledPath> result;
-  for (std::size_t p = 0; p < arrangement.paths.size(); ++p) {
-    result.push_back(labeller.label(arrangement.paths[p]));
-    if (p % 16 == 0)
-      progress.report(static_cast<double>(p) / static_cast<double>(arrangement.paths.size()));
-  }
-  return result;
-}
-
-void relabel_paths(const Arrangement& arrangement, const std::vector<CrossingState>& before,
-                   LayerRays& rays, std::vector<LabelledPath>& paths) {
-  std::vector<std::uint8_t> changed(arrangement.network->strands.size(), 0);
-  for (std::size_t c = 0; c < before.size(); ++c) {
-    if (before[c] == arrangement.states[c]) continue;
-    changed[idx(arrangement.crossings[c].front.strand)] = 1;
-    changed[idx(arrangement.crossings[c].back.strand)] = 1;
-  }
-  Labeller labeller(arrangement, rays);
-  for (std::size_t p = 0; p < arrangement.paths.size(); ++p) {
-    const std::vector<int>& strands = arrangement.paths[p].strands;
-    const bool touched =
-        std::any_of(strands.begin(), strands.end(), [&](int s) { return changed[idx(s)] != 0; });
-    if (touched) paths[p] = labeller.label(arrangement.paths[p]);
-  }
+LabelledPath label_path(const Arrangement& arrangement, const Path& path, LayerRays& rays,
+                        KnownEvidence& known) {
+  return Labeller(arrangement, rays, known).label(path);
 }
 
 std::vector<int> contradictions(const Arrangement& arrangement,

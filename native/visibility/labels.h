@@ -1,7 +1,8 @@
 // Absolute labels: the base of every path, and the break where a cycle contradicts itself.
 #pragma once
 
-#include "core/progress.h"
+#include <map>
+
 #include "visibility/layer_rays.h"
 #include "visibility/potential.h"
 
@@ -21,16 +22,21 @@ struct LabelledPath {
   }
 };
 
-// One for each path of the arrangement: the labels that contradict the rays least, by length of
-// line, a break counted as so many pixels of wrong label. Where a cycle's changes do not sum to
-// zero there is at least one break. Arcs at the outside of the drawing have 0. No label is
-// negative.
-std::vector<LabelledPath> label_paths(const Arrangement& arrangement, LayerRays& rays,
-                                      const Progress& progress);
+// What rays say of an arc: so many layers, worth so many pixels of line.
+struct Evidence {
+  int layers;
+  double weight;
+};
 
-// Labels anew the paths on which a crossing's state is no longer what it was in `before`.
-void relabel_paths(const Arrangement& arrangement, const std::vector<CrossingState>& before,
-                   LayerRays& rays, std::vector<LabelledPath>& paths);
+// What was asked before, by strand and the crossings that bound the arc (none at the strand's
+// ends).
+using KnownEvidence = std::map<std::array<int, 3>, Evidence>;
+
+// The labels of a path that contradict the rays least, by length of line, a break counted as so
+// many pixels of wrong label. Where a cycle's changes do not sum to zero there is at least one
+// break. Arcs at the outside of the drawing have 0. No label is negative.
+LabelledPath label_path(const Arrangement& arrangement, const Path& path, LayerRays& rays,
+                        KnownEvidence& known);
 
 // Crossings whose back strand has fewer layers in front than the front strand.
 std::vector<int> contradictions(const Arrangement& arrangement,

@@ -15,25 +15,25 @@ class PathWalker {
   PathLabels run() {
     for (std::size_t i = 0; i < path_.strands.size(); ++i) {
       if (i > 0) offset_ += path_.jumps[i];
-      walk(path_.strands[i]);
+      walk(path_.strands[i], path_.freed[i] != 0);
     }
     if (path_.cyclic) labels_.residual = offset_ + path_.jumps[0];
     return std::move(labels_);
   }
 
  private:
-  void walk(int strand) {
+  void walk(int strand, bool freed) {
     const std::vector<Visit>& visits = arrangement_.visits[idx(strand)];
     const int count = static_cast<int>(visits.size());
     const bool closed = arrangement_.network->strands[idx(strand)].closed();
-    if (!closed || count == 0) add_arc(strand, none, count == 0 ? none : 0);
+    if (!closed || count == 0) add_arc(strand, none, count == 0 ? none : 0, freed);
     for (int v = 0; v < count; ++v) {
       const Visit& visit = visits[idx(v)];
       if (!visit.front && arrangement_.is_live(visit.crossing)) {
         offset_ += back_change(arrangement_, arrangement_.crossings[idx(visit.crossing)]);
       }
       const bool last = v + 1 == count;
-      add_arc(strand, v, last ? (closed ? 0 : none) : v + 1);
+      add_arc(strand, v, last ? (closed ? 0 : none) : v + 1, is_demoted(strand, v));
     }
   }
 
@@ -46,15 +46,14 @@ class PathWalker {
     return {strand, point, 0};
   }
 
-  void add_arc(int strand, int begin, int end) {
+  void add_arc(int strand, int begin, int end, bool starts_free) {
     const int count = arrangement_.point_count(strand);
     const bool closed = arrangement_.network->strands[idx(strand)].closed();
-    const bool free = begin != none && is_demoted(strand, begin);
     const StrandPlace from = place(strand, begin, 0);
     StrandPlace to = place(strand, end, closed ? count : count - 1);
     const bool wraps = closed && begin != none && end != none && end <= begin;
     if (wraps) to.segment += count;
-    measure({strand, begin, end, offset_, free, 0, {}}, from, to);
+    measure({strand, begin, end, offset_, starts_free, 0, {}}, from, to);
   }
 
   // Image length and the sample places.

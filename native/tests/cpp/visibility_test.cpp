@@ -8,6 +8,7 @@
 #include "shapes.h"
 #include "visibility/crossings.h"
 #include "visibility/label_network.h"
+#include "visibility/outline.h"
 
 namespace illustrate {
 namespace {
@@ -58,6 +59,26 @@ TEST(Crossings, OfClosedCurvesAreEvenInNumber) {
     }
     EXPECT_EQ(between % 2, 0);
   }
+}
+
+void add_square(CurveNetwork& network, ImageStrands& strands, double half) {
+  for (const Vec2& p :
+       {Vec2(-half, -half), Vec2(half, -half), Vec2(half, half), Vec2(-half, half)}) {
+    network.points.push({Vec3::Zero(), {}});
+    strands.image.push_back(p);
+  }
+  network.points.close_list();
+  network.strands.push_back({});
+}
+
+TEST(Outline, IsTheOuterOfTwoNestedSquares) {
+  CurveNetwork network;
+  ImageStrands strands;
+  add_square(network, strands, 10);
+  add_square(network, strands, 30);
+  const std::vector<std::vector<StrandPlace>> outline = outline_places(network, strands);
+  EXPECT_TRUE(outline[0].empty());
+  EXPECT_EQ(outline[1].size(), 4U) << "each of its sides";
 }
 
 TEST(Labels, OfASphereAreZero) {
