@@ -169,7 +169,8 @@ Drawing make_strokes(const LabelledGraph& graph, const Hatches& hatches, const T
   Drawing drawing;
   for (const Stroke& stroke : strokes) {
     for (const StrokePath& part : clip_at_frame(stroke.path, camera)) {
-      const StrokePath path = simplify(part, options.simplify_px);
+      const double pixel_size = camera.pixel_size(part.points.front().position);
+      const StrokePath path = simplify(part, options.simplify_px, pixel_size);
       append(drawing, taper(path, options.taper_px, camera), stroke);
     }
   }

@@ -117,10 +117,22 @@ StrokePath opened_outside(const StrokePath& path, const Vec2& frame) {
   return open;
 }
 
-double chord_distance(const StrokePoint& p, const StrokePoint& a, const StrokePoint& b) {
-  const auto place = [](const StrokePoint& q) { return Vec3(q.image.x(), q.image.y(), q.width); };
-  const Vec3 chord = place(b) - place(a);
-  const Vec3 offset = place(p) - place(a);
+// What simplification must keep: image, width, and the place in the world in pixels, which counts
+// less.
+using Place = Eigen::Matrix<double, 6, 1>;
+constexpr double world_share = 0.2;
+
+std::vector<Place> places_of(const std::vector<StrokePoint>& points, double pixel_size) {
+  std::vector<Place> places;
+  for (const StrokePoint& p : points) {
+    const Vec3 world = (p.position - points.front().position) * (world_share / pixel_size);
+    places.push_back((Place() << p.image, p.width, world).finished());
+  }
+  return places;
+}
+
+double chord_distance(const Place& p, const Place& a, const Place& b) {
+  const Place chord = b - a, offset = p - a;
   const double square = chord.squaredNorm();
   const double t = square > 0 ? std::clamp(offset.dot(chord) / square, 0.0, 1.0) : 0.0;
   return (offset - t * chord).norm();
@@ -132,8 +144,7 @@ struct Farthest {
 };
 
 // Of the points strictly between two, the one farthest from their chord.
-Farthest farthest_between(const std::vector<StrokePoint>& points, std::size_t first,
-                          std::size_t last) {
+Farthest farthest_between(const std::vector<Place>& points, std::size_t first, std::size_t last) {
   Farthest found{first, -1};
   for (std::size_t i = first + 1; i < last; ++i) {
     const double distance = chord_distance(points[i], points[first], points[last]);
@@ -142,7 +153,7 @@ Farthest farthest_between(const std::vector<StrokePoint>& points, std::size_t fi
   return found;
 }
 
-void mark_needed(const std::vector<StrokePoint>& points, std::size_t begin, std::size_t end,
+void mark_needed(const std::vector<Place>& points, std::size_t begin, std::size_t end,
                  double tolerance, std::vector<std::uint8_t>& needed) {
   std::vector<std::array<std::size_t, 2>> open{{begin, end}};
   needed[begin] = needed[end] = 1;
@@ -206,11 +217,11 @@ std::vector<StrokePath> clip_at_frame(const StrokePath& path, const Camera& came
   return FrameCutter(camera, frame).cut(path.closed ? opened_outside(path, frame) : path);
 }
 
-StrokePath simplify(const StrokePath& path, double tolerance_px) {
+StrokePath simplify(const StrokePath& path, double tolerance_px, double pixel_size) {
   StrokePath result = path;
   const std::size_t count = path.points.size();
   if (count < 3 || (path.closed && count < 4)) return result;
-  std::vector<StrokePoint> points = path.points;
+  std::vector<Place> points = places_of(path.points, pixel_size);
   std::vector<std::uint8_t> needed(count + 1, 0);
   if (path.closed) {
     points.push_back(points.front());
@@ -225,7 +236,7 @@ StrokePath simplify(const StrokePath& path, double tolerance_px) {
   }
   result.points.clear();
   for (std::size_t i = 0; i < count; ++i) {
-    if (needed[i]) result.points.push_back(points[i]);
+    if (needed[i]) result.points.push_back(path.points[i]);
   }
   return result;
 }

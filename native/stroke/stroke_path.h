@@ -29,9 +29,11 @@ StrokePoint point_between(const StrokePoint& a, const StrokePoint& b, double t,
 // not free. Parts of no length are dropped.
 std::vector<StrokePath> clip_at_frame(const StrokePath& path, const Camera& camera);
 
-// Douglas-Peucker in (x, y, width): nothing moves by more than `tolerance_px`. Open paths keep
-// their ends, closed ones three points far apart.
-StrokePath simplify(const StrokePath& path, double tolerance_px);
+// Douglas-Peucker in (x, y, width): nothing moves by more than `tolerance_px`, and in the world by
+// no more than five times that, so that a stroke does not sink into its surface. `pixel_size`:
+// world length of a pixel at the path. Open paths keep their ends, closed ones three points far
+// apart.
+StrokePath simplify(const StrokePath& path, double tolerance_px, double pixel_size);
 
 // Thins free ends over `taper_px`, on a short stroke over at most a third of it, adding points
 // where needed.

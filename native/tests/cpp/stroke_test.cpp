@@ -299,7 +299,7 @@ TEST(Simplify, StaysWithinToleranceAndNeedsFewerPoints) {
   for (const Vec2& p : circle({50, 50}, 40, 2000)) path.points.push_back({Vec3::Zero(), {}, p, 1});
   std::size_t last_count = 2000;
   for (const double tolerance : {0.01, 0.1, 1.0}) {
-    const StrokePath simple = simplify(path, tolerance);
+    const StrokePath simple = simplify(path, tolerance, 1);
     for (const StrokePoint& p : path.points) {
       EXPECT_LE(farthest_from(simple.points, p.image), tolerance + 1e-12);
     }
@@ -314,10 +314,23 @@ TEST(Simplify, StaysWithinToleranceAndNeedsFewerPoints) {
 TEST(Simplify, KeepsEndsAndTriangles) {
   StrokePath line;
   for (const double x : {0.0, 1.0, 2.0, 3.0}) line.points.push_back({Vec3::Zero(), {}, {x, 0}, 1});
-  EXPECT_EQ(simplify(line, 0.1).points.size(), 2U);
+  EXPECT_EQ(simplify(line, 0.1, 1).points.size(), 2U);
   StrokePath loop = line;
   loop.closed = true;
-  EXPECT_EQ(simplify(loop, 10).points.size(), 3U);
+  EXPECT_EQ(simplify(loop, 10, 1).points.size(), 3U);
+}
+
+// Straight in the image, a parabola in depth: points stay within five tolerances of it, in pixels
+// of the world.
+TEST(Simplify, KeepsTheDepthOfAStroke) {
+  StrokePath path;
+  for (int i = 0; i <= 100; ++i) {
+    const double x = i, depth = 0.02 * (x - 50) * (x - 50);
+    path.points.push_back({Vec3(x, 0, depth) * 0.01, {}, {x, 0}, 1});
+  }
+  const StrokePath simple = simplify(path, 0.1, 0.01);
+  EXPECT_GT(simple.points.size(), 5U);
+  EXPECT_LT(simple.points.size(), 40U);
 }
 
 // Brightness 0 on the left half, 1 on the right.
