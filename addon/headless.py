@@ -14,6 +14,7 @@ import pathlib
 import re
 import sys
 import time
+import traceback
 from types import ModuleType
 from typing import Any
 
@@ -241,5 +242,16 @@ def leave(code: int) -> None:
         sys.exit(code)
 
 
+def run() -> int:
+    """`main` with the command line; in a module, the exit code of an exception that it let pass."""
+    try:
+        return main(own_arguments())
+    except Exception:
+        if not is_module():
+            raise
+        traceback.print_exc()
+        return 3
+
+
 if __name__ == "__main__":
-    leave(main(own_arguments()))
+    leave(run())

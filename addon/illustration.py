@@ -61,6 +61,8 @@ def illustrate(scene: Any, depsgraph: Any, progress: Progress | None = None) -> 
     try:
         meshes = [ill.PolygonMesh(**vars(mesh)) for mesh in arrays.meshes]
         prepared = ill.prepare(meshes, settings.prepare_options(chosen), progress=progress)
+        if not len(prepared.surface.triangles):
+            raise _nothing_is_left(scene, arrays, prepared.reports)
         drawing = ill.draw(
             prepared,
             ill.Camera(**vars(arrays.camera)),
@@ -73,6 +75,18 @@ def illustrate(scene: Any, depsgraph: Any, progress: Progress | None = None) -> 
     seconds.update(prepared.timings)
     seconds.update(drawing.timings)
     return Illustration(drawing, arrays, _warnings(arrays, prepared.reports), seconds)
+
+
+def _nothing_is_left(
+    scene: Any, arrays: SceneArrays, reports: list[dict[str, Any]]
+) -> IllustrateError:
+    """Of scenes whose every face is broken."""
+    names = quoted([mesh.name for mesh in arrays.meshes])
+    found = " ".join(f"{warning}." for warning in _warnings(arrays, reports))
+    return IllustrateError(
+        f'Nothing in scene "{scene.name}" can be drawn: no face of {names} has an area. Check '
+        f"the coordinates of the vertices and the scale of the objects. {found}".strip()
+    )
 
 
 def _warnings(arrays: SceneArrays, reports: list[dict[str, Any]]) -> list[str]:

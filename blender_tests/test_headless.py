@@ -93,7 +93,12 @@ def test_frames_and_style(scene: Any, saved: Any, tmp_path: Any) -> None:
 
 @pytest.mark.parametrize(
     ("spoil", "words"),
-    [("no camera", "no camera"), ("panoramic", '"Eye" is panoramic'), ("nothing", "can be drawn")],
+    [
+        ("no camera", "no camera"),
+        ("panoramic", '"Eye" is panoramic'),
+        ("nothing", "can be drawn"),
+        ("not finite", "8 vertices that are not finite"),
+    ],
 )
 def test_a_scene_that_cannot_be_drawn(
     scene: Any, saved: Any, tmp_path: Any, spoil: str, words: str
@@ -103,6 +108,9 @@ def test_a_scene_that_cannot_be_drawn(
         scene.camera = None
     elif spoil == "panoramic":
         scene.camera.data.type = "PANO"
+    elif spoil == "not finite":
+        for vertex in cube.data.vertices:
+            vertex.co.x = float("nan")
     else:
         bpy.data.objects.remove(cube)
     ran = headless(saved(), "--out", str(tmp_path / "out"))

@@ -30,7 +30,7 @@ sys.exit(not os.path.exists(os.path.join(sysconfig.get_paths()["include"], "Pyth
 build_for_blender() {
     local blender version python
     blender=$(find_blender) || return 0
-    version=$(python_of_blender "$blender")
+    version=$(python_of_blender "$blender") || fail "$blender does not run as Blender does"
     [ "$version" = 3.11 ] && return
     if ! python=$(python_with_headers "$version"); then
         say "$blender runs Python ${version:-?}: install python$version with its headers" \

@@ -5,6 +5,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 "$ROOT/tools/setup_system.sh" build lint
 "$ROOT/tools/setup_python.sh"
 cd "$ROOT"
+mkdir -p build
 PATH=$VENV/bin:$PATH
 status=0
 check() {
