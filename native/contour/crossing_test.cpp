@@ -17,10 +17,14 @@ constexpr double smallest_coordinate = 0x1p-200;
 
 // How far points are moved, relative to the largest coordinate: a few times the rounding to single
 // precision, in which modelling programs store them.
-constexpr double inset = 0x1p-22;
+constexpr double rounding_inset = 0x1p-22;
 
-// The farthest that the inset moves two points towards each other.
-constexpr double in_plane = 20 * inset;
+// And never more than this share of the median edge: one far vertex, or a vast ground, makes the
+// rounding larger than the detail, and every box would be near every other.
+constexpr double largest_inset_of_edge = 1.0 / 400;
+
+// The farthest that an inset of 1 moves two points towards each other.
+constexpr double in_plane = 20;
 
 // Bounds the inset where the sides of a place face nearly opposite ways.
 constexpr double least_mean_normal = 0.05;
@@ -53,6 +57,7 @@ struct CrossingTest::Ends {
 CrossingTest::CrossingTest(const Surface& surface) {
   place_vertices(surface);
   scale_points(surface);
+  choose_inset();
   move_points_inward(surface);
 }
 
@@ -80,8 +85,24 @@ void CrossingTest::scale_points(const Surface& surface) {
   const int exponent = -std::ilogb(largest > 0 ? largest : 1.0);
   for (Vec3& point : points_)
     for (double& x : point) x = std::ldexp(x, exponent);
-  reach_ = std::ldexp(in_plane, -exponent);
+  scale_ = std::ldexp(1.0, -exponent);
 }
+
+void CrossingTest::choose_inset() {
+  std::vector<double> edges;
+  for (const Triangle& t : triangles_)
+    for (int k = 0; k < 3; ++k) {
+      const double length = (points_[t[next_corner(k)]] - points_[t[k]]).norm();
+      if (length > 0) edges.push_back(length);
+    }
+  inset_ = rounding_inset;
+  if (edges.empty()) return;
+  const auto median = edges.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2);
+  std::nth_element(edges.begin(), median, edges.end());
+  inset_ = std::min(inset_, *median * largest_inset_of_edge);
+}
+
+double CrossingTest::reach() const { return in_plane * inset_ * scale_; }
 
 // Part of each place, numbered by first place.
 std::vector<int> CrossingTest::parts() const {
@@ -116,7 +137,7 @@ void CrossingTest::move_points_inward(const Surface& surface) {
   const int part_count = part.empty() ? 1 : 1 + *std::max_element(part.begin(), part.end());
   for (std::size_t i = 0; i < moved_.size(); ++i) {
     const Vec3 mean = normals[i] / std::max(1, copies[i]);
-    const double depth = inset * (1 + static_cast<double>(part[i]) / part_count);
+    const double depth = inset_ * (1 + static_cast<double>(part[i]) / part_count);
     moved_[i] -= mean * (depth / std::max(mean.squaredNorm(), least_mean_normal));
     for (double& x : moved_[i])
       if (std::abs(x) < smallest_coordinate) x = 0;
@@ -200,7 +221,7 @@ double CrossingTest::parameter(const Piercing& piercing) const {
   const Vec3 normal = (at(t, 1) - at(t, 0)).cross(at(t, 2) - at(t, 0));
   const double low = normal.dot(points_[piercing.low] - at(t, 0));
   const double high = normal.dot(points_[piercing.high] - at(t, 0));
-  if (std::max(std::abs(low), std::abs(high)) <= in_plane * normal.norm())
+  if (std::max(std::abs(low), std::abs(high)) <= in_plane * inset_ * normal.norm())
     return middle_of_overlap(piercing);
   return std::clamp(low / (low - high), 0.0, 1.0);
 }

@@ -37,7 +37,7 @@ class CrossingTest {
   SurfacePoint surface_point(const Piercing& piercing, int triangle) const;
 
   // How near each other, in world units, the boxes of triangles that cross are.
-  double reach() const { return reach_; }
+  double reach() const;
 
   // A vertex at each place.
   const std::vector<int>& vertices() const { return vertices_; }
@@ -50,6 +50,7 @@ class CrossingTest {
   const Vec3& moved(int triangle, int corner) const { return moved_[triangles_[triangle][corner]]; }
   void place_vertices(const Surface& surface);
   void scale_points(const Surface& surface);
+  void choose_inset();
   void move_points_inward(const Surface& surface);
   std::vector<int> parts() const;
   int side(int a, int b, int c, int d) const;
@@ -66,7 +67,8 @@ class CrossingTest {
   std::vector<int> vertices_;        // (places)
   Points points_;                    // (places) scaled, the largest coordinate 1 .. 2
   Points moved_;                     // (places) points_ moved inward: what is decided on
-  double reach_ = 0;
+  double scale_ = 1;                 // world length of 1 in points_
+  double inset_ = 0;                 // how far points are moved, in points_
 };
 
 }  // namespace illustrate

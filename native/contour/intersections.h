@@ -2,7 +2,8 @@
 // mesh and between meshes.
 //
 // Touching is not crossing: whether triangles cross is decided, exactly, with every vertex moved
-// inward, against its normal, by 2^-22 of the largest coordinate, and the farther (at most twice as
+// inward, against its normal, by 2^-22 of the largest coordinate (but at most 1/400 of the median
+// edge), and the farther (at most twice as
 // far) the later its connected part comes. So a solid that stands on another, up to the rounding of
 // single precision, and a copy at the same place as its original, have no curve with it. The curves
 // themselves lie on the surface as it is.

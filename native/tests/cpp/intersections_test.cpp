@@ -7,6 +7,7 @@
 #include <limits>
 #include <random>
 
+#include "contour/crossing_test.h"
 #include "core/errors.h"
 #include "shapes.h"
 
@@ -283,6 +284,19 @@ TEST(Intersections, LatticeTetrahedraNeverLeaveLooseEndsOrTies) {
   }
   EXPECT_GT(curves, 500u);
   EXPECT_LT(open, curves / 20);  // coplanar faces
+}
+
+// A far vertex makes the rounding of coordinates larger than the detail: the work must stay in
+// proportion.
+TEST(Intersections, OneFarVertexDoesNotMakeEveryBoxANeighbour) {
+  for (const double far : {1e3, 1e6, 3e38}) {
+    Surface sphere = shapes::sphere_surface(1, 4);
+    sphere.positions[0] = Vec3(far, 0, 0);
+    const Bvh bvh(sphere.positions, sphere.triangles);
+    std::size_t pairs = 0;
+    bvh.overlapping_pairs([&](int, int) { ++pairs; }, CrossingTest(sphere).reach());
+    EXPECT_LT(pairs, 20 * sphere.triangles.size()) << far;
+  }
 }
 
 TEST(Intersections, SameInputSameBytes) {
