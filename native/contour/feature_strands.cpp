@@ -3,6 +3,7 @@
 #include <map>
 
 #include "contour/strands.h"
+#include "surface/locate.h"
 
 namespace illustrate {
 namespace {
@@ -112,14 +113,11 @@ class PieceMaker {
   int place(const EdgeSide& side, int end) const { return surface_.places[idx(vertex(side, end))]; }
 
   CurvePoint point(const EdgeSide& side, double fraction, int node) const {
-    std::array<double, 3> weights{0, 0, 0};
-    weights[idx(side.corner)] = 1 - fraction;
-    weights[idx(next_corner(side.corner))] = fraction;
     const Vec3& a = surface_.positions[idx(vertex(side, 0))];
     const Vec3& b = surface_.positions[idx(vertex(side, 1))];
     const Vec3 position =
         node == none ? Vec3((1 - fraction) * a + fraction * b) : nodes_[idx(node)].position;
-    return {position, {side.triangle, weights[1], weights[2]}};
+    return {position, on_edge(side.triangle, side.corner, fraction)};
   }
 
   const Surface& surface_;

@@ -14,8 +14,6 @@ constexpr double on_edge_weight = 1e-9;
 
 std::int64_t side_key(int triangle, int corner) { return std::int64_t{triangle} * 3 + corner; }
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 class JointFinder {
  public:
   JointFinder(const Surface& surface, const std::vector<FeatureEdge>& features,

@@ -3,19 +3,13 @@
 #include <utility>
 
 #include "contour/feature_edges.h"
+#include "surface/locate.h"
 
 namespace illustrate {
 namespace {
 
 bool is_passage(EdgeKind kind) {
   return kind != EdgeKind::crease && kind != EdgeKind::boundary && kind != EdgeKind::seam;
-}
-
-SurfacePoint on_edge(int triangle, int corner, double fraction) {
-  std::array<double, 3> weights{0, 0, 0};
-  weights[idx(corner)] = 1 - fraction;
-  weights[idx(next_corner(corner))] = fraction;
-  return {triangle, weights[1], weights[2]};
 }
 
 // One triangle's segment: in over the edge that turns from front to back, out over the other.

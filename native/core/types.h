@@ -29,6 +29,9 @@ constexpr int none = -1;
 // An index as the standard containers want it.
 constexpr std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
+// Twice the signed area of the triangle 0, a, b.
+inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
 // A place on the triangulated surface: corner 0 has weight 1 - b1 - b2, corners 1 and 2 have b1,
 // b2.
 struct SurfacePoint {

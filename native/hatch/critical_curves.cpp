@@ -11,8 +11,6 @@ namespace {
 
 constexpr double cell_px = 8;
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 }  // namespace
 
 bool is_critical(Kind kind) {

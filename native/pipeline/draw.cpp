@@ -16,8 +16,6 @@ namespace {
 
 constexpr double most_cells = 16e6;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 template <class Value>
 std::vector<Value> of_each(const std::vector<ObjectStyle>& styles,
                            Value (*value)(const ObjectStyle&)) {
@@ -149,7 +147,7 @@ std::vector<int> silhouette_triangles(const Prepared& prepared, const Camera& ca
   for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
     const bool front = functions.front(t, 0);
     const bool crosses = functions.front(t, 1) != front || functions.front(t, 2) != front;
-    if (crosses && surface.object_is_smooth[at(surface.triangle_objects[at(t)])]) {
+    if (crosses && surface.object_is_smooth[idx(surface.triangle_objects[idx(t)])]) {
       found.push_back(t);
     }
   }

@@ -5,15 +5,13 @@
 namespace illustrate {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 // (triangles) the number of each triangle once those of ignored objects are gone; none for these.
 std::vector<int> numbers_without_ignored(const Surface& whole,
                                          const std::vector<ObjectStyle>& styles) {
   std::vector<int> numbers;
   int next = 0;
   for (const int object : whole.triangle_objects) {
-    numbers.push_back(styles[at(object)].ignore ? none : next++);
+    numbers.push_back(styles[idx(object)].ignore ? none : next++);
   }
   return numbers;
 }
@@ -22,7 +20,7 @@ template <class T>
 void keep(std::vector<T>& values, const std::vector<int>& sources) {
   std::vector<T> kept;
   kept.reserve(sources.size());
-  for (const int source : sources) kept.push_back(values[at(source)]);
+  for (const int source : sources) kept.push_back(values[idx(source)]);
   values = std::move(kept);
 }
 
@@ -35,12 +33,12 @@ Surface surface_of(const Surface& whole, const std::vector<int>& sources,
   keep(part.edge_kinds, sources);
   keep(part.triangle_objects, sources);
   for (auto& neighbours : part.neighbours) {
-    for (int& n : neighbours) n = n == none ? none : numbers[at(n)];
+    for (int& n : neighbours) n = n == none ? none : numbers[idx(n)];
   }
   part.feature_edges.clear();
   part.feature_kinds.clear();
   for (std::size_t e = 0; e < whole.feature_edges.size(); ++e) {
-    if (styles[at(whole.objects[at(whole.feature_edges[e][0])])].ignore) continue;
+    if (styles[idx(whole.objects[idx(whole.feature_edges[e][0])])].ignore) continue;
     part.feature_edges.push_back(whole.feature_edges[e]);
     part.feature_kinds.push_back(whole.feature_kinds[e]);
   }
@@ -51,14 +49,14 @@ Surface surface_of(const Surface& whole, const std::vector<int>& sources,
 IntersectionCurves intersections_of(const IntersectionCurves& whole,
                                     const std::vector<int>& numbers) {
   IntersectionCurves part;
-  const auto number = [&](int t) { return t == none ? none : numbers[at(t)]; };
+  const auto number = [&](int t) { return t == none ? none : numbers[idx(t)]; };
   for (std::size_t c = 0; c < whole.curves.size(); ++c) {
     const Span<const IntersectionPoint> curve = whole.curves[c];
     const bool stays = std::all_of(curve.begin(), curve.end(), [&](const auto& p) {
       return number(p.a.triangle) != none && number(p.b.triangle) != none;
     });
     if (!stays) continue;
-    const auto first = at(whole.curves.offsets[c]);
+    const auto first = idx(whole.curves.offsets[c]);
     for (std::size_t i = 0; i < curve.size(); ++i) {
       IntersectionPoint p = curve[i];
       p.a.triangle = number(p.a.triangle);
@@ -96,7 +94,7 @@ SeenScene::SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& s
 void SeenScene::restore_triangles(std::vector<SurfacePoint>& points) const {
   if (!part_) return;
   for (SurfacePoint& p : points) {
-    if (p.triangle != none) p.triangle = part_->sources[at(p.triangle)];
+    if (p.triangle != none) p.triangle = part_->sources[idx(p.triangle)];
   }
 }
 

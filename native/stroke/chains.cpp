@@ -10,13 +10,11 @@ namespace {
 // tiny hooks near cusps do not decide how a line goes on.
 constexpr double direction_px = 1.0;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 // Ends are numbered 2 arc for the start of an arc, 2 arc + 1 for its end.
 int number_of(const ArcEnd& end) { return 2 * end.arc + (end.at_start ? 0 : 1); }
 
 int node_of(const LabelledGraph& graph, const ArcEnd& end) {
-  const GraphArc& arc = graph.arcs[at(end.arc)];
+  const GraphArc& arc = graph.arcs[idx(end.arc)];
   return end.at_start ? arc.start_node : arc.end_node;
 }
 
@@ -47,7 +45,7 @@ bool are_one_line(const GraphArc& a, const GraphArc& b) {
 
 // Unit direction in which an arc leaves the node at this end; zero for an arc of no length.
 Vec2 leaving_direction(const LabelledGraph& graph, const ArcEnd& end) {
-  const Span<const Vec2> image = graph.image[at(end.arc)];
+  const Span<const Vec2> image = graph.image[idx(end.arc)];
   const auto nth = [&](std::size_t i) { return image[end.at_start ? i : image.size() - 1 - i]; };
   Vec2 away = Vec2::Zero();
   for (std::size_t i = 1; i < image.size() && away.norm() < direction_px; ++i) {
@@ -78,7 +76,7 @@ class Mates {
     std::vector<Candidate> candidates;
     for (std::size_t a = 0; a < ends.size(); ++a) {
       for (std::size_t b = a + 1; b < ends.size(); ++b) {
-        if (!are_one_line(graph_.arcs[at(ends[a].arc)], graph_.arcs[at(ends[b].arc)])) continue;
+        if (!are_one_line(graph_.arcs[idx(ends[a].arc)], graph_.arcs[idx(ends[b].arc)])) continue;
         const double cosine =
             leaving_direction(graph_, ends[a]).dot(leaving_direction(graph_, ends[b]));
         candidates.push_back({cosine, a, b});
@@ -90,16 +88,16 @@ class Mates {
   }
 
   ArcEnd of(const ArcEnd& end) const {
-    const int mate = mates_[at(number_of(end))];
+    const int mate = mates_[idx(number_of(end))];
     return mate == none ? ArcEnd{} : ArcEnd{mate / 2, mate % 2 == 0};
   }
 
  private:
   void join(const ArcEnd& a, const ArcEnd& b) {
-    if (a.arc == none || b.arc == none || !drawn_[at(a.arc)] || !drawn_[at(b.arc)]) return;
-    if (!are_one_line(graph_.arcs[at(a.arc)], graph_.arcs[at(b.arc)])) return;
-    int& mate_of_a = mates_[at(number_of(a))];
-    int& mate_of_b = mates_[at(number_of(b))];
+    if (a.arc == none || b.arc == none || !drawn_[idx(a.arc)] || !drawn_[idx(b.arc)]) return;
+    if (!are_one_line(graph_.arcs[idx(a.arc)], graph_.arcs[idx(b.arc)])) return;
+    int& mate_of_a = mates_[idx(number_of(a))];
+    int& mate_of_b = mates_[idx(number_of(b))];
     if (mate_of_a != none || mate_of_b != none) return;
     mate_of_a = number_of(b);
     mate_of_b = number_of(a);
@@ -141,9 +139,9 @@ Chain follow(const LabelledGraph& graph, const Mates& mates, const ArcEnd& first
 double image_length(const LabelledGraph& graph, const Chain& chain) {
   double length = 0;
   for (const int arc : chain.arcs) {
-    const Span<const Vec2> image = graph.image[at(arc)];
+    const Span<const Vec2> image = graph.image[idx(arc)];
     for (std::size_t i = 1; i < image.size(); ++i) length += (image[i] - image[i - 1]).norm();
-    if (graph.arcs[at(arc)].start_node == none) length += (image.back() - image.front()).norm();
+    if (graph.arcs[idx(arc)].start_node == none) length += (image.back() - image.front()).norm();
   }
   return length;
 }
@@ -159,7 +157,7 @@ class SpeckFilter {
         chain_of_(graph.arcs.size(), none),
         kept_(chains.size(), 1) {
     for (std::size_t c = 0; c < chains.size(); ++c) {
-      for (const int arc : chains[c].arcs) chain_of_[at(arc)] = static_cast<int>(c);
+      for (const int arc : chains[c].arcs) chain_of_[idx(arc)] = static_cast<int>(c);
     }
   }
 
@@ -185,18 +183,18 @@ class SpeckFilter {
     if (!chain.closed)
       return meets_another(c, chain.start_node) && meets_another(c, chain.end_node);
     for (const int arc : chain.arcs) {
-      const int node = graph_.arcs[at(arc)].start_node;
+      const int node = graph_.arcs[idx(arc)].start_node;
       if (node != none && meets_another(c, node)) return true;
     }
     return false;
   }
 
   bool meets_another(std::size_t c, int node) const {
-    const int layers = graph_.arcs[at(chains_[c].arcs[0])].invisibility;
-    for (const ArcEnd& end : ends_[at(node)]) {
-      const int other = chain_of_[at(end.arc)];
-      if (other != static_cast<int>(c) && kept_[at(other)] &&
-          graph_.arcs[at(end.arc)].invisibility <= layers) {
+    const int layers = graph_.arcs[idx(chains_[c].arcs[0])].invisibility;
+    for (const ArcEnd& end : ends_[idx(node)]) {
+      const int other = chain_of_[idx(end.arc)];
+      if (other != static_cast<int>(c) && kept_[idx(other)] &&
+          graph_.arcs[idx(end.arc)].invisibility <= layers) {
         return true;
       }
     }
@@ -217,7 +215,7 @@ std::vector<std::uint8_t> drawn_arcs(const LabelledGraph& graph,
                                      const StrokeOptions& options) {
   std::vector<std::uint8_t> drawn;
   for (const GraphArc& arc : graph.arcs) {
-    const bool object_is_drawn = undrawn.empty() || arc.object == none || !undrawn[at(arc.object)];
+    const bool object_is_drawn = undrawn.empty() || arc.object == none || !undrawn[idx(arc.object)];
     drawn.push_back(object_is_drawn && kind_is_drawn(arc.kind, options) &&
                     layers_are_drawn(arc.invisibility, options));
   }
@@ -229,16 +227,17 @@ Ragged<ArcEnd> ends_at_nodes(const LabelledGraph& graph, const std::vector<std::
   ends.offsets.assign(graph.nodes.size() + 1, 0);
   const auto for_each_end = [&](auto&& visit) {
     for (int a = 0; a < static_cast<int>(graph.arcs.size()); ++a) {
-      if (!drawn[at(a)] || graph.arcs[at(a)].start_node == none) continue;
+      if (!drawn[idx(a)] || graph.arcs[idx(a)].start_node == none) continue;
       visit(ArcEnd{a, true});
       visit(ArcEnd{a, false});
     }
   };
-  for_each_end([&](const ArcEnd& end) { ++ends.offsets[at(node_of(graph, end) + 1)]; });
+  for_each_end([&](const ArcEnd& end) { ++ends.offsets[idx(node_of(graph, end) + 1)]; });
   for (std::size_t n = 1; n < ends.offsets.size(); ++n) ends.offsets[n] += ends.offsets[n - 1];
-  ends.values.resize(at(ends.offsets.back()));
+  ends.values.resize(idx(ends.offsets.back()));
   std::vector<int> next(ends.offsets.begin(), ends.offsets.end() - 1);
-  for_each_end([&](const ArcEnd& end) { ends.values[at(next[at(node_of(graph, end))]++)] = end; });
+  for_each_end(
+      [&](const ArcEnd& end) { ends.values[idx(next[idx(node_of(graph, end))]++)] = end; });
   return ends;
 }
 
@@ -255,9 +254,9 @@ std::vector<Chain> chain_arcs(const LabelledGraph& graph, const std::vector<std:
   std::vector<Chain> chains;
   std::vector<std::uint8_t> chained(graph.arcs.size(), 0);
   for (int a = 0; a < static_cast<int>(graph.arcs.size()); ++a) {
-    if (!drawn[at(a)] || chained[at(a)]) continue;
+    if (!drawn[idx(a)] || chained[idx(a)]) continue;
     chains.push_back(follow(graph, mates, first_end(mates, a)));
-    for (const int arc : chains.back().arcs) chained[at(arc)] = 1;
+    for (const int arc : chains.back().arcs) chained[idx(arc)] = 1;
   }
   return chains;
 }

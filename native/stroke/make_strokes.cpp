@@ -11,8 +11,6 @@
 namespace illustrate {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 // A stroke with what it says of itself.
 struct Stroke {
   StrokePath path;
@@ -22,7 +20,7 @@ struct Stroke {
 };
 
 double scale_of(const std::vector<double>& width_scale, int object) {
-  return width_scale.empty() || object == none ? 1.0 : width_scale[at(object)];
+  return width_scale.empty() || object == none ? 1.0 : width_scale[idx(object)];
 }
 
 double line_width(const GraphArc& arc, const std::vector<double>& width_scale,
@@ -37,21 +35,21 @@ double line_width(const GraphArc& arc, const std::vector<double>& width_scale,
 std::vector<StrokePoint> points_of(const LabelledGraph& graph, const Chain& chain, double width) {
   std::vector<StrokePoint> points;
   for (std::size_t i = 0; i < chain.arcs.size(); ++i) {
-    const Span<const CurvePoint> curve = graph.points[at(chain.arcs[i])];
-    const Span<const Vec2> image = graph.image[at(chain.arcs[i])];
+    const Span<const CurvePoint> curve = graph.points[idx(chain.arcs[i])];
+    const Span<const Vec2> image = graph.image[idx(chain.arcs[i])];
     for (std::size_t k = i == 0 ? 0 : 1; k < curve.size(); ++k) {
       const std::size_t p = chain.reversed[i] ? curve.size() - 1 - k : k;
       points.push_back({curve[p].position, curve[p].on, image[p], width});
     }
   }
-  const bool repeats_first = chain.closed && graph.arcs[at(chain.arcs[0])].start_node != none;
+  const bool repeats_first = chain.closed && graph.arcs[idx(chain.arcs[0])].start_node != none;
   if (repeats_first) points.pop_back();
   return points;
 }
 
 // An end is free where no other line that is drawn comes to its node.
 bool is_free(const Ragged<ArcEnd>& ends, const Chain& chain, int node) {
-  return !chain.closed && ends[at(node)].size() == 1;
+  return !chain.closed && ends[idx(node)].size() == 1;
 }
 
 std::vector<Stroke> line_strokes(const LabelledGraph& graph, const std::vector<double>& width_scale,
@@ -65,7 +63,7 @@ std::vector<Stroke> line_strokes(const LabelledGraph& graph, const std::vector<d
   for (std::size_t c = 0; c < chains.size(); ++c) {
     if (!kept[c]) continue;
     const Chain& chain = chains[c];
-    const GraphArc& arc = graph.arcs[at(chain.arcs[0])];
+    const GraphArc& arc = graph.arcs[idx(chain.arcs[0])];
     StrokePath path;
     path.points = points_of(graph, chain, line_width(arc, width_scale, options));
     path.closed = chain.closed;
@@ -84,8 +82,8 @@ class HatchWidth {
 
   double operator()(const Vec2& image) {
     const int cell = tone_.cell_of(image);
-    if (cell != none && tone_.level[at(cell)] != Tone::nothing) {
-      light_ = static_cast<double>(tone_.brightness[at(cell)]);
+    if (cell != none && tone_.level[idx(cell)] != Tone::nothing) {
+      light_ = static_cast<double>(tone_.brightness[idx(cell)]);
     }
     return width_ * (1 + by_light_ * (1 - 2 * light_));
   }

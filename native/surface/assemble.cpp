@@ -24,7 +24,7 @@ class Assembler {
     for (int f = 0; f < faces(); ++f) {
       if (!is_drawn(f)) continue;
       for (int c = mesh_.first(f); c < mesh_.first(f + 1); ++c) {
-        int& corner = sector_corners_[index(sector(c))];
+        int& corner = sector_corners_[idx(sector(c))];
         if (corner == none) corner = c;
       }
     }
@@ -33,41 +33,40 @@ class Assembler {
     }
     surface_.triangle_objects.resize(surface_.triangles.size(), object_.object);
     for (int c = 0; c < static_cast<int>(slots_.size()); ++c) {
-      if (slots_[index(c)] != none) connect_edge(c);
+      if (slots_[idx(c)] != none) connect_edge(c);
     }
   }
 
  private:
-  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
   int faces() const { return static_cast<int>(mesh_.face_count()); }
-  int sector(int corner) const { return object_.corner_sectors[index(corner)]; }
-  const Vec3& position(int corner) const { return object_.limits.positions[index(sector(corner))]; }
+  int sector(int corner) const { return object_.corner_sectors[idx(corner)]; }
+  const Vec3& position(int corner) const { return object_.limits.positions[idx(sector(corner))]; }
   bool is_hole(int face) const {
-    return !object_.base.holes.empty() && object_.base.holes[index(mesh_.base_faces[index(face)])];
+    return !object_.base.holes.empty() && object_.base.holes[idx(mesh_.base_faces[idx(face)])];
   }
   bool is_drawn(int face) const {
     const std::vector<std::uint8_t>& kept = object_.base.kept;
-    return !is_hole(face) && (kept.empty() || kept[index(mesh_.base_faces[index(face)])]);
+    return !is_hole(face) && (kept.empty() || kept[idx(mesh_.base_faces[idx(face)])]);
   }
 
   // The sector that stands for this corner's on both sheets.
   int representative(int corner) const {
     if (mesh_.twin_faces.empty()) return sector(corner);
     const int twin = twin_corner(mesh_, corner);
-    if (twin == none || sector_corners_[index(sector(twin))] == none) return sector(corner);
+    if (twin == none || sector_corners_[idx(sector(twin))] == none) return sector(corner);
     return std::min(sector(corner), sector(twin));
   }
 
   int vertex(int sector) {
-    int& vertex = vertices_[index(sector)];
+    int& vertex = vertices_[idx(sector)];
     if (vertex == none) vertex = add_vertex(sector);
     return vertex;
   }
 
   int add_vertex(int sector) {
-    const int corner = sector_corners_[index(sector)];
+    const int corner = sector_corners_[idx(sector)];
     const int added = static_cast<int>(surface_.positions.size());
-    const std::size_t s = index(sector);
+    const std::size_t s = idx(sector);
     surface_.positions.push_back(object_.limits.positions[s]);
     surface_.normals.push_back(object_.limits.normals[s]);
     surface_.objects.push_back(object_.object);
@@ -87,10 +86,10 @@ class Assembler {
   // The first surface vertex at the same point.
   int place(int mesh_vertex, int added) {
     int key = place_of(mesh_, mesh_vertex);
-    const int twin = mesh_.twin_vertices.empty() ? none : mesh_.twin_vertices[index(mesh_vertex)];
+    const int twin = mesh_.twin_vertices.empty() ? none : mesh_.twin_vertices[idx(mesh_vertex)];
     if (twin != none) key = std::min(key, place_of(mesh_, twin));
-    if (index(key) >= first_at_place_.size()) first_at_place_.resize(index(key) + 1, none);
-    int& first = first_at_place_[index(key)];
+    if (idx(key) >= first_at_place_.size()) first_at_place_.resize(idx(key) + 1, none);
+    int& first = first_at_place_[idx(key)];
     if (first == none) first = added;
     return first;
   }
@@ -118,13 +117,13 @@ class Assembler {
       int flips = 0;
       std::array<EdgeKind, 3> kinds{};
       for (int k = 0; k < 3; ++k) {
-        const int a = local[index(k)], b = local[index(next_corner(k))], corner = first + a;
+        const int a = local[idx(k)], b = local[idx(next_corner(k))], corner = first + a;
         const int chosen = representative(corner);
-        triangle[index(k)] = vertex(chosen);
+        triangle[idx(k)] = vertex(chosen);
         if (chosen != sector(corner)) flips |= 1 << k;
         if (b == (a + 1) % size) {
-          slots_[index(corner)] = 3 * number + k;
-          kinds[index(k)] = mesh_.kind(corner);
+          slots_[idx(corner)] = 3 * number + k;
+          kinds[idx(k)] = mesh_.kind(corner);
         } else {
           diagonals_.push_back({std::min(a, b), std::max(a, b), 3 * number + k});
         }
@@ -145,21 +144,21 @@ class Assembler {
     }
   }
 
-  int& neighbour(int slot) { return surface_.neighbours[index(slot / 3)][index(slot % 3)]; }
+  int& neighbour(int slot) { return surface_.neighbours[idx(slot / 3)][idx(slot % 3)]; }
 
   void connect_edge(int corner) {
     const int mate = mesh_.mate(corner);
     if (mate == none) return;
-    int other = slots_[index(mate)];
+    int other = slots_[idx(mate)];
     if (other == none && !mesh_.twin_faces.empty()) {  // on the other sheet
       const int twin = twin_corner(mesh_, mesh_.next(mate));
-      if (twin != none) other = slots_[index(twin)];
+      if (twin != none) other = slots_[idx(twin)];
     }
-    const int slot = slots_[index(corner)];
+    const int slot = slots_[idx(corner)];
     if (other != none) {
       neighbour(slot) = other / 3;
     } else {
-      surface_.edge_kinds[index(slot / 3)][index(slot % 3)] = EdgeKind::boundary;
+      surface_.edge_kinds[idx(slot / 3)][idx(slot % 3)] = EdgeKind::boundary;
     }
   }
 

@@ -9,13 +9,11 @@
 namespace illustrate {
 namespace {
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 // Unit, or zero where a triangle has no usable normal.
 Vec3 triangle_normal(const Surface& surface, const Triangle& t) {
-  const Vec3& a = surface.positions[index(t[0])];
-  const Vec3& b = surface.positions[index(t[1])];
-  const Vec3& c = surface.positions[index(t[2])];
+  const Vec3& a = surface.positions[idx(t[0])];
+  const Vec3& b = surface.positions[idx(t[1])];
+  const Vec3& c = surface.positions[idx(t[2])];
   const Vec3 across = (b - a).cross(c - a);
   const double longest =
       std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
@@ -26,12 +24,12 @@ Vec3 triangle_normal(const Surface& surface, const Triangle& t) {
 // The edge of `neighbour` that is edge k of `triangle`, whose corners are `from`.
 int edge_towards(const Surface& surface, int triangle, int neighbour, const Triangle& from, int k) {
   for (int j = 0; j < 3; ++j) {
-    if (surface.neighbours[index(neighbour)][index(j)] != triangle) continue;
-    const Triangle& t = surface.triangles[index(neighbour)];
-    const int a = surface.places[index(t[index(j)])];
-    const int b = surface.places[index(t[index(next_corner(j))])];
-    const int c = surface.places[index(from[index(k)])];
-    const int d = surface.places[index(from[index(next_corner(k))])];
+    if (surface.neighbours[idx(neighbour)][idx(j)] != triangle) continue;
+    const Triangle& t = surface.triangles[idx(neighbour)];
+    const int a = surface.places[idx(t[idx(j)])];
+    const int b = surface.places[idx(t[idx(next_corner(j))])];
+    const int c = surface.places[idx(from[idx(k)])];
+    const int d = surface.places[idx(from[idx(next_corner(k))])];
     if ((a == d && b == c) || (a == c && b == d)) return j;
   }
   return none;
@@ -40,11 +38,11 @@ int edge_towards(const Surface& surface, int triangle, int neighbour, const Tria
 // The normal of a triangle that may be part of a flat area, else zero. A strip of a smooth cylinder
 // is flat, the cylinder is not: its normals turn across the strip.
 Vec3 flat_normal(const Surface& surface, int t) {
-  const Triangle& triangle = surface.triangles[index(t)];
+  const Triangle& triangle = surface.triangles[idx(t)];
   const Vec3 normal = triangle_normal(surface, triangle);
-  if (!surface.object_is_smooth[index(surface.triangle_objects[index(t)])]) return normal;
+  if (!surface.object_is_smooth[idx(surface.triangle_objects[idx(t)])]) return normal;
   for (int k = 0; k < 3; ++k) {
-    const Vec3 own = surface.corner_sign(t, k) * surface.normals[index(triangle[index(k)])];
+    const Vec3 own = surface.corner_sign(t, k) * surface.normals[idx(triangle[idx(k)])];
     if ((own - normal).norm() > tolerance::flat_rad) return Vec3::Zero();
   }
   return normal;
@@ -62,7 +60,7 @@ class FlatAreas {
 
   void run() {
     for (int t = 0; t < static_cast<int>(areas_.size()); ++t) {
-      if (areas_[index(t)] == none && !normals_[index(t)].isZero()) grow(t);
+      if (areas_[idx(t)] == none && !normals_[idx(t)].isZero()) grow(t);
     }
     for (int t = 0; t < static_cast<int>(areas_.size()); ++t) {
       for (int k = 0; k < 3; ++k) mark_if_outline(t, k);
@@ -73,33 +71,33 @@ class FlatAreas {
   // Two triangles of opposite sheets of a double cover run along their edge in the same direction.
   bool same_sheet(int t, int k, int neighbour) const {
     if (!covered_) return true;
-    const int j = edge_towards(surface_, t, neighbour, surface_.triangles[index(t)], k);
+    const int j = edge_towards(surface_, t, neighbour, surface_.triangles[idx(t)], k);
     if (j == none) return true;
-    return surface_.places[index(surface_.triangles[index(t)][index(k)])] !=
-           surface_.places[index(surface_.triangles[index(neighbour)][index(j)])];
+    return surface_.places[idx(surface_.triangles[idx(t)][idx(k)])] !=
+           surface_.places[idx(surface_.triangles[idx(neighbour)][idx(j)])];
   }
 
   // An area too small to count gives its triangles back.
   void grow(int seed) {
     area_.assign(1, {seed, 1.0});
-    areas_[index(seed)] = seed;
+    areas_[idx(seed)] = seed;
     for (std::size_t i = 0; i < area_.size(); ++i) {
       const auto [t, sign] = area_[i];
       for (int k = 0; k < 3; ++k) {
-        const int n = surface_.neighbours[index(t)][index(k)];
-        if (n == none || areas_[index(n)] != none || is_divided(t, k)) continue;
+        const int n = surface_.neighbours[idx(t)][idx(k)];
+        if (n == none || areas_[idx(n)] != none || is_divided(t, k)) continue;
         const double turned = same_sheet(t, k, n) ? sign : -sign;
-        if (!agree(normals_[index(seed)], turned * normals_[index(n)])) continue;
-        areas_[index(n)] = seed;
+        if (!agree(normals_[idx(seed)], turned * normals_[idx(n)])) continue;
+        areas_[idx(n)] = seed;
         area_.push_back({n, turned});
       }
     }
     if (area_.size() >= smallest_area) return;
-    for (const Member& member : area_) areas_[index(member.triangle)] = none;
+    for (const Member& member : area_) areas_[idx(member.triangle)] = none;
   }
 
   bool is_divided(int t, int k) const {
-    const EdgeKind kind = surface_.edge_kinds[index(t)][index(k)];
+    const EdgeKind kind = surface_.edge_kinds[idx(t)][idx(k)];
     return kind == EdgeKind::crease || kind == EdgeKind::boundary || kind == EdgeKind::seam;
   }
 
@@ -108,9 +106,9 @@ class FlatAreas {
   }
 
   void mark_if_outline(int t, int k) {
-    const int n = surface_.neighbours[index(t)][index(k)];
-    EdgeKind& kind = surface_.edge_kinds[index(t)][index(k)];
-    if (n == none || kind != EdgeKind::smooth || areas_[index(t)] == areas_[index(n)]) return;
+    const int n = surface_.neighbours[idx(t)][idx(k)];
+    EdgeKind& kind = surface_.edge_kinds[idx(t)][idx(k)];
+    if (n == none || kind != EdgeKind::smooth || areas_[idx(t)] == areas_[idx(n)]) return;
     kind = EdgeKind::flat_outline;
   }
 
@@ -134,11 +132,11 @@ void mark_flat_outlines(Surface& surface) { FlatAreas(surface).run(); }
 void collect_feature_edges(Surface& surface) {
   for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
     for (int k = 0; k < 3; ++k) {
-      const EdgeKind kind = surface.edge_kinds[index(t)][index(k)];
-      const int n = surface.neighbours[index(t)][index(k)];
+      const EdgeKind kind = surface.edge_kinds[idx(t)][idx(k)];
+      const int n = surface.neighbours[idx(t)][idx(k)];
       if (kind == EdgeKind::smooth || (kind != EdgeKind::crease && n != none && n < t)) continue;
-      const Triangle& triangle = surface.triangles[index(t)];
-      surface.feature_edges.push_back({triangle[index(k)], triangle[index(next_corner(k))]});
+      const Triangle& triangle = surface.triangles[idx(t)];
+      surface.feature_edges.push_back({triangle[idx(k)], triangle[idx(next_corner(k))]});
       surface.feature_kinds.push_back(kind);
     }
   }

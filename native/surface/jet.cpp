@@ -10,8 +10,6 @@
 namespace illustrate {
 namespace {
 
-constexpr std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 // Enough for three rings of a regular mesh three times over; beyond it points are taken by stride.
 constexpr std::size_t most_points = 100;
 // Of a vertex with very many neighbours only so many are followed, by stride.
@@ -32,16 +30,16 @@ constexpr int monomial(int i, int j) { return (i + j) * (i + j + 1) / 2 + j; }
 template <int degree>
 struct Moments {
   static constexpr int count = coefficient_count(2 * degree);
-  std::array<double, index(count)> powers{};
-  std::array<double, index(coefficient_count(degree))> heights{};
+  std::array<double, idx(count)> powers{};
+  std::array<double, idx(coefficient_count(degree))> heights{};
 
   void add(const Vec3& p) {
-    std::array<double, index(count)> m;
+    std::array<double, idx(count)> m;
     m[0] = 1;
     int filled = 1;
     for (int d = 1, previous = 0; d <= 2 * degree; ++d) {
-      for (int k = 0; k < d; ++k) m[index(filled + k)] = p.x() * m[index(previous + k)];
-      m[index(filled + d)] = p.y() * m[index(previous + d - 1)];
+      for (int k = 0; k < d; ++k) m[idx(filled + k)] = p.x() * m[idx(previous + k)];
+      m[idx(filled + d)] = p.y() * m[idx(previous + d - 1)];
       previous = filled;
       filled += d + 1;
     }
@@ -53,7 +51,7 @@ struct Moments {
 // Solves a symmetric positive definite system in place by L D L^T; the right-hand side becomes the
 // solution.
 template <int n>
-void solve(double (&a)[n][n], std::array<double, index(n)>& b) {
+void solve(double (&a)[n][n], std::array<double, idx(n)>& b) {
   constexpr double smallest_pivot = 1e-14;  // below the ridge: only rounding gets here
   for (int j = 0; j < n; ++j) {
     for (int k = 0; k < j; ++k) {
@@ -64,11 +62,11 @@ void solve(double (&a)[n][n], std::array<double, index(n)>& b) {
     for (int i = j + 1; i < n; ++i) a[i][j] /= a[j][j];
   }
   for (int i = 0; i < n; ++i) {
-    for (int k = 0; k < i; ++k) b[index(i)] -= a[i][k] * b[index(k)];
+    for (int k = 0; k < i; ++k) b[idx(i)] -= a[i][k] * b[idx(k)];
   }
   for (int i = n - 1; i >= 0; --i) {
-    b[index(i)] /= a[i][i];
-    for (int k = i + 1; k < n; ++k) b[index(i)] -= a[k][i] * b[index(k)];
+    b[idx(i)] /= a[i][i];
+    for (int k = i + 1; k < n; ++k) b[idx(i)] -= a[k][i] * b[idx(k)];
   }
 }
 
@@ -85,7 +83,7 @@ Quadric fit_polynomial(const Points& points) {
     for (int j = 0; j <= di; ++j, ++r) {
       for (int dk = 0, c = 0; dk <= di; ++dk) {
         for (int l = 0; l <= dk; ++l, ++c) {
-          matrix[r][c] = moments.powers[index(monomial(di - j + dk - l, j + l))];
+          matrix[r][c] = moments.powers[idx(monomial(di - j + dk - l, j + l))];
         }
       }
     }
@@ -114,20 +112,20 @@ JetFitter::JetFitter(const Surface& surface, int rings)
       offsets_(surface.positions.size() + 1, 0),
       at_border_(surface.positions.size(), 0) {
   for (const Triangle& t : surface.triangles) {
-    for (const int v : t) offsets_[index(v) + 1] += 2;
+    for (const int v : t) offsets_[idx(v) + 1] += 2;
   }
   for (std::size_t v = 1; v < offsets_.size(); ++v) offsets_[v] += offsets_[v - 1];
   std::vector<int> cursor(offsets_.begin(), offsets_.end() - 1);
-  neighbours_.resize(index(offsets_.back()));
+  neighbours_.resize(idx(offsets_.back()));
   for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
     const Triangle& t = surface.triangles[i];
     for (int k = 0; k < 3; ++k) {
-      const int a = t[index(k)], b = t[index(next_corner(k))];
-      neighbours_[index(cursor[index(a)]++)] = b;
-      neighbours_[index(cursor[index(b)]++)] = a;
-      const EdgeKind kind = surface.edge_kinds[i][index(k)];
-      if (surface.neighbours[i][index(k)] != none && kind != EdgeKind::crease) continue;
-      at_border_[index(a)] = at_border_[index(b)] = 1;
+      const int a = t[idx(k)], b = t[idx(next_corner(k))];
+      neighbours_[idx(cursor[idx(a)]++)] = b;
+      neighbours_[idx(cursor[idx(b)]++)] = a;
+      const EdgeKind kind = surface.edge_kinds[i][idx(k)];
+      if (surface.neighbours[i][idx(k)] != none && kind != EdgeKind::crease) continue;
+      at_border_[idx(a)] = at_border_[idx(b)] = 1;
     }
   }
   std::size_t kept = 0;
@@ -146,18 +144,18 @@ JetFitter::JetFitter(const Surface& surface, int rings)
 void JetFitter::gather(int vertex, Workspace& work) const {
   work.visited.resize(surface_.positions.size(), none);
   work.found.assign(1, vertex);
-  work.visited[index(vertex)] = vertex;
+  work.visited[idx(vertex)] = vertex;
   std::size_t from = 0;
   for (int ring = 0; ring < rings_ && work.found.size() < most_points; ++ring) {
     const std::size_t to = work.found.size();
     for (; from < to; ++from) {
-      const std::size_t v = index(work.found[from]);
-      const std::size_t count = index(offsets_[v + 1] - offsets_[v]);
+      const std::size_t v = idx(work.found[from]);
+      const std::size_t count = idx(offsets_[v + 1] - offsets_[v]);
       const std::size_t stride = (count + most_neighbours - 1) / most_neighbours;
       for (std::size_t k = 0; k < count; k += stride) {
-        const int n = neighbours_[index(offsets_[v]) + k];
-        if (work.visited[index(n)] == vertex) continue;
-        work.visited[index(n)] = vertex;
+        const int n = neighbours_[idx(offsets_[v]) + k];
+        if (work.visited[idx(n)] == vertex) continue;
+        work.visited[idx(n)] = vertex;
         work.found.push_back(n);
       }
     }
@@ -167,20 +165,20 @@ void JetFitter::gather(int vertex, Workspace& work) const {
 
 PrincipalCurvature JetFitter::fit(int vertex, Workspace& work) const {
   gather(vertex, work);
-  const Vec3& origin = surface_.positions[index(vertex)];
-  const Vec3& normal = surface_.normals[index(vertex)];
+  const Vec3& origin = surface_.positions[idx(vertex)];
+  const Vec3& normal = surface_.normals[idx(vertex)];
   const Vec3 x = any_tangent(normal), y = normal.cross(x);
   double radius = 0;
   for (const int v : work.found) {
-    radius = std::max(radius, (surface_.positions[index(v)] - origin).norm());
+    radius = std::max(radius, (surface_.positions[idx(v)] - origin).norm());
   }
   if (!(radius > 0) || !std::isfinite(radius)) radius = 1;
   work.local.clear();
   for (const int v : work.found) {
-    const Vec3 d = (surface_.positions[index(v)] - origin) / radius;
+    const Vec3 d = (surface_.positions[idx(v)] - origin) / radius;
     work.local.emplace_back(d.dot(x), d.dot(y), d.dot(normal));
   }
-  const std::size_t points = at_border_[index(vertex)] ? 0 : work.local.size();
+  const std::size_t points = at_border_[idx(vertex)] ? 0 : work.local.size();
   const Quadric q = points >= points_for_quartic ? fit_polynomial<4>(work.local)
                     : points >= points_for_cubic ? fit_polynomial<3>(work.local)
                                                  : fit_polynomial<2>(work.local);
@@ -188,7 +186,7 @@ PrincipalCurvature JetFitter::fit(int vertex, Workspace& work) const {
   const Vec3 z = Vec3::UnitZ() / radius;
   PrincipalCurvature k = principal_curvature(du, dv, 2 * q[3] * z, q[4] * z, 2 * q[5] * z, fitted);
   // The normal of a limit surface is exact, that of a polygon mesh is worse than the fit's own.
-  const bool exact_normal = surface_.object_is_smooth[index(surface_.objects[index(vertex)])] != 0;
+  const bool exact_normal = surface_.object_is_smooth[idx(surface_.objects[idx(vertex)])] != 0;
   const Vec3 plane =
       exact_normal ? normal : Vec3(fitted.x() * x + fitted.y() * y + fitted.z() * normal);
   const Vec3 direction = k.w1.x() * x + k.w1.y() * y + k.w1.z() * normal;
@@ -211,7 +209,7 @@ void fit_jets(const Surface& surface, const std::vector<int>& vertices, const Je
                  [&](std::size_t begin, std::size_t end) {
                    JetFitter::Workspace work;
                    for (std::size_t i = from + begin; i < from + end; ++i) {
-                     const std::size_t v = index(vertices[i]);
+                     const std::size_t v = idx(vertices[i]);
                      const PrincipalCurvature k = fitter.fit(vertices[i], work);
                      result.k1[v] = k.k1;
                      result.k2[v] = k.k2;

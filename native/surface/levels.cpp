@@ -16,8 +16,6 @@ constexpr std::int64_t most_triangles = 200'000'000;
 // Part of the diagonal of the box of all meshes that the edges of an automatic level have.
 constexpr double automatic_edge_share = 1.0 / 600;
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 bool is_drawn(const SoundMesh& mesh, std::size_t face) {
   return (mesh.kept.empty() || mesh.kept[face]) && (mesh.holes.empty() || !mesh.holes[face]);
 }
@@ -42,9 +40,8 @@ double median_edge(const SoundMesh& mesh) {
   for (std::size_t f = 0; f < mesh.face_sizes.size(); ++f) {
     for (int c = offsets[f]; c < offsets[f + 1]; ++c) {
       const int next = c + 1 == offsets[f + 1] ? offsets[f] : c + 1;
-      const Vec3& a = mesh.positions[index(mesh.corner_vertices[index(c)])];
-      lengths.push_back(
-          (mesh.positions[index(mesh.corner_vertices[index(next)])] - a).stableNorm());
+      const Vec3& a = mesh.positions[idx(mesh.corner_vertices[idx(c)])];
+      lengths.push_back((mesh.positions[idx(mesh.corner_vertices[idx(next)])] - a).stableNorm());
     }
   }
   if (lengths.empty()) return 0;
@@ -56,7 +53,7 @@ double median_edge(const SoundMesh& mesh) {
 double automatic_edge_length(const std::vector<SoundMesh>& meshes) {
   Eigen::AlignedBox3d box;
   for (const SoundMesh& mesh : meshes) {
-    for (const int v : mesh.corner_vertices) box.extend(mesh.positions[index(v)]);
+    for (const int v : mesh.corner_vertices) box.extend(mesh.positions[idx(v)]);
   }
   return box.isEmpty() ? 0 : box.diagonal().stableNorm() * automatic_edge_share;
 }
@@ -96,10 +93,10 @@ void keep_budget(const std::vector<SoundMesh>& meshes, const std::vector<Scheme>
     int shortest = none;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
       if (!automatic[i] || levels[i] == 0) continue;
-      if (shortest == none || edge(i) < edge(index(shortest))) shortest = static_cast<int>(i);
+      if (shortest == none || edge(i) < edge(idx(shortest))) shortest = static_cast<int>(i);
     }
     if (shortest == none) return;
-    --levels[index(shortest)];
+    --levels[idx(shortest)];
   }
 }
 

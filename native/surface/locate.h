@@ -9,7 +9,10 @@ namespace illustrate {
 // clamped to the triangle; (0, 0) for a triangle without area.
 Vec2 barycentrics(const Surface& surface, int triangle, const Vec3& p);
 
-// The same as a SurfacePoint.
+// At `fraction` of the edge from `corner` to the next one.
+SurfacePoint on_edge(int triangle, int corner, double fraction);
+
+// The same as `barycentrics`, as a SurfacePoint.
 SurfacePoint locate(const Surface& surface, int triangle, const Vec3& p);
 
 }  // namespace illustrate

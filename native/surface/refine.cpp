@@ -14,14 +14,12 @@
 namespace illustrate {
 namespace {
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 // Sectors of the faces of level 0 that are no patches: those of the same corners on level 1.
 std::vector<int> sectors_of_parents(const Subdivision& subdivision, const RefinedMesh& parent,
                                     const Sectors& sectors) {
   std::vector<int> result;
   for (int c = 0; c < static_cast<int>(parent.corner_vertices.size()); ++c) {
-    result.push_back(sectors.corner_sectors[index(subdivision.child_corner(parent, c))]);
+    result.push_back(sectors.corner_sectors[idx(subdivision.child_corner(parent, c))]);
   }
   return result;
 }

@@ -8,8 +8,6 @@
 namespace illustrate {
 namespace {
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 // A diagonal with its smaller vertex first, and its face.
 struct Diagonal {
   Edge ends;
@@ -23,11 +21,11 @@ class FaceSplitter {
       : mesh_(mesh), offsets_(face_offsets(mesh.face_sizes)), triangles_(mesh.face_sizes.size()) {}
 
   SoundMesh run() {
-    for (int f = 0; f < faces(); ++f) triangles_[index(f)] = split(f);
+    for (int f = 0; f < faces(); ++f) triangles_[idx(f)] = split(f);
     const std::vector<std::uint8_t> clash = clashes();
     result_ = mesh_;
     for (int f = 0; f < faces(); ++f) {
-      if (clash[index(f)]) add_star(f);
+      if (clash[idx(f)]) add_star(f);
     }
     link_star_middles();
     set_faces();
@@ -36,20 +34,16 @@ class FaceSplitter {
 
  private:
   int faces() const { return static_cast<int>(mesh_.face_sizes.size()); }
-  int vertex(int face, int k) const {
-    return mesh_.corner_vertices[index(offsets_[index(face)] + k)];
-  }
-  int twin(int face) const {
-    return mesh_.twin_faces.empty() ? none : mesh_.twin_faces[index(face)];
-  }
+  int vertex(int face, int k) const { return mesh_.corner_vertices[idx(offsets_[idx(face)] + k)]; }
+  int twin(int face) const { return mesh_.twin_faces.empty() ? none : mesh_.twin_faces[idx(face)]; }
 
   // Those of a twin are its partner's, mirrored.
   std::vector<Triangle> split(int face) const {
     const int other = twin(face);
     if (other == none || other > face) return split_itself(face);
-    std::vector<Triangle> triangles = triangles_[index(other)];
+    std::vector<Triangle> triangles = triangles_[idx(other)];
     for (Triangle& t : triangles) {
-      for (int& v : t) v = mesh_.twin_vertices[index(v)];
+      for (int& v : t) v = mesh_.twin_vertices[idx(v)];
       std::swap(t[1], t[2]);
     }
     return triangles;
@@ -57,8 +51,8 @@ class FaceSplitter {
 
   std::vector<Triangle> split_itself(int face) const {
     Points polygon;
-    const int size = mesh_.face_sizes[index(face)];
-    for (int k = 0; k < size; ++k) polygon.push_back(mesh_.positions[index(vertex(face, k))]);
+    const int size = mesh_.face_sizes[idx(face)];
+    for (int k = 0; k < size; ++k) polygon.push_back(mesh_.positions[idx(vertex(face, k))]);
     std::vector<Triangle> triangles = triangulate({polygon.data(), polygon.size()});
     for (Triangle& t : triangles) {
       for (int& corner : t) corner = vertex(face, corner);
@@ -69,7 +63,7 @@ class FaceSplitter {
   std::vector<Edge> polygon_edges() const {
     std::vector<Edge> edges;
     for (int f = 0; f < faces(); ++f) {
-      const int size = mesh_.face_sizes[index(f)];
+      const int size = mesh_.face_sizes[idx(f)];
       for (int k = 0; k < size; ++k) edges.push_back({vertex(f, k), vertex(f, (k + 1) % size)});
     }
     return edges;
@@ -84,25 +78,24 @@ class FaceSplitter {
     std::sort(diagonals.begin(), diagonals.end());
     for (std::size_t i = 0; i < diagonals.size(); ++i) {
       const auto& [ends, face] = diagonals[i];
-      if (edges.find(ends[0], ends[1]) != none) clash[index(face)] = 1;
+      if (edges.find(ends[0], ends[1]) != none) clash[idx(face)] = 1;
       if (i == 0 || diagonals[i - 1].ends != ends) continue;
-      if (diagonals[i - 1].face != face)
-        clash[index(face)] = clash[index(diagonals[i - 1].face)] = 1;
+      if (diagonals[i - 1].face != face) clash[idx(face)] = clash[idx(diagonals[i - 1].face)] = 1;
     }
     return clash;
   }
 
   void add_diagonals(int face, std::vector<Diagonal>& diagonals) const {
-    const int size = mesh_.face_sizes[index(face)];
+    const int size = mesh_.face_sizes[idx(face)];
     if (size == 3) return;
     std::vector<Edge> sides;
     for (int k = 0; k < size; ++k) {
       sides.push_back(ordered(vertex(face, k), vertex(face, (k + 1) % size)));
     }
     std::sort(sides.begin(), sides.end());
-    for (const Triangle& t : triangles_[index(face)]) {
+    for (const Triangle& t : triangles_[idx(face)]) {
       for (int k = 0; k < 3; ++k) {
-        const Edge edge = ordered(t[index(k)], t[index(next_corner(k))]);
+        const Edge edge = ordered(t[idx(k)], t[idx(next_corner(k))]);
         if (!std::binary_search(sides.begin(), sides.end(), edge))
           diagonals.push_back({edge, face});
       }
@@ -112,13 +105,13 @@ class FaceSplitter {
   static Edge ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
   void add_star(int face) {
-    const int size = mesh_.face_sizes[index(face)],
+    const int size = mesh_.face_sizes[idx(face)],
               middle = static_cast<int>(result_.positions.size());
-    std::vector<Triangle>& triangles = triangles_[index(face)];
+    std::vector<Triangle>& triangles = triangles_[idx(face)];
     triangles.clear();
     Vec3 sum = Vec3::Zero();
     for (int k = 0; k < size; ++k) {
-      sum += mesh_.positions[index(vertex(face, k))] / size;
+      sum += mesh_.positions[idx(vertex(face, k))] / size;
       triangles.push_back({middle, vertex(face, k), vertex(face, (k + 1) % size)});
     }
     result_.positions.push_back(sum);
@@ -133,14 +126,14 @@ class FaceSplitter {
     for (const int face : stars_) {
       const int other = twin(face);
       if (other == none || other > face) continue;
-      const std::vector<Triangle>& partner = triangles_[index(other)];
-      const int middle = triangles_[index(face)][0][0], other_middle = partner[0][0];
-      result_.twin_vertices[index(middle)] = other_middle;
-      result_.twin_vertices[index(other_middle)] = middle;
-      result_.positions[index(middle)] = result_.positions[index(other_middle)];
+      const std::vector<Triangle>& partner = triangles_[idx(other)];
+      const int middle = triangles_[idx(face)][0][0], other_middle = partner[0][0];
+      result_.twin_vertices[idx(middle)] = other_middle;
+      result_.twin_vertices[idx(other_middle)] = middle;
+      result_.positions[idx(middle)] = result_.positions[idx(other_middle)];
       for (std::size_t i = 0; i < partner.size(); ++i) {
-        triangles_[index(face)][i] = {middle, mesh_.twin_vertices[index(partner[i][2])],
-                                      mesh_.twin_vertices[index(partner[i][1])]};
+        triangles_[idx(face)][i] = {middle, mesh_.twin_vertices[idx(partner[i][2])],
+                                    mesh_.twin_vertices[idx(partner[i][1])]};
       }
     }
   }
@@ -150,7 +143,7 @@ class FaceSplitter {
     result_.corner_vertices.clear();
     for (int f = 0; f < faces(); ++f) {
       first.push_back(static_cast<int>(parents.size()));
-      for (const Triangle& t : triangles_[index(f)]) {
+      for (const Triangle& t : triangles_[idx(f)]) {
         result_.corner_vertices.insert(result_.corner_vertices.end(), t.begin(), t.end());
         parents.push_back(f);
       }
@@ -163,8 +156,7 @@ class FaceSplitter {
     repeat(mesh_.twin_faces, parents, result_.twin_faces);
     for (std::size_t t = 0; t < result_.twin_faces.size(); ++t) {
       int& other = result_.twin_faces[t];
-      if (other != none)
-        other = first[index(other)] + static_cast<int>(t) - first[index(parents[t])];
+      if (other != none) other = first[idx(other)] + static_cast<int>(t) - first[idx(parents[t])];
     }
   }
 
@@ -173,7 +165,7 @@ class FaceSplitter {
                      std::vector<T>& result) {
     if (values.empty()) return;
     result.clear();
-    for (const int parent : parents) result.push_back(values[index(parent)]);
+    for (const int parent : parents) result.push_back(values[idx(parent)]);
   }
 
   const SoundMesh& mesh_;
