@@ -104,6 +104,13 @@ Points read_points(const py::object& value, const std::string& name) {
   return points;
 }
 
+ImagePoints read_pairs(const py::object& value, const std::string& name) {
+  const Doubles array = doubles(value, {any_length, 2}, name);
+  ImagePoints pairs(static_cast<std::size_t>(array.size()) / 2);
+  for (std::size_t i = 0; i < pairs.size(); ++i) pairs[i] = Vec2(array.data() + 2 * i);
+  return pairs;
+}
+
 Vec3 read_vector(const py::object& value, const std::string& name) {
   return Vec3(doubles(value, {3}, name).data());
 }

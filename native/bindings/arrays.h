@@ -22,6 +22,7 @@ std::vector<double> read_numbers(const py::object& value, const std::string& nam
 std::vector<int> read_indices(const py::object& value, const std::string& name);
 std::vector<Edge> read_edges(const py::object& value, const std::string& name);
 Points read_points(const py::object& value, const std::string& name);
+ImagePoints read_pairs(const py::object& value, const std::string& name);
 Vec3 read_vector(const py::object& value, const std::string& name);
 Mat4 read_matrix(const py::object& value, const std::string& name);
 int read_integer(const py::object& value, const std::string& name);

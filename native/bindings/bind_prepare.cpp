@@ -64,6 +64,45 @@ py::array feature_kinds(const SurfaceHandle& handle) {
   return array_of(std::move(kinds));
 }
 
+BasePlace checked_place(const LimitSurface& surface, int face, const Vec2& uv) {
+  constexpr double slack = 1e-9;
+  if (face < 0 || face >= surface.ptex_faces()) {
+    const std::string faces = std::to_string(surface.ptex_faces());
+    throw InvalidInput("base_faces: " + std::to_string(face) + " is none of the " + faces +
+                       " faces of the limit surface (meshes of scheme 'none' have none)");
+  }
+  const double most = surface.is_triangle(face) ? uv.sum() : uv.maxCoeff();
+  if (!(uv.minCoeff() >= -slack) || !(most <= 1 + slack)) {
+    throw InvalidInput("base_uv: (" + std::to_string(uv.x()) + ", " + std::to_string(uv.y()) +
+                       ") lies outside face " + std::to_string(face));
+  }
+  return {face, uv};
+}
+
+py::tuple evaluate(const SurfaceHandle& handle, const py::object& base_faces,
+                   const py::object& base_uv) {
+  const std::vector<int> faces = read_indices(base_faces, "base_faces");
+  const ImagePoints uv = read_pairs(base_uv, "base_uv");
+  if (uv.size() != faces.size()) {
+    throw InvalidInput("base_faces and base_uv must have the same length");
+  }
+  std::array<Points, 6> results;
+  {
+    const py::gil_scoped_release release;
+    const LimitSurface& surface = handle.prepared->limit_surface();
+    for (Points& result : results) result.reserve(faces.size());
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const auto p = surface.evaluate(checked_place(surface, faces[i], uv[i]));
+      if (!p) throw InvalidInput("face " + std::to_string(faces[i]) + " has no limit surface");
+      const std::array<Vec3, 6> parts{p->position, p->du, p->dv, p->duu, p->duv, p->dvv};
+      for (std::size_t k = 0; k < parts.size(); ++k) results[k].push_back(parts[k]);
+    }
+  }
+  py::tuple tuple(results.size());
+  for (std::size_t k = 0; k < results.size(); ++k) tuple[k] = array_of(std::move(results[k]));
+  return tuple;
+}
+
 void bind_surface(py::module_& m) {
   py::class_<SurfaceHandle> bound(m, "Surface", "The triangulated limit surface.");
   const auto part = [&](const char* name, auto member) {
@@ -79,6 +118,8 @@ void bind_surface(py::module_& m) {
   part("base_uv", &Surface::base_uv);
   part("feature_edges", &Surface::feature_edges);
   bound.def_property_readonly("feature_kinds", &feature_kinds);
+  bound.def("evaluate", &evaluate, py::arg("base_faces"), py::arg("base_uv"),
+            "The limit surface and its derivatives at any of its points.");
   const auto curvature = [&](const char* line_name, const char* hatch_name, auto member) {
     bound.def_property_readonly(line_name, [member](const SurfaceHandle& handle) {
       return line_curvature(handle, member);

@@ -334,6 +334,19 @@ class Surface:
     @property
     def feature_kinds(self) -> _Codes:
         """(e,) Kind of each feature edge."""
+    def evaluate(
+        self, base_faces: ArrayLike, base_uv: ArrayLike
+    ) -> tuple[_Doubles, _Doubles, _Doubles, _Doubles, _Doubles, _Doubles]:
+        """The limit surface and its derivatives at any of its points (paper section 3).
+
+        base_faces (m,) and base_uv (m, 2) as `base_faces` and `base_uv` have them: in [0, 1]^2 on
+        quads, u, v >= 0 and u + v <= 1 on the triangles of Loop's scheme. Returns position, du, dv,
+        duu, duv and dvv, each (m, 3). Within 1/64 of an extraordinary vertex the second derivatives
+        have no meaning: there the surface has none. What a face needs is made once and kept.
+
+        Raises InvalidInput for a face that does not exist (scheme 'none' has none) and for
+        coordinates outside of it.
+        """
     @property
     def k1(self) -> _Doubles:
         """(n,) principal curvature for silhouettes and cusps, 1 / world units; |k1| >= |k2|.

@@ -78,17 +78,23 @@ std::vector<SoundMesh> Prepared::sanitize_all(Geometry& geometry, const Progress
 void Prepared::make_geometry(const std::vector<MeshPointer>& meshes, const Progress& progress) {
   auto geometry = std::make_shared<Geometry>();
   geometry->meshes = meshes;
-  const std::vector<SoundMesh> sound =
+  std::vector<SoundMesh> sound =
       timed("sanitize", [&] { return sanitize_all(*geometry, progress.part(0, 0.2, "sanitize")); });
   const Progress surface_progress = progress.part(0.2, 0.9, "surface");
   geometry->surface = timed("surface", [&] {
-    return refine(sound, options_.surface, geometry->counts, surface_progress);
+    return refine(std::move(sound), options_.surface, geometry->counts, surface_progress);
   });
   surface_progress.report(1);
   const Surface& surface = geometry->surface;
-  geometry->bvh = timed("surface", [&] { return Bvh(surface.positions, surface.triangles); });
+  geometry->limit_surface = std::make_unique<const LimitSurface>(surface);
   geometry->features = timed("surface", [&] { return feature_edges(surface); });
   geometry_ = std::move(geometry);
+}
+
+const Bvh& Prepared::bvh() const {
+  return geometry_->bvh.get([&] {
+    return timed("surface", [&] { return Bvh(surface().positions, surface().triangles); });
+  });
 }
 
 const std::pair<IntersectionCurves, Counts>& Prepared::found_intersections(

@@ -6,8 +6,9 @@
 #include "contour/feature_edges.h"
 #include "contour/intersections.h"
 #include "mesh/bvh.h"
-#include "pipeline/lazy.h"
+#include "core/lazy.h"
 #include "pipeline/options.h"
+#include "surface/limit_surface.h"
 
 namespace illustrate {
 
@@ -27,7 +28,8 @@ class Prepared {
 
   std::size_t object_count() const { return geometry_->meshes.size(); }
   const Surface& surface() const { return geometry_->surface; }
-  const Bvh& bvh() const { return geometry_->bvh; }
+  const LimitSurface& limit_surface() const { return *geometry_->limit_surface; }
+  const Bvh& bvh() const;
   const std::vector<FeatureEdge>& features() const { return geometry_->features; }
   const IntersectionCurves& intersections(const Progress& progress = {}) const;
   const Curvature& hatch_curvature(const Progress& progress = {}) const;
@@ -45,7 +47,8 @@ class Prepared {
     std::vector<MeshReport> mesh_reports;
     Counts counts;
     Surface surface;
-    Bvh bvh;
+    std::unique_ptr<const LimitSurface> limit_surface;
+    Lazy<Bvh> bvh;
     std::vector<FeatureEdge> features;
     Lazy<std::pair<IntersectionCurves, Counts>> intersections;
   };

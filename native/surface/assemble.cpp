@@ -108,6 +108,22 @@ class Assembler {
     return split_;
   }
 
+  // The triangle of these corners of a face on the limit surface.
+  PatchTriangle patch_triangle(int face, const Triangle& local) const {
+    PatchTriangle result;
+    const int size = mesh_.face_size(face);
+    const bool is_patch = size == 4 || (size == 3 && mesh_.triangles_are_patches);
+    if (mesh_.domains.empty() || !is_patch) return result;
+    for (int k = 0; k < 3; ++k) {
+      const BasePlace place = base_place(mesh_, mesh_.first(face) + local[idx(k)]);
+      result.ptex_face = place.ptex_face + object_.first_ptex_face;
+      for (int i = 0; i < 2; ++i) {
+        result.corners[idx(k)][idx(i)] = static_cast<std::uint16_t>(32768 * place.uv[i]);
+      }
+    }
+    return result;
+  }
+
   void add_face(int face) {
     const int first = mesh_.first(face), size = mesh_.face_size(face);
     diagonals_.clear();
@@ -129,6 +145,7 @@ class Assembler {
         }
       }
       surface_.triangles.push_back(triangle);
+      surface_.patches.push_back(patch_triangle(face, local));
       surface_.flips.push_back(static_cast<std::uint8_t>(flips));
       surface_.neighbours.push_back({none, none, none});
       surface_.edge_kinds.push_back(kinds);

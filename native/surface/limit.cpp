@@ -5,6 +5,7 @@
 
 #include "core/parallel.h"
 #include "surface/curvature.h"
+#include "surface/limit_patches.h"
 #include "surface/polygons.h"
 #include "surface/shading.h"
 
@@ -54,17 +55,22 @@ void limit_of_sector(const RefinedMesh& mesh, const Sectors& sectors, std::size_
 
 // Where sharpness has not faded yet, the limit is several levels away: the patches know it.
 void evaluate_semi_sharp(const Subdivision& subdivision, const RefinedMesh& mesh,
-                         const Sectors& sectors, SectorLimits& result) {
-  for (std::size_t s = 0; s < sectors.count(); ++s) {
-    const int corner = sectors.first_corners[s];
-    if (!mesh.semi_sharp[static_cast<std::size_t>(mesh.vertex(corner))]) continue;
-    const std::optional<LimitPoint> p = subdivision.evaluate(base_place(mesh, corner));
-    if (!p || !p->position.allFinite()) continue;
-    result.positions[s] = p->position;
-    result.normals[s] = normal_of(*p);
-    result.needs_jet[s] = 0;
-    set_curvature(s, *p, result.normals[s], result.curvature);
-  }
+                         const Sectors& sectors, int threads, SectorLimits& result) {
+  const auto& semi_sharp = mesh.semi_sharp;
+  if (std::find(semi_sharp.begin(), semi_sharp.end(), 1) == semi_sharp.end()) return;
+  const LimitPatches patches(subdivision.base(), subdivision.scheme());
+  parallel_for(sectors.count(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t s = begin; s < end; ++s) {
+      const int corner = sectors.first_corners[s];
+      if (!semi_sharp[idx(mesh.vertex(corner))]) continue;
+      const std::optional<LimitPoint> p = patches.evaluate(base_place(mesh, corner));
+      if (!p || !p->position.allFinite()) continue;
+      result.positions[s] = p->position;
+      result.normals[s] = normal_of(*p);
+      result.needs_jet[s] = 0;
+      set_curvature(s, *p, result.normals[s], result.curvature);
+    }
+  });
 }
 
 // Around extraordinary vertices the ratio of curvatures that a ring shows drifts from level to
@@ -128,7 +134,7 @@ SectorLimits limits(const Subdivision& subdivision, const RefinedMesh& mesh, con
     inherit_extraordinary(subdivision, only, birth, level, result);
   }
   progress.report(.8);
-  evaluate_semi_sharp(subdivision, mesh, sectors, result);
+  evaluate_semi_sharp(subdivision, mesh, sectors, threads, result);
   share_positions(mesh, sectors, result.positions);
   mend_normals(mesh, sectors, result);
   turn_directions(result);

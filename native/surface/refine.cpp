@@ -31,12 +31,16 @@ class Refiner {
       : surface_(surface), needs_jet_(needs_jet), options_(options) {}
 
   // Returns the level that was made.
-  int add(const SoundMesh& mesh, Scheme scheme, int level, const Progress& progress) {
-    if (scheme == Scheme::polygons || !add_subdivided(mesh, scheme, level, progress)) {
-      add_polygons(mesh, progress);
-      return 0;
+  int add(SoundMesh mesh, Scheme scheme, int level, const Progress& progress) {
+    ControlMesh control{std::move(mesh), scheme, level, next_ptex_face_, 0};
+    if (scheme == Scheme::polygons || !add_subdivided(control, progress)) {
+      add_polygons(control.mesh, progress);
+      control.scheme = Scheme::polygons;
+      control.level = 0;
     }
-    return level;
+    next_ptex_face_ += control.ptex_faces;
+    surface_.controls.push_back(std::make_shared<const ControlMesh>(std::move(control)));
+    return surface_.controls.back()->level;
   }
 
  private:
@@ -50,7 +54,10 @@ class Refiner {
     assemble({base, mesh, sectors.corner_sectors, limits, next_object_++, 0}, surface_, needs_jet_);
   }
 
-  bool add_subdivided(const SoundMesh& base, Scheme scheme, int level, const Progress& progress) {
+  bool add_subdivided(ControlMesh& control, const Progress& progress) {
+    const SoundMesh& base = control.mesh;
+    const Scheme scheme = control.scheme;
+    const int level = control.level;
     const bool all_patches =
         scheme == Scheme::loop || std::all_of(base.face_sizes.begin(), base.face_sizes.end(),
                                               [](int size) { return size == 4; });
@@ -66,8 +73,8 @@ class Refiner {
         limits(subdivision, mesh, sectors, limit_level, options_.threads, progress.part(.6, .8));
     progress.report(.8);
     surface_.object_is_smooth.push_back(1);
-    const int object = next_object_++, ptex = next_ptex_face_;
-    next_ptex_face_ += subdivision.ptex_faces().back();
+    const int object = next_object_++, ptex = control.first_ptex_face;
+    control.ptex_faces = subdivision.ptex_faces();
     if (limit_level == level) {
       assemble({base, mesh, sectors.corner_sectors, vertices, object, ptex}, surface_, needs_jet_);
       return true;
@@ -102,17 +109,16 @@ void validate(const SurfaceOptions& options) {
   if (options.threads < 0) throw InvalidInput("threads must be at least 0");
 }
 
-Surface refine(const std::vector<SoundMesh>& meshes, const SurfaceOptions& options, Counts& report,
+Surface refine(std::vector<SoundMesh> meshes, const SurfaceOptions& options, Counts& report,
                const Progress& progress) {
   validate(options);
   progress.report(0);
-  std::vector<SoundMesh> split;
   std::vector<Scheme> schemes;
-  for (const SoundMesh& mesh : meshes) {
+  for (SoundMesh& mesh : meshes) {
     schemes.push_back(choose_scheme(mesh, options));
-    split.push_back(schemes.back() == Scheme::loop ? split_into_triangles(mesh) : mesh);
+    if (schemes.back() == Scheme::loop) mesh = split_into_triangles(std::move(mesh));
   }
-  const std::vector<int> levels = choose_levels(split, schemes, options);
+  const std::vector<int> levels = choose_levels(meshes, schemes, options);
   Surface surface;
   std::vector<int> needs_jet;
   Refiner refiner(surface, needs_jet, options);
@@ -120,7 +126,8 @@ Surface refine(const std::vector<SoundMesh>& meshes, const SurfaceOptions& optio
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const auto done = static_cast<double>(i);
     const Progress part = progress.part(.9 * done / count, .9 * (done + 1) / count);
-    report["level_" + std::to_string(i)] = refiner.add(split[i], schemes[i], levels[i], part);
+    report["level_" + std::to_string(i)] =
+        refiner.add(std::move(meshes[i]), schemes[i], levels[i], part);
     report["not_subdivided"] +=
         schemes[i] != Scheme::polygons && !surface.object_is_smooth.back() ? 1 : 0;
   }

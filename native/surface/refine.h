@@ -33,7 +33,7 @@ void validate(const SurfaceOptions& options);
 // `report`, and "not_subdivided" meshes: vertices of more than 65535 edges are too much for
 // OpenSubdiv, and such a mesh is taken as polygons. Throws InvalidInput where an explicit level
 // makes more than 200 million triangles.
-Surface refine(const std::vector<SoundMesh>& meshes, const SurfaceOptions& options, Counts& report,
+Surface refine(std::vector<SoundMesh> meshes, const SurfaceOptions& options, Counts& report,
                const Progress& progress = {});
 
 }  // namespace illustrate

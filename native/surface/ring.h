@@ -2,6 +2,7 @@
 // (paper section 3 and appendix A).
 #pragma once
 
+#include "surface/limit_point.h"
 #include "surface/refined_mesh.h"
 #include "surface/sectors.h"
 #include "surface/subdivision.h"

@@ -177,7 +177,7 @@ class FaceSplitter {
 
 }  // namespace
 
-SoundMesh split_into_triangles(const SoundMesh& mesh) {
+SoundMesh split_into_triangles(SoundMesh mesh) {
   const bool all_triangles = std::all_of(mesh.face_sizes.begin(), mesh.face_sizes.end(),
                                          [](int size) { return size == 3; });
   return all_triangles ? mesh : FaceSplitter(mesh).run();

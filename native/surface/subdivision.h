@@ -1,19 +1,12 @@
-// A mesh refined uniformly by OpenSubdiv, level by level, and its limit surface anywhere (paper
-// section 3).
+// A mesh refined uniformly by OpenSubdiv, level by level (paper section 3).
 #pragma once
 
 #include <memory>
-#include <optional>
 
 #include "core/progress.h"
 #include "surface/refined_mesh.h"
 
 namespace illustrate {
-
-// The limit surface and its derivatives in the coordinates of a ptex face.
-struct LimitPoint {
-  Vec3 position, du, dv, duu, duv, dvv;
-};
 
 class Subdivision {
  public:
@@ -33,11 +26,9 @@ class Subdivision {
   // The corner on level 1 of a corner of level 0 (which `parent` is).
   int child_corner(const RefinedMesh& parent, int corner) const;
 
-  // First ptex face of each base face, and the number of all.
-  const std::vector<int>& ptex_faces() const;
-
-  // Nothing where the limit surface is not defined.
-  std::optional<LimitPoint> evaluate(const BasePlace& place) const;
+  const SoundMesh& base() const;
+  Scheme scheme() const;
+  int ptex_faces() const;
 
  private:
   struct Data;

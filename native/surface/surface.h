@@ -2,7 +2,10 @@
 // its normals and curvature (paper section 3).
 #pragma once
 
+#include <memory>
+
 #include "core/types.h"
+#include "mesh/sanitize.h"
 
 namespace illustrate {
 
@@ -15,6 +18,25 @@ enum class EdgeKind : std::uint8_t { smooth, boundary, crease, flat_outline, sea
 struct Curvature {
   std::vector<double> k1, k2;  // (n)
   Points w1, w2;               // (n)
+};
+
+// Where a triangle lies on the limit surface: its corners on one ptex face, in steps of 2^-15.
+struct PatchTriangle {
+  int ptex_face = none;  // of all meshes, one after another; none: of no single patch
+  std::array<std::array<std::uint16_t, 2>, 3> corners{};
+
+  Vec2 uv(int corner) const {
+    const auto& c = corners[idx(corner)];
+    return Vec2(c[0], c[1]) / 32768;
+  }
+};
+
+// What a mesh was subdivided from.
+struct ControlMesh {
+  SoundMesh mesh;  // for Loop's scheme split into triangles
+  Scheme scheme = Scheme::polygons;
+  int level = 0;
+  int first_ptex_face = 0, ptex_faces = 0;  // its ptex faces among those of all meshes
 };
 
 // All meshes in one. A vertex on a crease stands once for each smooth side, with that side's normal
@@ -38,7 +60,9 @@ struct Surface {
   // (n) Ptex face of the base meshes, one mesh after another, and where on it; none for polygons.
   std::vector<int> base_faces;
   std::vector<Vec2> base_uv;
+  std::vector<PatchTriangle> patches;          // (t)
   std::vector<std::uint8_t> object_is_smooth;  // (objects) 0: drawn as the polygon mesh it is
+  std::vector<std::shared_ptr<const ControlMesh>> controls;  // (objects)
 
   std::vector<Edge> feature_edges;      // (e) vertices; a crease edge once for each side
   std::vector<EdgeKind> feature_kinds;  // (e)

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "surface/curvature.h"
+#include "surface/limit_patches.h"
 #include "surface/split_faces.h"
-#include "surface/subdivision.h"
 #include "surface_checks.h"
 
 namespace illustrate {
@@ -23,10 +23,10 @@ Deviation from_patches(const PolygonMesh& mesh, Scheme scheme, int level) {
   const Surface surface = refined(mesh, at_level(level, scheme));
   SoundMesh base = sound(mesh);
   if (scheme == Scheme::loop) base = split_into_triangles(base);
-  const Subdivision subdivision(base, scheme, 1);
+  const LimitPatches patches(base, scheme);
   Deviation worst;
   for (std::size_t v = 0; v < surface.positions.size(); ++v) {
-    const auto p = subdivision.evaluate({surface.base_faces[v], surface.base_uv[v]});
+    const auto p = patches.evaluate({surface.base_faces[v], surface.base_uv[v]});
     EXPECT_TRUE(p.has_value());
     const Vec3 normal = p->du.cross(p->dv).normalized();
     const PrincipalCurvature k = principal_curvature(p->du, p->dv, p->duu, p->duv, p->dvv, normal);

@@ -1,0 +1,153 @@
+#include "surface/limit_patches.h"
+
+#include <opensubdiv/bfr/refinerSurfaceFactory.h>
+#include <opensubdiv/bfr/surface.h>
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+
+#include "surface/level_topology.h"
+#include "surface/polynomial_patch.h"
+#include "surface/topology.h"
+
+namespace illustrate {
+namespace {
+
+namespace Bfr = OpenSubdiv::Bfr;
+namespace Far = OpenSubdiv::Far;
+
+// How deep the patches go on after the last sharpness has faded: OpenSubdiv's largest level.
+constexpr int patch_level_smooth = 6, patch_level_sharp = 10;
+
+Bfr::SurfaceFactory::Options factory_options() {
+  Bfr::SurfaceFactory::Options options;
+  options.SetApproxLevelSmooth(patch_level_smooth).SetApproxLevelSharp(patch_level_sharp);
+  return options;
+}
+
+// The surface of one base face.
+class FacePatches {
+ public:
+  // Points are taken from the first of them, so that nothing is lost far from the world's origin.
+  FacePatches(Bfr::Surface<double> surface, const Points& points) : surface_(std::move(surface)) {
+    if (!surface_.IsValid()) return;
+    std::vector<int> controls(static_cast<std::size_t>(surface_.GetNumControlPoints()));
+    surface_.GetControlPointIndices(controls.data());
+    origin_ = points[idx(controls[0])];
+    patch_points_.resize(3 * static_cast<std::size_t>(surface_.GetNumPatchPoints()));
+    for (std::size_t i = 0; i < controls.size(); ++i) {
+      Eigen::Map<Vec3>(patch_points_.data() + 3 * i) = points[idx(controls[i])] - origin_;
+    }
+    surface_.ComputePatchPoints(patch_points_.data(), 3);
+    if (surface_.IsRegular()) simplify();
+  }
+
+  bool is_valid() const { return polynomial_ || surface_.IsValid(); }
+
+  LimitPoint evaluate(int sub_face, const Vec2& uv) const {
+    LimitPoint p = polynomial_ ? polynomial_->evaluate(uv) : evaluate_patches(sub_face, uv);
+    p.position += origin_;
+    return p;
+  }
+
+ private:
+  LimitPoint evaluate_patches(int sub_face, const Vec2& uv) const {
+    std::array<double, 2> at{uv.x(), uv.y()};
+    const Bfr::Parameterization parameters = surface_.GetParameterization();
+    if (parameters.HasSubFaces()) {
+      parameters.ConvertNormalizedSubFaceToCoord(sub_face, uv.data(), at.data());
+    }
+    LimitPoint p;
+    surface_.Evaluate(at.data(), patch_points_.data(), 3, p.position.data(), p.du.data(),
+                      p.dv.data(), p.duu.data(), p.duv.data(), p.dvv.data());
+    if (parameters.HasSubFaces()) halve_parameters(p);
+    return p;
+  }
+
+  // OpenSubdiv gives the sub-face of a corner half of the length of a quad.
+  static void halve_parameters(LimitPoint& p) {
+    for (Vec3* first : {&p.du, &p.dv}) *first /= 2;
+    for (Vec3* second : {&p.duu, &p.duv, &p.dvv}) *second /= 4;
+  }
+
+  void simplify() {
+    if (surface_.GetFaceSize() == 4) {
+      polynomial_ = PolynomialPatch::bicubic(
+          {evaluate_patches(0, {0, 0}), evaluate_patches(0, {1, 0}), evaluate_patches(0, {0, 1}),
+           evaluate_patches(0, {1, 1})});
+    } else {
+      std::array<Vec3, 15> values;
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = evaluate_patches(0, PolynomialPatch::quartic_places()[i]).position;
+      }
+      polynomial_ = PolynomialPatch::quartic(values);
+    }
+    surface_.Clear();
+    patch_points_ = {};
+  }
+
+  Vec3 origin_ = Vec3::Zero();
+  std::optional<PolynomialPatch> polynomial_;
+  Bfr::Surface<double> surface_;
+  std::vector<double> patch_points_;
+};
+
+Vec2 clamped(const Vec2& uv, bool triangular) {
+  Vec2 at = uv.cwiseMax(0).cwiseMin(1);
+  const double over = at.sum() - 1;
+  if (triangular && over > 0) at = (at.array() - over / 2).matrix().cwiseMax(0).cwiseMin(1);
+  return at;
+}
+
+}  // namespace
+
+struct LimitPatches::Data {
+  Scheme scheme;
+  Points points;
+  std::unique_ptr<Far::TopologyRefiner> refiner;
+  std::vector<int> ptex_faces;  // first of each base face
+  std::optional<Bfr::RefinerSurfaceFactory<>> factory;
+  std::mutex making;
+  std::vector<std::unique_ptr<const FacePatches>> made;
+  std::vector<std::atomic<const FacePatches*>> faces;
+
+  Data(const SoundMesh& mesh, Scheme s)
+      : scheme(s),
+        points(mesh.positions),
+        refiner(make_refiner(mesh, s)),
+        ptex_faces(illustrate::ptex_faces(mesh, s)),
+        faces(mesh.face_sizes.size()) {
+    if (refiner) factory.emplace(*refiner, factory_options());
+  }
+
+  const FacePatches& face(int f) {
+    std::atomic<const FacePatches*>& slot = faces[idx(f)];
+    if (const FacePatches* found = slot.load(std::memory_order_acquire)) return *found;
+    const std::lock_guard<std::mutex> lock(making);
+    if (const FacePatches* found = slot.load(std::memory_order_relaxed)) return *found;
+    Bfr::Surface<double> surface;
+    factory->InitVertexSurface(f, &surface);
+    made.push_back(std::make_unique<const FacePatches>(std::move(surface), points));
+    slot.store(made.back().get(), std::memory_order_release);
+    return *made.back();
+  }
+};
+
+LimitPatches::LimitPatches(const SoundMesh& mesh, Scheme scheme)
+    : data_(std::make_unique<Data>(mesh, scheme)) {}
+
+LimitPatches::~LimitPatches() = default;
+
+std::optional<LimitPoint> LimitPatches::evaluate(const BasePlace& place) const {
+  const std::vector<int>& first = data_->ptex_faces;
+  if (!data_->refiner || place.ptex_face < 0 || place.ptex_face >= first.back()) return {};
+  const auto after = std::upper_bound(first.begin(), first.end(), place.ptex_face);
+  const auto face = static_cast<int>(after - first.begin()) - 1;
+  const FacePatches& patches = data_->face(face);
+  if (!patches.is_valid()) return {};
+  return patches.evaluate(place.ptex_face - first[idx(face)],
+                          clamped(place.uv, data_->scheme == Scheme::loop));
+}
+
+}  // namespace illustrate

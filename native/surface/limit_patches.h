@@ -1,0 +1,32 @@
+// The limit surface of one subdivided mesh, piece by piece (paper section 3): the patches of a face
+// are made when it is first asked for, and kept.
+//
+// Regular faces without creases are one polynomial. Others are OpenSubdiv's adaptive patches (Bfr),
+// which go at least 6 levels deep: beyond, within 1/64 of an extraordinary vertex, second
+// derivatives are those of a filling patch and have no meaning.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "surface/limit_point.h"
+#include "surface/refined_mesh.h"
+
+namespace illustrate {
+
+class LimitPatches {
+ public:
+  // scheme: catmull_clark, or loop for a mesh of triangles.
+  LimitPatches(const SoundMesh& mesh, Scheme scheme);
+  ~LimitPatches();
+
+  // uv is clamped to the face: the square, or the triangle u, v, 1 - u - v >= 0. Nothing where the
+  // mesh has no such surface. Safe between threads.
+  std::optional<LimitPoint> evaluate(const BasePlace& place) const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace illustrate

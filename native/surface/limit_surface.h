@@ -1,0 +1,40 @@
+// The limit surface of all meshes, asked anywhere: (ptex face, u, v) to position and derivatives
+// (paper section 3).
+#pragma once
+
+#include <mutex>
+
+#include "surface/limit_patches.h"
+#include "surface/surface.h"
+
+namespace illustrate {
+
+class LimitSurface {
+ public:
+  // Keeps the control meshes of `surface` alive. What a mesh needs is made when it is first asked.
+  explicit LimitSurface(const Surface& surface);
+
+  // One past the last ptex face; 0 where no mesh is subdivided.
+  int ptex_faces() const;
+
+  // `place` counts the ptex faces of all meshes, one after another. uv is clamped to the face, a
+  // square or, in meshes of Loop's scheme, the triangle u, v, 1 - u - v >= 0. Nothing where there
+  // is no such face. Safe between threads.
+  std::optional<LimitPoint> evaluate(const BasePlace& place) const;
+
+  // Whether the ptex face is a triangle. Throws nothing: false where there is no such face.
+  bool is_triangle(int ptex_face) const;
+
+ private:
+  struct Object {
+    std::shared_ptr<const ControlMesh> control;
+    std::once_flag once;
+    std::unique_ptr<const LimitPatches> patches;
+  };
+
+  Object* object_of(int ptex_face) const;
+
+  std::vector<std::unique_ptr<Object>> objects_;  // those that are subdivided, by ptex face
+};
+
+}  // namespace illustrate

@@ -1,0 +1,28 @@
+// A regular piece of the limit surface as one polynomial of its two coordinates: bicubic on quads
+// (Catmull-Clark's B-spline), of total degree 4 on triangles (Loop's box spline).
+#pragma once
+
+#include "surface/limit_point.h"
+
+namespace illustrate {
+
+class PolynomialPatch {
+ public:
+  // A bicubic is known by position, du, dv and duv at (0, 0), (1, 0), (0, 1), (1, 1).
+  static PolynomialPatch bicubic(const std::array<LimitPoint, 4>& corners);
+
+  // A quartic is known by its values at the (u, v) of `quartic_places`.
+  static PolynomialPatch quartic(const std::array<Vec3, 15>& values);
+  static const std::array<Vec2, 15>& quartic_places();
+
+  LimitPoint evaluate(const Vec2& uv) const;
+
+ private:
+  template <int rows, bool triangular>
+  LimitPoint evaluate_rows(double u, double v) const;
+
+  bool triangular_ = false;
+  std::array<Vec3, 16> coefficients_;  // row i: of u^i v^0, u^i v^1, ...
+};
+
+}  // namespace illustrate
