@@ -53,16 +53,22 @@ void limit_of_sector(const RefinedMesh& mesh, const Sectors& sectors, std::size_
   if (fitted) set_curvature(s, p, result.normals[s], result.curvature);
 }
 
-// Where sharpness has not faded yet, the limit is several levels away: the patches know it.
-void evaluate_semi_sharp(const Subdivision& subdivision, const RefinedMesh& mesh,
-                         const Sectors& sectors, int threads, SectorLimits& result) {
-  const auto& semi_sharp = mesh.semi_sharp;
-  if (std::find(semi_sharp.begin(), semi_sharp.end(), 1) == semi_sharp.end()) return;
+// Where sharpness has not faded yet, and at the end of a sharp edge, the limit is several levels
+// away: the patches know it.
+void evaluate_patches(const Subdivision& subdivision, const RefinedMesh& mesh,
+                      const Sectors& sectors, int threads, SectorLimits& result) {
+  const auto beyond_masks = [&](int vertex) {
+    return mesh.semi_sharp[idx(vertex)] || sectors.sharp_edges[idx(vertex)] == 1;
+  };
+  int vertex = 0;
+  const int vertices = static_cast<int>(mesh.points.size());
+  while (vertex < vertices && !beyond_masks(vertex)) ++vertex;
+  if (vertex == vertices) return;
   const LimitPatches patches(subdivision.base(), subdivision.scheme());
   parallel_for(sectors.count(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s) {
       const int corner = sectors.first_corners[s];
-      if (!semi_sharp[idx(mesh.vertex(corner))]) continue;
+      if (!beyond_masks(mesh.vertex(corner))) continue;
       const std::optional<LimitPoint> p = patches.evaluate(base_place(mesh, corner));
       if (!p || !p->position.allFinite()) continue;
       result.positions[s] = p->position;
@@ -134,7 +140,7 @@ SectorLimits limits(const Subdivision& subdivision, const RefinedMesh& mesh, con
     inherit_extraordinary(subdivision, only, birth, level, result);
   }
   progress.report(.8);
-  evaluate_semi_sharp(subdivision, mesh, sectors, threads, result);
+  evaluate_patches(subdivision, mesh, sectors, threads, result);
   share_positions(mesh, sectors, result.positions);
   mend_normals(mesh, sectors, result);
   turn_directions(result);
