@@ -72,7 +72,7 @@ BasePlace checked_place(const LimitSurface& surface, int face, const Vec2& uv) {
                        " faces of the limit surface (meshes of scheme 'none' have none)");
   }
   const double most = surface.is_triangle(face) ? uv.sum() : uv.maxCoeff();
-  if (!(uv.minCoeff() >= -slack) || !(most <= 1 + slack)) {
+  if (!uv.allFinite() || uv.minCoeff() < -slack || most > 1 + slack) {
     throw InvalidInput("base_uv: (" + std::to_string(uv.x()) + ", " + std::to_string(uv.y()) +
                        ") lies outside face " + std::to_string(face));
   }

@@ -5,8 +5,8 @@
 
 #include "contour/feature_edges.h"
 #include "contour/intersections.h"
-#include "mesh/bvh.h"
 #include "core/lazy.h"
+#include "mesh/bvh.h"
 #include "pipeline/options.h"
 #include "surface/limit_surface.h"
 

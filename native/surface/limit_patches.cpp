@@ -18,7 +18,7 @@ namespace Bfr = OpenSubdiv::Bfr;
 namespace Far = OpenSubdiv::Far;
 
 // How deep the patches go on after the last sharpness has faded: OpenSubdiv's largest level.
-constexpr int patch_level_smooth = 6, patch_level_sharp = 10;
+constexpr int patch_level_smooth = 7, patch_level_sharp = 10;
 
 Bfr::SurfaceFactory::Options factory_options() {
   Bfr::SurfaceFactory::Options options;
@@ -73,9 +73,9 @@ class FacePatches {
 
   void simplify() {
     if (surface_.GetFaceSize() == 4) {
-      polynomial_ = PolynomialPatch::bicubic(
-          {evaluate_patches(0, {0, 0}), evaluate_patches(0, {1, 0}), evaluate_patches(0, {0, 1}),
-           evaluate_patches(0, {1, 1})});
+      polynomial_ =
+          PolynomialPatch::bicubic({evaluate_patches(0, {0, 0}), evaluate_patches(0, {1, 0}),
+                                    evaluate_patches(0, {0, 1}), evaluate_patches(0, {1, 1})});
     } else {
       std::array<Vec3, 15> values;
       for (std::size_t i = 0; i < values.size(); ++i) {

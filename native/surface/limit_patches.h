@@ -2,8 +2,8 @@
 // are made when it is first asked for, and kept.
 //
 // Regular faces without creases are one polynomial. Others are OpenSubdiv's adaptive patches (Bfr),
-// which go at least 6 levels deep: beyond, within 1/64 of an extraordinary vertex, second
-// derivatives are those of a filling patch and have no meaning.
+// which go 7 levels deep: beyond, within 1/64 of an extraordinary vertex, second derivatives are
+// those of a filling patch and have no meaning. Third derivatives jump between its patches.
 #pragma once
 
 #include <memory>

@@ -29,11 +29,10 @@ Mat15 inverse_vandermonde() {
 
 PolynomialPatch PolynomialPatch::bicubic(const std::array<LimitPoint, 4>& c) {
   // Rows: at u = 0, at u = 1, du there; columns the same of v.
-  const std::array<std::array<Vec3, 4>, 4> data{
-      {{c[0].position, c[2].position, c[0].dv, c[2].dv},
-       {c[1].position, c[3].position, c[1].dv, c[3].dv},
-       {c[0].du, c[2].du, c[0].duv, c[2].duv},
-       {c[1].du, c[3].du, c[1].duv, c[3].duv}}};
+  const std::array<std::array<Vec3, 4>, 4> data{{{c[0].position, c[2].position, c[0].dv, c[2].dv},
+                                                 {c[1].position, c[3].position, c[1].dv, c[3].dv},
+                                                 {c[0].du, c[2].du, c[0].duv, c[2].duv},
+                                                 {c[1].du, c[3].du, c[1].duv, c[3].duv}}};
   PolynomialPatch patch;
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = 0; j < 4; ++j) {

@@ -45,7 +45,7 @@ struct Subdivision::Data {
   const SoundMesh& mesh;
   Scheme scheme;
   std::unique_ptr<Far::TopologyRefiner> refiner;
-  std::vector<Points> points;   // of each level
+  std::vector<Points> points;  // of each level
 };
 
 Subdivision::Subdivision(const SoundMesh& mesh, Scheme scheme, int levels, const Progress& progress)

@@ -89,12 +89,20 @@ LimitPoint differences(const LimitSurface& surface, const BasePlace& at, int axi
     low.uv[axis] -= step;
     high.uv[axis] += step;
     const LimitPoint a = *surface.evaluate(low), b = *surface.evaluate(high);
-    return LimitPoint{(b.position - a.position) / (2 * step), (b.du - a.du) / (2 * step),
-                      (b.dv - a.dv) / (2 * step), {}, {}, {}};
+    return LimitPoint{(b.position - a.position) / (2 * step),
+                      (b.du - a.du) / (2 * step),
+                      (b.dv - a.dv) / (2 * step),
+                      {},
+                      {},
+                      {}};
   };
   const LimitPoint near = slope(h), far = slope(2 * h);
-  return {(4 * near.position - far.position) / 3, (4 * near.du - far.du) / 3,
-          (4 * near.dv - far.dv) / 3, {}, {}, {}};
+  return {(4 * near.position - far.position) / 3,
+          (4 * near.du - far.du) / 3,
+          (4 * near.dv - far.dv) / 3,
+          {},
+          {},
+          {}};
 }
 
 TEST(LimitSurface, DerivativesAreThoseOfThePositions) {

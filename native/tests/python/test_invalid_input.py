@@ -105,3 +105,27 @@ def test_wrong_things_in_lists_are_named(prepared: ill.Prepared) -> None:
         ill.prepare([cube().mesh()], ill.PrepareOptions(level=-2))
     with pytest.raises(ill.InvalidInput, match="progress"):
         ill.prepare([cube().mesh()], progress=1)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("faces", "uv", "message"),
+    [
+        ([6], [[0.5, 0.5]], "base_faces: 6 is none of the 6 faces"),
+        ([-1], [[0.5, 0.5]], "base_faces: -1"),
+        ([0], [[0.5, 1.5]], "base_uv: .* lies outside face 0"),
+        ([0], [[0.5, float("nan")]], "base_uv"),
+        ([0, 1], [[0.5, 0.5]], "same length"),
+        ([0], [0.5, 0.5], "base_uv"),
+        ([0.5], [[0.5, 0.5]], "base_faces"),
+    ],
+)
+def test_wrong_places_on_the_limit_surface_are_named(faces: Any, uv: Any, message: str) -> None:
+    surface = ill.prepare([cube().mesh()], ill.PrepareOptions(level=0, field=False)).surface
+    with pytest.raises(ill.InvalidInput, match=message):
+        surface.evaluate(faces, uv)
+
+
+def test_polygons_have_no_limit_surface() -> None:
+    options = ill.PrepareOptions(scheme="none", field=False)
+    with pytest.raises(ill.InvalidInput, match="scheme 'none'"):
+        ill.prepare([cube().mesh()], options).surface.evaluate([0], [[0.5, 0.5]])
