@@ -29,6 +29,7 @@ Surface surface_of(const Surface& whole, const std::vector<int>& sources,
   Surface part = whole;
   keep(part.triangles, sources);
   keep(part.flips, sources);
+  keep(part.patches, sources);
   keep(part.neighbours, sources);
   keep(part.edge_kinds, sources);
   keep(part.triangle_objects, sources);
