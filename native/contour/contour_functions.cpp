@@ -31,12 +31,6 @@ bool ContourFunctions::front(int triangle, int corner) const {
   return (g_[idx(v)] >= 0) == (surface_.corner_sign(triangle, corner) > 0);
 }
 
-bool ContourFunctions::front_on_edge(int triangle, int corner, double fraction) const {
-  const bool here = front(triangle, corner);
-  if (here == front(triangle, next_corner(corner))) return here;
-  return fraction < zero_fraction(triangle, corner) ? here : !here;
-}
-
 double ContourFunctions::zero_fraction(int triangle, int corner) const {
   const int a = surface_.triangles[idx(triangle)][idx(corner)];
   const int b = surface_.triangles[idx(triangle)][idx(next_corner(corner))];

@@ -15,9 +15,6 @@ class ContourFunctions {
   // g = 0 is front, decided once per vertex, so that both sheets of a double cover agree.
   bool front(int triangle, int corner) const;
 
-  // Whether the surface is front-facing at `fraction` of edge `corner`.
-  bool front_on_edge(int triangle, int corner, double fraction) const;
-
   // Where g vanishes on an edge whose corners differ, from its first corner; the same point from
   // both sides of the edge.
   double zero_fraction(int triangle, int corner) const;

@@ -53,18 +53,21 @@ class PieceMaker {
       const bool last = i == cuts.size();
       const double to = last ? 1 : cuts[i].fraction;
       const int end_node = last ? none : cuts[i].node;
-      pieces.push_back(piece(edge, from, to, start_node, end_node));
+      pieces.push_back(piece(edge, cuts, from, to, start_node, end_node));
       from = to;
       start_node = end_node;
     }
   }
 
+  // Whether an edge of a polygon object parts a front and a back face.
   bool is_fold(const FeatureEdge& edge) const {
-    return is_front(edge.sides[0], 0) != is_front(edge.sides[1], 0);
+    return is_front_face(surface_, camera_, edge.sides[0].triangle) !=
+           is_front_face(surface_, camera_, edge.sides[1].triangle);
   }
 
  private:
-  Piece piece(const FeatureEdge& edge, double from, double to, int start_node, int end_node) const {
+  Piece piece(const FeatureEdge& edge, Span<const EdgeCut> cuts, double from, double to,
+              int start_node, int end_node) const {
     const EdgeSide& first = edge.sides[0];
     Piece result;
     result.points = {point(first, from, start_node), point(first, to, end_node)};
@@ -74,7 +77,7 @@ class PieceMaker {
     result.strand.kind = kind_of(edge.kind);
     result.strand.object = surface_.triangle_objects[idx(first.triangle)];
     result.from_polygons = is_polygonal(first);
-    set_layers(edge, (from + to) / 2, result.strand);
+    set_layers(edge, cuts, (from + to) / 2, result.strand);
     if (result.strand.left_layers < result.strand.right_layers) reverse(result);
     return result;
   }
@@ -88,11 +91,13 @@ class PieceMaker {
 
   // A front-facing triangle lies to the left of its edges as they run, a back-facing one to the
   // right.
-  void set_layers(const FeatureEdge& edge, double fraction, Strand& strand) const {
+  void set_layers(const FeatureEdge& edge, Span<const EdgeCut> cuts, double fraction,
+                  Strand& strand) const {
     for (const EdgeSide& side : edge.sides) {
       if (side.triangle == none) continue;
       const bool along = place(side, 0) == place(edge.sides[0], 0);
-      const bool front = is_front(side, along ? fraction : 1 - fraction);
+      const bool front = is_polygonal(side) ? is_front_face(surface_, camera_, side.triangle)
+                                            : is_front(side, along, cuts, fraction);
       ++(front == along ? strand.left_layers : strand.right_layers);
     }
   }
@@ -101,9 +106,24 @@ class PieceMaker {
     return !surface_.object_is_smooth[idx(surface_.triangle_objects[idx(side.triangle)])];
   }
 
-  bool is_front(const EdgeSide& side, double fraction) const {
-    if (is_polygonal(side)) return is_front_face(surface_, camera_, side.triangle);
-    return functions_.front_on_edge(side.triangle, side.corner, fraction);
+  // `fraction` runs along the edge's first side, as the cuts do.
+  bool is_front(const EdgeSide& side, bool along, Span<const EdgeCut> cuts, double fraction) const {
+    const int t = side.triangle, k = side.corner;
+    const bool here = functions_.front(t, k), there = functions_.front(t, next_corner(k));
+    if (here == there) return here;
+    const double zero = functions_.zero_fraction(t, k);
+    const bool before_zero = fraction < turn(side, cuts, along ? zero : 1 - zero);
+    return before_zero == along ? here : there;
+  }
+
+  // Where a side turns: at its own cut, else at the one nearest to where g vanishes.
+  static double turn(const EdgeSide& side, Span<const EdgeCut> cuts, double zero) {
+    double nearest = cuts.size() == 0 ? zero : cuts[0].fraction;
+    for (const EdgeCut& cut : cuts) {
+      if (cut.side.triangle == side.triangle && cut.side.corner == side.corner) return cut.fraction;
+      if (std::abs(cut.fraction - zero) < std::abs(nearest - zero)) nearest = cut.fraction;
+    }
+    return nearest;
   }
 
   int vertex(const EdgeSide& side, int end) const {

@@ -80,8 +80,10 @@ class JointFinder {
     const auto found = feature_of_side_.find(side_key(triangle, corner));
     if (found == feature_of_side_.end()) return none;
     const int node = add_node(NodeKind::joint, position);
-    joints_.edges.push_back(
-        {found->second, along_feature(found->second, triangle, corner, fraction), node});
+    joints_.edges.push_back({found->second,
+                             along_feature(found->second, triangle, corner, fraction),
+                             node,
+                             {triangle, corner}});
     return node;
   }
 
@@ -92,9 +94,9 @@ class JointFinder {
       const ChainPoint& p = chain[i];
       const bool tip = !closed && (i == 0 || i + 1 == chain.size());
       int node = none;
-      if (p.edge == none)
+      if (p.cusp_jump != 0)
         node = add_node(NodeKind::cusp, p.position);
-      else
+      else if (p.edge != none)
         node = cut_feature(p.on.triangle, p.edge, p.fraction, p.position);
       if (node == none && tip) node = add_node(NodeKind::end, p.position);
       if (node != none) joints_.chains.push_back({c, static_cast<int>(i), 0, node});

@@ -10,11 +10,13 @@
 
 namespace illustrate {
 
-// A cut at `fraction` of a feature edge, from the first corner of its first side.
+// A cut at `fraction` of a feature edge, from the first corner of its first side; `side` is the one
+// whose curve makes it.
 struct EdgeCut {
   int feature;
   double fraction;
   int node;
+  EdgeSide side;
 };
 
 // A cut of a polyline behind its point `segment`, at `fraction` of the way to the next one.

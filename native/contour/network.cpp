@@ -1,5 +1,6 @@
 #include "contour/network.h"
 
+#include "contour/exact_silhouettes.h"
 #include "contour/joints.h"
 #include "contour/strands.h"
 
@@ -30,13 +31,16 @@ std::vector<FeatureEdge> wanted_features(const std::vector<FeatureEdge>& feature
 
 }  // namespace
 
-CurveNetwork build_network(const Surface& surface, const std::vector<FeatureEdge>& all_features,
+CurveNetwork build_network(const Surface& surface, const LimitSurface& limit,
+                           const std::vector<FeatureEdge>& all_features,
                            const IntersectionCurves& intersections, const Camera& camera,
                            const NetworkOptions& options, Counts& counts,
                            const Progress& progress) {
   const std::vector<FeatureEdge> features = wanted_features(all_features, options);
   const ContourFunctions functions(surface, camera);
-  const Silhouettes found = silhouettes(surface, functions, camera);
+  const Silhouettes linear = silhouettes(surface, functions, camera);
+  const Silhouettes found =
+      exact_silhouettes(surface, limit, functions, camera, linear, false, counts);
   progress.report(0.5);
   const Joints joints = find_joints(surface, features, found, intersections);
   CurveNetwork network;

@@ -12,6 +12,7 @@
 #include "contour/intersections.h"
 #include "core/progress.h"
 #include "core/report.h"
+#include "surface/limit_surface.h"
 #include "view/camera.h"
 
 namespace illustrate {
@@ -22,8 +23,10 @@ struct NetworkOptions {
   bool flat_outlines = false;  // outlines of flat areas
 };
 
-// Adds "triangles_visited", "silhouette_triangles", "cusps", "strands" to `counts`.
-CurveNetwork build_network(const Surface& surface, const std::vector<FeatureEdge>& features,
+// `limit` is the limit surface of `surface`. Adds "triangles_visited", "silhouette_triangles",
+// "cusps", "swallowtails", "evaluations", "strands" to `counts`.
+CurveNetwork build_network(const Surface& surface, const LimitSurface& limit,
+                           const std::vector<FeatureEdge>& features,
                            const IntersectionCurves& intersections, const Camera& camera,
                            const NetworkOptions& options, Counts& counts,
                            const Progress& progress = {});

@@ -14,14 +14,14 @@
 namespace illustrate {
 
 // A point of a chain: on edge `edge` of `triangle`, at `fraction` from that edge's first corner,
-// or, when edge is none, a cusp inside the triangle.
+// or, when edge is none, inside the triangle.
 struct ChainPoint {
   Vec3 position;
   SurfacePoint
       on;  // in the triangle of the segment that starts here (of the last segment, at an open end)
   int edge = none;  // edge of on.triangle the point lies on, none for cusps
   double fraction = 0;
-  int cusp_jump = 0;  // cusps: +1 where the chain recedes from the viewer, else -1
+  int cusp_jump = 0;  // cusps: +1 where the chain recedes from the viewer, -1 elsewhere; 0: no cusp
 };
 
 // Chains run with the front on their left. Segment i of a chain lies in the triangle

@@ -13,6 +13,7 @@ class SeenScene {
             const Progress& progress);
 
   const Surface& surface() const { return part_ ? part_->surface : prepared_.surface(); }
+  const LimitSurface& limit_surface() const { return prepared_.limit_surface(); }
   const Bvh& bvh() const { return part_ ? part_->bvh : prepared_.bvh(); }
   const std::vector<FeatureEdge>& features() const {
     return part_ ? part_->features : prepared_.features();

@@ -100,6 +100,16 @@ Vec2 clamped(const Vec2& uv, bool triangular) {
   return at;
 }
 
+// Taylor's polynomial of the second degree.
+LimitPoint continued(const LimitPoint& p, const Vec2& step) {
+  const double u = step.x(), v = step.y();
+  LimitPoint q = p;
+  q.position += u * p.du + v * p.dv + u * u / 2 * p.duu + u * v * p.duv + v * v / 2 * p.dvv;
+  q.du += u * p.duu + v * p.duv;
+  q.dv += u * p.duv + v * p.dvv;
+  return q;
+}
+
 }  // namespace
 
 struct LimitPatches::Data {
@@ -146,8 +156,9 @@ std::optional<LimitPoint> LimitPatches::evaluate(const BasePlace& place) const {
   const auto face = static_cast<int>(after - first.begin()) - 1;
   const FacePatches& patches = data_->face(face);
   if (!patches.is_valid()) return {};
-  return patches.evaluate(place.ptex_face - first[idx(face)],
-                          clamped(place.uv, data_->scheme == Scheme::loop));
+  const Vec2 inside = clamped(place.uv, data_->scheme == Scheme::loop);
+  const LimitPoint p = patches.evaluate(place.ptex_face - first[idx(face)], inside);
+  return inside == place.uv ? p : continued(p, place.uv - inside);
 }
 
 }  // namespace illustrate

@@ -20,8 +20,9 @@ class LimitPatches {
   LimitPatches(const SoundMesh& mesh, Scheme scheme);
   ~LimitPatches();
 
-  // uv is clamped to the face: the square, or the triangle u, v, 1 - u - v >= 0. Nothing where the
-  // mesh has no such surface. Safe between threads.
+  // Outside of the face (the square, or the triangle u, v, 1 - u - v >= 0) the surface is continued
+  // by its Taylor polynomial of the second degree. Nothing where the mesh has no such surface. Safe
+  // between threads.
   std::optional<LimitPoint> evaluate(const BasePlace& place) const;
 
  private:

@@ -17,9 +17,10 @@ class LimitSurface {
   // One past the last ptex face; 0 where no mesh is subdivided.
   int ptex_faces() const;
 
-  // `place` counts the ptex faces of all meshes, one after another. uv is clamped to the face, a
-  // square or, in meshes of Loop's scheme, the triangle u, v, 1 - u - v >= 0. Nothing where there
-  // is no such face. Safe between threads.
+  // `place` counts the ptex faces of all meshes, one after another. Outside of the face (the square
+  // or, in meshes of Loop's scheme, the triangle u, v, 1 - u - v >= 0) the surface is continued by
+  // its Taylor polynomial of the second degree. Nothing where there is no such face. Safe between
+  // threads.
   std::optional<LimitPoint> evaluate(const BasePlace& place) const;
 
   // Whether the ptex face is a triangle. Throws nothing: false where there is no such face.

@@ -58,6 +58,13 @@ ImagePoint Camera::project(const Vec3& p) const {
   return {Vec2((clip[0] / clip[3] + 1) / 2 * width_, (1 - clip[1] / clip[3]) / 2 * height_), depth};
 }
 
+Vec2 Camera::project_direction(const Vec3& p, const Vec3& d) const {
+  const Vec4 clip = clip_ * p.homogeneous(), moved = clip_.leftCols<3>() * d;
+  const double w = clip[3] * clip[3];
+  return {(moved[0] * clip[3] - clip[0] * moved[3]) / w / 2 * width_,
+          -(moved[1] * clip[3] - clip[1] * moved[3]) / w / 2 * height_};
+}
+
 double Camera::near_distance(const Vec3& p) const {
   const Vec4 clip = clip_ * p.homogeneous();
   return clip[2] + clip[3];

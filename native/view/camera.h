@@ -35,6 +35,9 @@ class Camera {
   // Only for points before the near plane (`near_distance` > 0).
   ImagePoint project(const Vec3& p) const;
 
+  // How the image of p moves when p moves along d: px per unit of d.
+  Vec2 project_direction(const Vec3& p, const Vec3& d) const;
+
   // Clip-space distance to the near plane, z + w: linear in p, positive where p can be seen.
   double near_distance(const Vec3& p) const;
 

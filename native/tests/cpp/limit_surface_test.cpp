@@ -174,16 +174,22 @@ TEST(LimitSurface, KnowsTheFacesOfSeveralMeshes) {
   EXPECT_EQ(moved.duu, near.duu);  // nothing is lost far from the origin
 }
 
-TEST(LimitSurface, OutsideOfAFaceIsItsNearestEdge) {
-  const Surface surface = refined(shapes::cube(), at_level(0));
-  const LimitSurface limit(surface);
-  EXPECT_EQ(limit.evaluate({0, Vec2(-1, .5)})->position,
-            limit.evaluate({0, Vec2(0, .5)})->position);
-  const Surface triangles = refined(shapes::icosahedron(), at_level(0, Scheme::loop));
-  const LimitSurface loop(triangles);
-  EXPECT_LT((loop.evaluate({0, Vec2(1, 1)})->position - loop.evaluate({0, Vec2(.5, .5)})->position)
-                .norm(),
-            1e-12);
+TEST(LimitSurface, GoesOnSmoothlyOutsideOfAFace) {
+  for (const auto& [mesh, scheme, edge] : std::vector<std::tuple<PolygonMesh, Scheme, Vec2>>{
+           {shapes::cube(), Scheme::catmull_clark, Vec2(0, .4)},
+           {shapes::icosahedron(), Scheme::loop, Vec2(.6, .4)}}) {
+    const Surface surface = refined(mesh, at_level(0, scheme));
+    const LimitSurface limit(surface);
+    const Vec2 out = scheme == Scheme::loop ? Vec2(1, 1) : Vec2(-1, 0);
+    const LimitPoint at = *limit.evaluate({0, edge});
+    double last = 1;
+    for (const double step : {.1, .05, .025}) {  // against the tangent: the error is quadratic
+      const LimitPoint p = *limit.evaluate({0, edge + step * out});
+      const Vec3 tangent = at.position + step * (out.x() * at.du + out.y() * at.dv);
+      EXPECT_LT((p.position - tangent).norm(), last / 3.9);
+      last = (p.position - tangent).norm();
+    }
+  }
 }
 
 TEST(LimitSurface, SameFromSeveralThreads) {

@@ -261,6 +261,7 @@ inline void complete(Surface& surface) {
   surface.places.resize(n);
   for (std::size_t i = 0; i < n; ++i) surface.places[i] = static_cast<int>(i);
   surface.flips.assign(t, 0);
+  surface.patches.assign(t, {});
   surface.triangle_objects.assign(t, 0);
   surface.base_faces.assign(n, none);
   surface.base_uv.assign(n, Vec2::Zero());

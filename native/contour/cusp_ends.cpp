@@ -1,0 +1,219 @@
+#include "contour/cusp_ends.h"
+
+#include <algorithm>
+
+#include "surface/locate.h"
+
+namespace illustrate {
+namespace {
+
+constexpr double farthest_px = 1.6 * cusp_reach_px;
+constexpr double swallowtail_px = 0.25;
+
+// Steps along a chain in one direction, round a closed one.
+class Walk {
+ public:
+  Walk(std::size_t count, bool closed, std::size_t from, bool forward)
+      : count_(count), closed_(closed), at_(from), forward_(forward) {}
+
+  // False at the end of an open chain, and after a whole round.
+  bool step() {
+    if (++steps_ >= count_) return false;
+    if (!closed_ && at_ == (forward_ ? count_ - 1 : 0)) return false;
+    at_ = forward_ ? (at_ + 1) % count_ : (at_ + count_ - 1) % count_;
+    return true;
+  }
+  std::size_t at() const { return at_; }
+
+ private:
+  std::size_t count_;
+  bool closed_;
+  std::size_t at_;
+  bool forward_;
+  std::size_t steps_ = 0;
+};
+
+// What happens on one side of a cusp: points to drop, and one to put behind point `behind` of the
+// chain.
+struct Clearing {
+  std::vector<std::size_t> dropped;
+  std::size_t behind = 0;
+  std::optional<ExactPoint> added;
+};
+
+class Thinner {
+ public:
+  Thinner(const Surface& surface, const Camera& camera, ExactSegment& segment, bool closed,
+          const std::vector<ExactPoint>& chain)
+      : surface_(surface), camera_(camera), segment_(segment), closed_(closed), chain_(chain) {}
+
+  std::vector<ExactPoint> run() {
+    std::vector<std::uint8_t> dropped(chain_.size(), 0);
+    std::vector<std::vector<ExactPoint>> added(chain_.size());
+    for (std::size_t i = 0; i < chain_.size(); ++i) {
+      if (!chain_[i].is_cusp()) continue;
+      for (const bool forward : {false, true}) {
+        Clearing clearing = clear(i, forward);
+        for (const std::size_t k : clearing.dropped) dropped[k] = 1;
+        if (clearing.added) added[clearing.behind].push_back(*clearing.added);
+      }
+    }
+    return put_together(dropped, added);
+  }
+
+ private:
+  double distance(std::size_t cusp, const Vec2& image) const {
+    return (image - chain_[cusp].image).norm();
+  }
+
+  Clearing clear(std::size_t cusp, bool forward) {
+    Clearing result;
+    Walk walk(chain_.size(), closed_, cusp, forward);
+    std::size_t last = cusp;
+    while (walk.step()) {
+      const std::size_t at = walk.at();
+      const double reached = distance(cusp, chain_[at].image);
+      if (is_kept(at)) {
+        if (reached < farthest_px) return result;
+      } else if (reached < cusp_reach_px) {
+        result.dropped.push_back(at);
+        last = at;
+        continue;
+      }
+      if (reached > farthest_px)
+        add_between(cusp, forward ? last : at, forward ? at : last, result);
+      return result;
+    }
+    return {};
+  }
+
+  // Cusps, ends, and points on edges that may be curves.
+  bool is_kept(std::size_t i) const {
+    const ChainPoint& p = chain_[i].point;
+    const bool tip = !closed_ && (i == 0 || i + 1 == chain_.size());
+    if (tip || chain_[i].is_cusp() || p.edge == none) return tip || chain_[i].is_cusp();
+    return surface_.edge_kinds[idx(p.on.triangle)][idx(p.edge)] != EdgeKind::smooth;
+  }
+
+  // A point of the segment from a to b (neighbours in the chain's order), at the right distance.
+  void add_between(std::size_t cusp, std::size_t a, std::size_t b, Clearing& clearing) {
+    const bool grows = distance(cusp, chain_[a].image) < distance(cusp, chain_[b].image);
+    double low = 0, high = 1;  // distances below and above what is wanted, or the other way round
+    for (int i = 0; i < 24; ++i) {
+      const double f = (low + high) / 2;
+      const std::optional<ExactPoint> p = point_between(chain_[a], chain_[b], f);
+      if (!p) return;
+      const double reached = distance(cusp, p->image);
+      if (reached >= cusp_reach_px && reached <= farthest_px) {
+        clearing.behind = a;
+        clearing.added = p;
+        return;
+      }
+      ((reached < cusp_reach_px) == grows ? low : high) = f;
+    }
+  }
+
+  std::optional<ExactPoint> point_between(const ExactPoint& a, const ExactPoint& b, double f) {
+    const int t = a.point.on.triangle;
+    ExactPoint result;
+    if (a.knot && b.knot) {
+      const PatchTriangle& patch = surface_.patches[idx(t)];
+      ContourKnot end = *b.knot;
+      end.uv = b.arrival;
+      const auto knot = segment_.between(patch.ptex_face, *a.knot, end, f);
+      if (!knot) return {};
+      result.knot = knot;
+      result.image = knot->image;
+      result.point.position = knot->sample.position;
+      result.point.on = on_triangle(patch, t, knot->uv);
+      return result;
+    }
+    result.point.position = a.point.position + f * (b.point.position - a.point.position);
+    result.point.on = locate(surface_, t, result.point.position);
+    result.image = camera_.project(result.point.position).xy;
+    return result;
+  }
+
+  std::vector<ExactPoint> put_together(const std::vector<std::uint8_t>& dropped,
+                                       const std::vector<std::vector<ExactPoint>>& added) {
+    std::vector<ExactPoint> result;
+    for (std::size_t i = 0; i < chain_.size(); ++i) {
+      if (!dropped[i]) result.push_back(chain_[i]);
+      result.insert(result.end(), added[i].begin(), added[i].end());
+    }
+    return result;
+  }
+
+  const Surface& surface_;
+  const Camera& camera_;
+  ExactSegment& segment_;
+  bool closed_;
+  const std::vector<ExactPoint>& chain_;
+};
+
+// The next cusp along the chain, none where there is no other.
+std::optional<std::size_t> next_cusp(const std::vector<ExactPoint>& chain, bool closed,
+                                     std::size_t from) {
+  Walk walk(chain.size(), closed, from, true);
+  while (walk.step()) {
+    if (chain[walk.at()].is_cusp()) return walk.at();
+  }
+  return {};
+}
+
+// Whether everything from cusp a to cusp b stays near a.
+bool stays_near(const std::vector<ExactPoint>& chain, std::size_t a, std::size_t b, double reach) {
+  for (std::size_t i = a; i != b; i = (i + 1) % chain.size()) {
+    if ((chain[i].image - chain[a].image).norm() > reach) return false;
+  }
+  return true;
+}
+
+bool is_plain(const ExactPoint& p) { return !p.is_cusp() && p.point.edge == none; }
+
+// Marks the plain points around point `middle` that lie within reach of it.
+void drop_around(const std::vector<ExactPoint>& chain, bool closed, std::size_t middle,
+                 double reach, std::vector<std::uint8_t>& dropped) {
+  for (const bool forward : {false, true}) {
+    Walk walk(chain.size(), closed, middle, forward);
+    while (walk.step()) {
+      const ExactPoint& p = chain[walk.at()];
+      if (!is_plain(p) || (p.image - chain[middle].image).norm() > reach) break;
+      dropped[walk.at()] = 1;
+    }
+  }
+}
+
+}  // namespace
+
+void thin_at_cusps(const Surface& surface, const Camera& camera, ExactSegment& segment, bool closed,
+                   std::vector<ExactPoint>& chain) {
+  chain = Thinner(surface, camera, segment, closed, chain).run();
+}
+
+int collapse_swallowtails(bool closed, std::vector<ExactPoint>& chain) {
+  int collapsed = 0;
+  std::vector<std::uint8_t> dropped(chain.size(), 0);
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (!chain[i].is_cusp()) continue;
+    const std::optional<std::size_t> j = next_cusp(chain, closed, i);
+    if (!j || chain[*j].point.cusp_jump != chain[i].point.cusp_jump) continue;
+    const double apart = (chain[*j].image - chain[i].image).norm();
+    if (apart > swallowtail_px || !stays_near(chain, i, *j, 2 * apart)) continue;
+    for (const std::size_t cusp : {i, *j}) {
+      chain[cusp].point.cusp_jump = 0;
+      chain[cusp].knot.reset();
+    }
+    drop_around(chain, closed, i, std::max(3 * apart, swallowtail_px), dropped);
+    dropped[i] = 0;
+    ++collapsed;
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (!dropped[i]) chain[kept++] = chain[i];
+  }
+  chain.resize(kept);
+  return collapsed;
+}
+
+}  // namespace illustrate

@@ -1,0 +1,17 @@
+// The neighbourhood of cusps cleared of what the image cannot show.
+#pragma once
+
+#include "contour/exact_chain.h"
+
+namespace illustrate {
+
+// Leaves one point between cusp_reach_px and 1.6 times that beyond each cusp (where the next cusp
+// or the end of the chain is not nearer) and none closer.
+void thin_at_cusps(const Surface& surface, const Camera& camera, ExactSegment& segment, bool closed,
+                   std::vector<ExactPoint>& chain);
+
+// Turns pairs of neighbouring cusps of the same jump that are less than a quarter pixel apart into
+// one plain point. Returns the number of pairs; the chain is empty when nothing of it is left.
+int collapse_swallowtails(bool closed, std::vector<ExactPoint>& chain);
+
+}  // namespace illustrate

@@ -1,0 +1,221 @@
+#include "contour/exact_chain.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "surface/locate.h"
+
+namespace illustrate {
+namespace {
+
+// Points to each side of a suspected cusp that are made exact with it.
+constexpr int dilation = 3;
+
+int sign(double x) { return x < 0 ? -1 : 1; }
+
+}  // namespace
+
+Vec2 patch_uv(const PatchTriangle& patch, int corner, double fraction) {
+  return (1 - fraction) * patch.uv(corner) + fraction * patch.uv(next_corner(corner));
+}
+
+SurfacePoint on_triangle(const PatchTriangle& patch, int triangle, const Vec2& uv) {
+  const Vec2 a = patch.uv(1) - patch.uv(0), b = patch.uv(2) - patch.uv(0), p = uv - patch.uv(0);
+  const double area = cross(a, b);
+  const double b1 = std::clamp(cross(p, b) / area, 0., 1.);
+  const double b2 = std::clamp(cross(a, p) / area, 0., 1. - b1);
+  return {triangle, b1, b2};
+}
+
+std::vector<ExactPoint> ExactChain::run(Span<const ChainPoint> linear, bool closed,
+                                        bool everywhere) {
+  closed_ = closed;
+  read(linear);
+  if (everywhere) {
+    for (std::size_t i = 0; i < stations_.size(); ++i) solve(i);
+  } else {
+    for (const std::size_t i : near_suspects()) solve(i);
+    spread();
+  }
+  std::vector<ExactPoint> result;
+  Vec2 arrival = Vec2::Zero();
+  for (std::size_t i = 0; i < segments(); ++i) {
+    result.push_back(station_point(stations_[i]));
+    result.back().arrival = arrival;
+    arrival = emit(i, result);
+  }
+  if (!closed_) result.push_back(station_point(stations_.back()));
+  (closed_ ? result.front() : result.back()).arrival = arrival;
+  return result;
+}
+
+void ExactChain::read(Span<const ChainPoint> linear) {
+  stations_.clear();
+  for (const ChainPoint& p : linear) {
+    if (p.edge == none) continue;
+    Station s;
+    s.point = p;
+    s.sign = -sign(functions_.cusp_function(p.on.triangle, p.edge, p.fraction));
+    stations_.push_back(s);
+  }
+  for (std::size_t i = 0; i < segments(); ++i) link(stations_[i], next(i));
+}
+
+// Where `to` lies on the far edge of the triangle that `from` enters.
+void ExactChain::link(Station& from, const Station& to) const {
+  const int t = from.point.on.triangle;
+  for (int k = 0; k < 3; ++k) {
+    const bool crossed = functions_.front(t, k) != functions_.front(t, next_corner(k));
+    if (k != from.point.edge && crossed) from.out = k;
+  }
+  const auto place = [&](int triangle, int corner) {
+    return surface_.places[idx(surface_.triangles[idx(triangle)][idx(corner)])];
+  };
+  const bool same_way =
+      from.out != none && place(t, from.out) == place(to.point.on.triangle, to.point.edge);
+  from.next_fraction = same_way ? to.point.fraction : 1 - to.point.fraction;
+}
+
+bool ExactChain::has_both_signs(int triangle) const {
+  int positive = 0;
+  for (int k = 0; k < 3; ++k) positive += functions_.cusp_function(triangle, k, 0) >= 0;
+  return positive == 1 || positive == 2;
+}
+
+bool ExactChain::is_suspect(std::size_t i) {
+  if (!closed_ && (i == 0 || i + 1 == segments())) return true;
+  return stations_[i].sign != next(i).sign || has_both_signs(stations_[i].point.on.triangle);
+}
+
+std::vector<std::size_t> ExactChain::near_suspects() {
+  const auto count = static_cast<std::ptrdiff_t>(stations_.size());
+  std::vector<std::uint8_t> wanted(stations_.size(), 0);
+  for (std::size_t i = 0; i < segments(); ++i) {
+    if (!is_suspect(i)) continue;
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    for (std::ptrdiff_t k = at - dilation; k <= at + 1 + dilation; ++k) {
+      if (closed_)
+        wanted[static_cast<std::size_t>(((k % count) + count) % count)] = 1;
+      else if (k >= 0 && k < count)
+        wanted[static_cast<std::size_t>(k)] = 1;
+    }
+  }
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (wanted[i]) result.push_back(i);
+  }
+  return result;
+}
+
+void ExactChain::solve(std::size_t i) {
+  Station& station = stations_[i];
+  if (station.is_tried) return;
+  station.is_tried = true;
+  const PatchTriangle& patch = surface_.patches[idx(station.point.on.triangle)];
+  if (patch.ptex_face == none || !(camera_.near_distance(station.point.position) > 0)) return;
+  solve_on_edge(station);
+  if (!station.sample) return;
+  station.point.position = station.sample->position;
+  const int t = station.point.on.triangle;
+  station.point.on = on_edge(t, station.point.edge, station.point.fraction);
+  if (i > 0 || closed_) {
+    Station& before = stations_[(i + stations_.size() - 1) % stations_.size()];
+    link(before, station);
+  }
+}
+
+// Newton's method along the edge, kept between the last points found on either side of the zero.
+void ExactChain::solve_on_edge(Station& station) {
+  constexpr int most_steps = 30;
+  constexpr double end = 1e-5, flat = 1e-3;
+  const int t = station.point.on.triangle, k = station.point.edge;
+  const PatchTriangle& patch = surface_.patches[idx(t)];
+  const Vec2 along = patch.uv(next_corner(k)) - patch.uv(k);
+  const bool low_front = functions_.front(t, k);
+  double low = end, high = 1 - end, f = station.point.fraction;
+  std::optional<ContourSample> sample;
+  for (int i = 0; i < most_steps; ++i) {
+    sample = contour_.at({patch.ptex_face, patch_uv(patch, k, f)});
+    if (!sample) return;
+    if (std::abs(sample->g) < on_contour || high - low < 1e-12) break;
+    ((sample->g >= 0) == low_front ? low : high) = f;
+    f -= sample->g / sample->gradient.dot(along);
+    if (!(f > low && f < high)) f = (low + high) / 2;
+  }
+  if (std::abs(sample->g) > flat || sample->tangent.isZero()) return;
+  station.point.fraction = f;
+  station.sample = sample;
+}
+
+// Where an exact point and a linear one beside it disagree, the linear one must become exact too.
+void ExactChain::spread() {
+  for (bool again = true; again;) {
+    again = false;
+    for (std::size_t i = 0; i < segments(); ++i) {
+      Station &a = stations_[i], &b = next(i);
+      if (a.is_tried == b.is_tried || a.exact_sign() == b.exact_sign()) continue;
+      const std::size_t linear = a.is_tried ? (i + 1) % stations_.size() : i;
+      solve(linear);
+      again = true;
+    }
+  }
+}
+
+ExactPoint ExactChain::station_point(const Station& station) const {
+  ExactPoint result{station.point, camera_.project(station.point.position).xy, {}};
+  if (station.sample) {
+    const PatchTriangle& patch = surface_.patches[idx(station.point.on.triangle)];
+    const Vec2 uv = patch_uv(patch, station.point.edge, station.point.fraction);
+    result.knot = segment_.knot(uv, *station.sample);
+  }
+  return result;
+}
+
+Vec2 ExactChain::emit(std::size_t i, std::vector<ExactPoint>& result) {
+  const Station &from = stations_[i], &to = next(i);
+  const PatchTriangle& patch = surface_.patches[idx(from.point.on.triangle)];
+  const bool on_patch = from.out != none && patch.ptex_face != none;
+  const Vec2 end = on_patch ? patch_uv(patch, from.out, from.next_fraction) : Vec2(0, 0);
+  if (on_patch && from.sample && to.sample)
+    emit_exact(from, to, end, result);
+  else
+    emit_linear(from, to, result);
+  return end;
+}
+
+void ExactChain::emit_linear(const Station& from, const Station& to,
+                             std::vector<ExactPoint>& result) {
+  if (from.exact_sign() == to.exact_sign()) return;
+  const int t = from.point.on.triangle;
+  const double c0 = functions_.cusp_function(t, from.point.edge, from.point.fraction);
+  const double c1 =
+      from.out == none ? -c0 : functions_.cusp_function(t, from.out, from.next_fraction);
+  const double f = (c0 >= 0) != (c1 >= 0) ? c0 / (c0 - c1) : .5;
+  const Vec3 step = to.point.position - from.point.position;
+  ExactPoint cusp;
+  cusp.point.position = from.point.position + f * step;
+  cusp.point.on = locate(surface_, t, cusp.point.position);
+  cusp.point.cusp_jump = step.dot(camera_.to_eye(cusp.point.position)) < 0 ? 1 : -1;
+  cusp.image = camera_.project(cusp.point.position).xy;
+  result.push_back(cusp);
+}
+
+void ExactChain::emit_exact(const Station& from, const Station& to, const Vec2& end,
+                            std::vector<ExactPoint>& result) {
+  const int t = from.point.on.triangle;
+  const PatchTriangle& patch = surface_.patches[idx(t)];
+  std::vector<ContourKnot> knots;
+  segment_.refine(patch.ptex_face, *result.back().knot, segment_.knot(end, *to.sample), knots);
+  for (const ContourKnot& knot : knots) {
+    ExactPoint inside;
+    inside.point.position = knot.sample.position;
+    inside.point.on = on_triangle(patch, t, knot.uv);
+    inside.point.cusp_jump = knot.cusp_jump();
+    inside.image = knot.image;
+    inside.knot = knot;
+    inside.arrival = knot.uv;
+    result.push_back(inside);
+  }
+}
+
+}  // namespace illustrate

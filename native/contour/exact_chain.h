@@ -1,0 +1,78 @@
+// One silhouette chain made exact where it matters (exact_silhouettes.h).
+#pragma once
+
+#include "contour/exact_segment.h"
+#include "contour/silhouettes.h"
+
+namespace illustrate {
+
+// A point of the chain that is being made.
+struct ExactPoint {
+  ChainPoint point;
+  Vec2 image;
+  // The point's place on the patch of on.triangle, where it is exact.
+  std::optional<ContourKnot> knot;
+  Vec2 arrival = Vec2::Zero();  // its place on the patch of the triangle before it
+
+  bool is_cusp() const { return point.cusp_jump != 0; }
+};
+
+class ExactChain {
+ public:
+  ExactChain(const Surface& surface, LimitContour& contour, const ContourFunctions& functions,
+             const Camera& camera)
+      : surface_(surface),
+        contour_(contour),
+        functions_(functions),
+        camera_(camera),
+        segment_(contour, camera) {}
+
+  // linear: a chain of silhouettes.h; everywhere: make all of it exact.
+  std::vector<ExactPoint> run(Span<const ChainPoint> linear, bool closed, bool everywhere);
+
+ private:
+  // A point of the chain on an edge.
+  struct Station {
+    ChainPoint point;
+    int sign = 0;           // of the interpolated kappa
+    bool is_tried = false;  // whether it was asked to be exact
+    std::optional<ContourSample> sample;
+    double next_fraction = 0;  // of the next station on the edge where this one's triangle ends
+    int out = none;            // that edge
+
+    int exact_sign() const { return !sample ? sign : sample->kappa < 0 ? -1 : 1; }
+  };
+
+  void read(Span<const ChainPoint> linear);
+  void link(Station& from, const Station& to) const;
+  std::size_t segments() const { return stations_.size() - (closed_ ? 0 : 1); }
+  Station& next(std::size_t i) { return stations_[(i + 1) % stations_.size()]; }
+
+  bool is_suspect(std::size_t segment);
+  bool has_both_signs(int triangle) const;
+  std::vector<std::size_t> near_suspects();
+  void solve(std::size_t station);
+  void solve_on_edge(Station& station);
+  void spread();
+
+  // Returns where the segment arrives on its patch.
+  Vec2 emit(std::size_t segment, std::vector<ExactPoint>& result);
+  void emit_linear(const Station& from, const Station& to, std::vector<ExactPoint>& result);
+  void emit_exact(const Station& from, const Station& to, const Vec2& end,
+                  std::vector<ExactPoint>& result);
+  ExactPoint station_point(const Station& station) const;
+
+  const Surface& surface_;
+  LimitContour& contour_;
+  const ContourFunctions& functions_;
+  const Camera& camera_;
+  ExactSegment segment_;
+  bool closed_ = false;
+  std::vector<Station> stations_;
+};
+
+// The place of a triangle's edge point on its patch, and back from a place to the triangle.
+Vec2 patch_uv(const PatchTriangle& patch, int corner, double fraction);
+SurfacePoint on_triangle(const PatchTriangle& patch, int triangle, const Vec2& uv);
+
+}  // namespace illustrate

@@ -1,0 +1,22 @@
+// Silhouettes drawn as the contour of the limit surface round their cusps and at their ends.
+//
+// The zero set of an interpolated g is the contour of no surface: most of its closed curves have no
+// consistent visibility. That of the limit surface has one, and it is enough to follow it where it
+// matters: round cusps, and where chains end on feature curves. Elsewhere linear points stay.
+#pragma once
+
+#include "contour/silhouettes.h"
+#include "surface/limit_surface.h"
+
+namespace illustrate {
+
+// Chains as before, but: points near cusps and ends lie on the limit surface; linear cusps give way
+// to exact ones; points are added within triangles (edge none) where the curve turns, and taken
+// away nearer to a cusp than the image can show. Pairs of cusps less than a quarter pixel apart
+// that undo each other's turn (a swallowtail) become one plain point. `everywhere`: all points
+// become exact. Adds "evaluations", "swallowtails" to `counts`, and replaces `silhouettes.cusps`.
+Silhouettes exact_silhouettes(const Surface& surface, const LimitSurface& limit,
+                              const ContourFunctions& functions, const Camera& camera,
+                              const Silhouettes& linear, bool everywhere, Counts& counts);
+
+}  // namespace illustrate

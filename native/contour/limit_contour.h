@@ -1,0 +1,47 @@
+// g, its gradient and the contour's direction on the limit surface itself (paper
+// sections 4.1, 4.2).
+//
+// With n = Pu x Pv and v towards the eye, g = n . v; front is g >= 0. The contour runs with the
+// front on its left, along t = Pu g_v - Pv g_u. With r = -v, w = n x r (units throughout) and
+// kappa = t . w, rho = t . r, the direction of its image is sign(kappa) times that of w, also at a
+// cusp, where kappa vanishes and the sign of rho tells whether it recedes from the viewer.
+#pragma once
+
+#include "surface/limit_surface.h"
+#include "view/camera.h"
+
+namespace illustrate {
+
+struct ContourSample {
+  Vec3 position;
+  double g;       // sine of the angle between the line of sight and the tangent plane
+  Vec2 gradient;  // of g in (u, v)
+  Vec3 tangent;   // unit, of the contour; zero where the gradient vanishes
+  Vec3 across;    // unit, w
+  double kappa;
+  double rho;
+};
+
+class LimitContour {
+ public:
+  LimitContour(const LimitSurface& limit, const Camera& camera) : limit_(limit), camera_(camera) {}
+
+  // Nothing where there is no limit surface or it has no normal.
+  std::optional<ContourSample> at(const BasePlace& place);
+
+  // The contour where the line from `uv` along the unit vector `along` crosses it: Newton's method,
+  // no farther than `reach` from uv. Moves uv there.
+  std::optional<ContourSample> on_line(int ptex_face, Vec2& uv, const Vec2& along, double reach);
+
+  std::int64_t evaluations() const { return evaluations_; }
+
+ private:
+  const LimitSurface& limit_;
+  const Camera& camera_;
+  std::int64_t evaluations_ = 0;
+};
+
+// |g| below this is on the contour.
+constexpr double on_contour = 1e-7;
+
+}  // namespace illustrate
