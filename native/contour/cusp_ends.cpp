@@ -33,6 +33,16 @@ class Walk {
   std::size_t steps_ = 0;
 };
 
+// Cusps, ends, and points on edges that may be curves.
+bool must_stay(const Surface& surface, bool closed, const std::vector<ExactPoint>& chain,
+               std::size_t i) {
+  const ChainPoint& p = chain[i].point;
+  const bool is_end = !closed && (i == 0 || i + 1 == chain.size());
+  if (is_end || chain[i].is_cusp()) return true;
+  return p.edge != none &&
+         surface.edge_kinds[idx(p.on.triangle)][idx(p.edge)] != EdgeKind::smooth;
+}
+
 // What happens on one side of a cusp: points to drop, and one to put behind point `behind` of the
 // chain.
 struct Clearing {
@@ -87,13 +97,7 @@ class Thinner {
     return {};
   }
 
-  // Cusps, ends, and points on edges that may be curves.
-  bool is_kept(std::size_t i) const {
-    const ChainPoint& p = chain_[i].point;
-    const bool tip = !closed_ && (i == 0 || i + 1 == chain_.size());
-    if (tip || chain_[i].is_cusp() || p.edge == none) return tip || chain_[i].is_cusp();
-    return surface_.edge_kinds[idx(p.on.triangle)][idx(p.edge)] != EdgeKind::smooth;
-  }
+  bool is_kept(std::size_t i) const { return must_stay(surface_, closed_, chain_, i); }
 
   // A point of the segment from a to b (neighbours in the chain's order), at the right distance.
   void add_between(std::size_t cusp, std::size_t a, std::size_t b, Clearing& clearing) {
@@ -169,16 +173,14 @@ bool stays_near(const std::vector<ExactPoint>& chain, std::size_t a, std::size_t
   return true;
 }
 
-bool is_plain(const ExactPoint& p) { return !p.is_cusp() && p.point.edge == none; }
-
 // Marks the plain points around point `middle` that lie within reach of it.
-void drop_around(const std::vector<ExactPoint>& chain, bool closed, std::size_t middle,
-                 double reach, std::vector<std::uint8_t>& dropped) {
+void drop_around(const Surface& surface, const std::vector<ExactPoint>& chain, bool closed,
+                 std::size_t middle, double reach, std::vector<std::uint8_t>& dropped) {
   for (const bool forward : {false, true}) {
     Walk walk(chain.size(), closed, middle, forward);
     while (walk.step()) {
-      const ExactPoint& p = chain[walk.at()];
-      if (!is_plain(p) || (p.image - chain[middle].image).norm() > reach) break;
+      const double apart = (chain[walk.at()].image - chain[middle].image).norm();
+      if (apart > reach || must_stay(surface, closed, chain, walk.at())) break;
       dropped[walk.at()] = 1;
     }
   }
@@ -191,7 +193,7 @@ void thin_at_cusps(const Surface& surface, const Camera& camera, ExactSegment& s
   chain = Thinner(surface, camera, segment, closed, chain).run();
 }
 
-int collapse_swallowtails(bool closed, std::vector<ExactPoint>& chain) {
+int collapse_swallowtails(const Surface& surface, bool closed, std::vector<ExactPoint>& chain) {
   int collapsed = 0;
   std::vector<std::uint8_t> dropped(chain.size(), 0);
   for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -204,7 +206,7 @@ int collapse_swallowtails(bool closed, std::vector<ExactPoint>& chain) {
       chain[cusp].point.cusp_jump = 0;
       chain[cusp].knot.reset();
     }
-    drop_around(chain, closed, i, std::max(3 * apart, swallowtail_px), dropped);
+    drop_around(surface, chain, closed, i, std::max(3 * apart, swallowtail_px), dropped);
     dropped[i] = 0;
     ++collapsed;
   }

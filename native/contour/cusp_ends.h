@@ -12,6 +12,6 @@ void thin_at_cusps(const Surface& surface, const Camera& camera, ExactSegment& s
 
 // Turns pairs of neighbouring cusps of the same jump that are less than a quarter pixel apart into
 // one plain point. Returns the number of pairs; the chain is empty when nothing of it is left.
-int collapse_swallowtails(bool closed, std::vector<ExactPoint>& chain);
+int collapse_swallowtails(const Surface& surface, bool closed, std::vector<ExactPoint>& chain);
 
 }  // namespace illustrate

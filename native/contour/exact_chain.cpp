@@ -8,8 +8,10 @@
 namespace illustrate {
 namespace {
 
-// Points to each side of a suspected cusp that are made exact with it.
+// Points to each side of a suspected cusp that are made exact with it, and how far from it in the
+// image: strands leave a cusp close together.
 constexpr int dilation = 3;
+constexpr double dilation_px = 3;
 
 int sign(double x) { return x < 0 ? -1 : 1; }
 
@@ -87,18 +89,25 @@ bool ExactChain::is_suspect(std::size_t i) {
   return stations_[i].sign != next(i).sign || has_both_signs(stations_[i].point.on.triangle);
 }
 
+void ExactChain::want_around(std::size_t i, bool forward, std::vector<std::uint8_t>& wanted) const {
+  const std::size_t count = stations_.size();
+  const Vec2 centre = camera_.project(stations_[i].point.position).xy;
+  wanted[i] = 1;
+  for (std::size_t step = 1; step < count; ++step) {
+    if (!closed_ && i == (forward ? count - 1 : 0)) return;
+    i = forward ? (i + 1) % count : (i + count - 1) % count;
+    const Vec2 image = camera_.project(stations_[i].point.position).xy;
+    if (step > dilation && !((image - centre).norm() < dilation_px)) return;
+    wanted[i] = 1;
+  }
+}
+
 std::vector<std::size_t> ExactChain::near_suspects() {
-  const auto count = static_cast<std::ptrdiff_t>(stations_.size());
   std::vector<std::uint8_t> wanted(stations_.size(), 0);
   for (std::size_t i = 0; i < segments(); ++i) {
     if (!is_suspect(i)) continue;
-    const auto at = static_cast<std::ptrdiff_t>(i);
-    for (std::ptrdiff_t k = at - dilation; k <= at + 1 + dilation; ++k) {
-      if (closed_)
-        wanted[static_cast<std::size_t>(((k % count) + count) % count)] = 1;
-      else if (k >= 0 && k < count)
-        wanted[static_cast<std::size_t>(k)] = 1;
-    }
+    want_around(i, false, wanted);
+    want_around((i + 1) % stations_.size(), true, wanted);
   }
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < wanted.size(); ++i) {

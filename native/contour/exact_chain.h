@@ -50,6 +50,7 @@ class ExactChain {
 
   bool is_suspect(std::size_t segment);
   bool has_both_signs(int triangle) const;
+  void want_around(std::size_t station, bool forward, std::vector<std::uint8_t>& wanted) const;
   std::vector<std::size_t> near_suspects();
   void solve(std::size_t station);
   void solve_on_edge(Station& station);

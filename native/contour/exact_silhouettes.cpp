@@ -17,7 +17,7 @@ Silhouettes exact_silhouettes(const Surface& surface, const LimitSurface& limit,
   for (std::size_t c = 0; c < linear.chains.size(); ++c) {
     const bool closed = linear.closed[c];
     std::vector<ExactPoint> chain = exact.run(linear.chains[c], closed, everywhere);
-    counts["swallowtails"] += collapse_swallowtails(closed, chain);
+    counts["swallowtails"] += collapse_swallowtails(surface, closed, chain);
     thin_at_cusps(surface, camera, segment, closed, chain);
     if (closed && chain.size() < smallest_loop) continue;
     for (const ExactPoint& p : chain) {

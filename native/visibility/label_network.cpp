@@ -135,8 +135,11 @@ LabelledGraph label_network(const CurveNetwork& network, const Surface& surface,
   progress.report(0.3);
   double moved_px = 0;
   int repairs = drop_twists_and_lenses(arrangement, moved_px);
+  counts["repaired_twists"] += repairs;
   const std::int64_t unbalanced = count_unbalanced(arrangement);
-  repairs += collapse_swallowtails(arrangement, moved_px);
+  const int swallowtails = collapse_swallowtails(arrangement, moved_px);
+  repairs += swallowtails;
+  counts["repaired_swallowtails"] += swallowtails;
   LayerRays rays(surface, bvh, camera);
   ConsistentLabels consistent(arrangement, rays, moved_px);
   const std::vector<LabelledPath> labels = consistent.run(progress.part(0.3, 1));
@@ -148,6 +151,8 @@ LabelledGraph label_network(const CurveNetwork& network, const Surface& surface,
   counts["loops"] += std::count_if(arrangement.paths.begin(), arrangement.paths.end(),
                                    [](const Path& path) { return path.cyclic; });
   counts["unbalanced_loops"] += unbalanced;
+  counts["repaired_crossings"] += consistent.repairs();
+  counts["repaired_breaks"] += count_breaks(labels);
   counts["repairs"] += repairs + consistent.repairs() + count_breaks(labels);
   return graph;
 }

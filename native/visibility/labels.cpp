@@ -28,6 +28,7 @@ class LeastContradiction {
         arcs_(path.labels.arcs),
         evidence_(evidence),
         cyclic_(cyclic),
+        dear_(cyclic && path.labels.residual == 0 ? 1e6 : 1),
         states_(state_count()) {}
 
   void solve() {
@@ -65,8 +66,8 @@ class LeastContradiction {
     };
     for (int to = 0; to < states_; ++to) {
       origin[to] = to;
-      offer(0, to, visible_break_px);
-      offer(cheapest, to, to == 0 ? visible_break_px : hidden_break_px);
+      offer(0, to, dear_ * visible_break_px);
+      offer(cheapest, to, dear_ * (to == 0 ? visible_break_px : hidden_break_px));
     }
     return out;
   }
@@ -135,6 +136,7 @@ class LeastContradiction {
   const std::vector<PathArc>& arcs_;
   const std::vector<Evidence>& evidence_;
   bool cyclic_;
+  double dear_;
   int states_;
   std::vector<int> start_of_;  // [arc, label along it] -> label at its start
   std::vector<int> along_of_;  // [arc, label at its end] -> label along it
