@@ -39,8 +39,7 @@ bool must_stay(const Surface& surface, bool closed, const std::vector<ExactPoint
   const ChainPoint& p = chain[i].point;
   const bool is_end = !closed && (i == 0 || i + 1 == chain.size());
   if (is_end || chain[i].is_cusp()) return true;
-  return p.edge != none &&
-         surface.edge_kinds[idx(p.on.triangle)][idx(p.edge)] != EdgeKind::smooth;
+  return p.edge != none && surface.edge_kinds[idx(p.on.triangle)][idx(p.edge)] != EdgeKind::smooth;
 }
 
 // What happens on one side of a cusp: points to drop, and one to put behind point `behind` of the

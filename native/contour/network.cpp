@@ -3,7 +3,6 @@
 #include "contour/exact_silhouettes.h"
 #include "contour/joints.h"
 #include "contour/strands.h"
-#include <cstdlib>
 
 namespace illustrate {
 namespace {
@@ -41,7 +40,7 @@ CurveNetwork build_network(const Surface& surface, const LimitSurface& limit,
   const ContourFunctions functions(surface, camera);
   const Silhouettes linear = silhouettes(surface, functions, camera);
   const Silhouettes found =
-      exact_silhouettes(surface, limit, functions, camera, linear, getenv("EVERY") != nullptr, counts);
+      exact_silhouettes(surface, limit, functions, camera, linear, false, counts);
   progress.report(0.5);
   const Joints joints = find_joints(surface, features, found, intersections);
   CurveNetwork network;
