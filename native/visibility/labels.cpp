@@ -11,11 +11,12 @@ namespace {
 
 constexpr std::size_t most_arcs_asked = 1000;  // of one path, the longest ones
 constexpr double asked_thrice_px = 30;         // longer arcs are asked at three places
-constexpr double outline_weight = 1e4;     // the outside of the drawing is certain: px of length
+constexpr double outline_weight = 1e9;     // the outside of the drawing is certain: px of length
 constexpr double beside_nothing_px = 100;  // an arc next to the empty background is nearly certain
 constexpr double hidden_break_px = 12;     // what a break costs, in px of wrong label
 constexpr double visible_break_px = 30;
-constexpr double free_change_px = 1;  // a change at a demoted crossing
+constexpr double balanced_factor = 1e5;  // a path whose changes sum to zero hardly needs a break
+constexpr double free_change_px = 1;     // a change at a demoted crossing
 constexpr int most_layers = 64;
 constexpr double least_weight = 1e-6;  // an arc without length still prefers its ray
 
@@ -28,7 +29,7 @@ class LeastContradiction {
         arcs_(path.labels.arcs),
         evidence_(evidence),
         cyclic_(cyclic),
-        dear_(cyclic && path.labels.residual == 0 ? 1e6 : 1),
+        dear_(cyclic && path.labels.residual == 0 ? balanced_factor : 1),
         states_(state_count()) {}
 
   void solve() {
@@ -136,7 +137,7 @@ class LeastContradiction {
   const std::vector<PathArc>& arcs_;
   const std::vector<Evidence>& evidence_;
   bool cyclic_;
-  double dear_;
+  double dear_;  // factor of the price of a break
   int states_;
   std::vector<int> start_of_;  // [arc, label along it] -> label at its start
   std::vector<int> along_of_;  // [arc, label at its end] -> label along it
