@@ -1,0 +1,245 @@
+#include "contour/exact_silhouettes.h"
+
+#include <gtest/gtest.h>
+
+#include "cameras.h"
+#include "contour/exact_segment.h"
+#include "dense_contour.h"
+#include "surface_checks.h"
+
+namespace illustrate {
+namespace {
+
+using namespace surface_checks;
+
+struct Drawn {
+  Silhouettes linear, exact;
+  Counts counts;
+};
+
+Drawn draw(const Surface& surface, const Camera& camera, bool everywhere = false) {
+  const LimitSurface limit(surface);
+  const ContourFunctions functions(surface, camera);
+  Drawn drawn;
+  drawn.linear = silhouettes(surface, functions, camera);
+  drawn.exact =
+      exact_silhouettes(surface, limit, functions, camera, drawn.linear, everywhere, drawn.counts);
+  return drawn;
+}
+
+std::vector<dense::Segment> image_segments(const Silhouettes& found, const Camera& camera) {
+  std::vector<dense::Segment> segments;
+  for (std::size_t c = 0; c < found.chains.size(); ++c) {
+    const Span<const ChainPoint> chain = found.chains[c];
+    for (std::size_t i = 0; i + (found.closed[c] ? 0 : 1) < chain.size(); ++i) {
+      segments.push_back({camera.project(chain[i].position).xy,
+                          camera.project(chain[(i + 1) % chain.size()].position).xy});
+    }
+  }
+  return segments;
+}
+
+// Farthest that one set of segments lies from another, both ways, at their ends and middles.
+double apart(const std::vector<dense::Segment>& a, const std::vector<dense::Segment>& b) {
+  double worst = 0;
+  for (const auto* pair : {&a, &b}) {
+    const dense::Nearest nearest(pair == &a ? b : a);
+    for (const dense::Segment& s : *pair) {
+      worst = std::max({worst, nearest(s.a), nearest((s.a + s.b) / 2)});
+    }
+  }
+  return worst;
+}
+
+std::vector<Vec2> cusps_of(const Silhouettes& found, const Camera& camera) {
+  std::vector<Vec2> cusps;
+  for (const ChainPoint& p : found.chains.values) {
+    if (p.cusp_jump != 0) cusps.push_back(camera.project(p.position).xy);
+  }
+  return cusps;
+}
+
+// Crossings of a closed chain with itself.
+int self_crossings(Span<const ChainPoint> chain, const Camera& camera) {
+  std::vector<Vec2> image;
+  for (const ChainPoint& p : chain) image.push_back(camera.project(p.position).xy);
+  const auto turn = [](const Vec2& a, const Vec2& b, const Vec2& c) {
+    return cross(b - a, c - a) > 0;
+  };
+  int count = 0;
+  const std::size_t n = image.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i + 2; j < n && !(i == 0 && j == n - 1); ++j) {
+      const Vec2 &a = image[i], &b = image[(i + 1) % n], &c = image[j], &d = image[(j + 1) % n];
+      count += turn(a, b, c) != turn(a, b, d) && turn(c, d, a) != turn(c, d, b);
+    }
+  }
+  return count;
+}
+
+int self_crossings(const Silhouettes& found, const Camera& camera) {
+  int count = 0;
+  for (std::size_t c = 0; c < found.chains.size(); ++c) {
+    count += self_crossings(found.chains[c], camera);
+  }
+  return count;
+}
+
+// Triangles with six round every vertex.
+PolygonMesh split_the_same_way(const PolygonMesh& quads) {
+  PolygonMesh mesh;
+  mesh.positions = quads.positions;
+  for (std::size_t f = 0; f < quads.face_sizes.size(); ++f) {
+    const int* c = quads.corner_vertices.data() + 4 * f;
+    shapes::add_face(mesh, {c[0], c[1], c[2]});
+    shapes::add_face(mesh, {c[0], c[2], c[3]});
+  }
+  return mesh;
+}
+
+// A torus whose tube is so thin, and a view so steep, that all three regimes are met (b = |axis .
+// view|, R = 1): r < b^2, b^2 < r < b, b < r.
+struct Regime {
+  double b;
+  int cusps, crossings;
+};
+const std::vector<Regime> regimes{{.95, 0, 0}, {.8, 0, 0},  {.6, 4, 2}, {.5, 4, 2},
+                                  {.45, 4, 2}, {.35, 4, 0}, {.2, 4, 0}, {.1, 4, 0}};
+
+std::vector<Camera> cameras_at(double b) {
+  const Vec3 direction(std::sqrt(1 - b * b), 0.013, b);
+  // In perspective the regimes are those of a far eye.
+  return {cameras::orthographic(direction, 1.6),
+          cameras::perspective(40 * direction.normalized(), Vec3::Zero(), .1, 4.5)};
+}
+
+TEST(ExactSilhouettes, TorusInAllRegimes) {
+  // Fine enough for the limit surface to have the torus's cusps and no others.
+  const PolygonMesh quads = shapes::torus_mesh(1, .4, 64, 32);
+  for (const PolygonMesh& cage : {quads, split_the_same_way(quads)}) {
+    const Surface torus = refined(cage, at_level(-1));
+    for (const Regime& regime : regimes) {
+      for (const Camera& camera : cameras_at(regime.b)) {
+        const Drawn drawn = draw(torus, camera);
+        ASSERT_EQ(drawn.exact.chains.size(), 2U);
+        EXPECT_EQ(drawn.exact.cusps, regime.cusps) << regime.b;
+        EXPECT_EQ(self_crossings(drawn.exact, camera), regime.crossings) << regime.b;
+      }
+    }
+  }
+}
+
+TEST(ExactSilhouettes, LieOnTheContourOfTheLimitSurface) {
+  const PolygonMesh torus = shapes::torus_mesh(1, .4, 24, 12);
+  PolygonMesh ellipsoid = shapes::icosphere_mesh(1, 2);
+  for (Vec3& p : ellipsoid.positions) p = p.cwiseProduct(Vec3(1, .75, .5));
+  for (const PolygonMesh& mesh : {torus, shapes::uv_sphere_mesh(1, 16, 8), ellipsoid}) {
+    const Surface surface = refined(mesh, at_level(-1));
+    for (const double b : {.9, .5, .2}) {
+      for (const Camera& camera : cameras_at(b)) {
+        const Drawn drawn = draw(surface, camera);
+        const dense::Contour truth = dense::contour(surface, camera, drawn.linear.triangles);
+        EXPECT_LT(apart(image_segments(drawn.exact, camera), truth.segments), .05) << b;
+        const std::vector<Vec2> cusps = cusps_of(drawn.exact, camera);
+        EXPECT_EQ(cusps.size() + 2 * static_cast<std::size_t>(drawn.counts.at("swallowtails")),
+                  truth.cusps.size())
+            << b;
+        for (const Vec2& cusp : cusps) {
+          double nearest = 1e3;
+          for (const Vec2& other : truth.cusps) nearest = std::min(nearest, (cusp - other).norm());
+          EXPECT_LT(nearest, .1) << b;
+        }
+      }
+    }
+  }
+}
+
+TEST(ExactSilhouettes, CuspsStandClearOfTheirStrands) {
+  const Surface torus = refined(shapes::torus_mesh(1, .4, 24, 12), at_level(-1));
+  for (const double b : {.6, .5, .3}) {
+    for (const Camera& camera : cameras_at(b)) {
+      const Drawn drawn = draw(torus, camera);
+      for (std::size_t c = 0; c < drawn.exact.chains.size(); ++c) {
+        const Span<const ChainPoint> chain = drawn.exact.chains[c];
+        const std::size_t n = chain.size();
+        for (std::size_t i = 0; i < n; ++i) {
+          if (chain[i].cusp_jump == 0) continue;
+          const Vec2 cusp = camera.project(chain[i].position).xy;
+          for (const std::size_t k : {(i + 1) % n, (i + n - 1) % n}) {
+            const double beside = (camera.project(chain[k].position).xy - cusp).norm();
+            EXPECT_GE(beside, cusp_reach_px);
+            EXPECT_LE(beside, 1.6 * cusp_reach_px);
+          }
+        }
+      }
+    }
+  }
+}
+
+// Just where the cusps are born they come in pairs that no image shows.
+TEST(ExactSilhouettes, SwallowtailsTooSmallToSeeAreOnePoint) {
+  const Surface torus = refined(shapes::torus_mesh(1, .4, 24, 12), at_level(-1));
+  std::int64_t collapsed = 0;
+  for (double b = .60; b < .66; b += .0005) {
+    const Camera camera = cameras::orthographic(Vec3(std::sqrt(1 - b * b), 0.013, b), 1.6);
+    const Drawn drawn = draw(torus, camera);
+    EXPECT_TRUE(drawn.exact.cusps == 0 || drawn.exact.cusps == 2 || drawn.exact.cusps == 4) << b;
+    EXPECT_EQ(2 * self_crossings(drawn.exact, camera), drawn.exact.cusps) << b;
+    collapsed += drawn.counts.at("swallowtails");
+  }
+  EXPECT_GT(collapsed, 0);
+}
+
+TEST(ExactSilhouettes, KeepTheChainsOfTheLinearOnes) {
+  for (const PolygonMesh& mesh :
+       {shapes::torus_mesh(1, .4, 24, 12), shapes::klein_mesh(48, 24), bumpy_plane(5),
+        creased(shapes::cube(), 10), creased(shapes::cube(), 1.5), shapes::icosahedron()}) {
+    const Surface surface = refined(mesh, at_level(3));
+    for (const double b : {.9, .5, .1}) {
+      for (const Camera& camera : cameras_at(b)) {
+        const Drawn drawn = draw(surface, camera);
+        ASSERT_EQ(drawn.exact.chains.size(), drawn.linear.chains.size());
+        for (std::size_t c = 0; c < drawn.exact.chains.size(); ++c) {
+          EXPECT_EQ(drawn.exact.closed[c], drawn.linear.closed[c]);
+          const auto jumps = [](Span<const ChainPoint> chain) {
+            return std::count_if(chain.begin(), chain.end(),
+                                 [](const ChainPoint& p) { return p.cusp_jump != 0; });
+          };
+          if (drawn.exact.closed[c]) {
+            EXPECT_EQ(jumps(drawn.exact.chains[c]) % 2, 0);
+          }
+        }
+      }
+    }
+  }
+}
+
+// Where everything is exact, every point is on the contour to rounding.
+TEST(ExactSilhouettes, EverywhereMeansEverywhere) {
+  const Surface torus = refined(shapes::torus_mesh(1, .4, 24, 12), at_level(2));
+  const LimitSurface limit(torus);
+  for (const Camera& camera : cameras_at(.5)) {
+    const Drawn drawn = draw(torus, camera, true);
+    LimitContour contour(limit, camera);
+    for (const ChainPoint& p : drawn.exact.chains.values) {
+      const PatchTriangle& patch = torus.patches[idx(p.on.triangle)];
+      const Vec2 uv =
+          (1 - p.on.b1 - p.on.b2) * patch.uv(0) + p.on.b1 * patch.uv(1) + p.on.b2 * patch.uv(2);
+      EXPECT_LT(std::abs(contour.at({patch.ptex_face, uv})->g), 1e-4);
+    }
+    EXPECT_GT(drawn.counts.at("evaluations"), draw(torus, camera).counts.at("evaluations"));
+  }
+}
+
+TEST(ExactSilhouettes, FacesSeenEdgeOnAndBehindTheEyeStayLinear) {
+  PolygonMesh box = creased(shapes::cube(), 10);
+  const Surface surface = refined(box, at_level(2));
+  const Drawn edge_on = draw(surface, cameras::orthographic(Vec3(1, 0, 0), 2));
+  for (const ChainPoint& p : edge_on.exact.chains.values) EXPECT_TRUE(p.position.allFinite());
+  const Surface torus = refined(shapes::torus_mesh(1, .4, 24, 12), at_level(3));
+  const Drawn inside = draw(torus, cameras::perspective(Vec3(1, 0, .1), Vec3(0, 1, 0)));
+  for (const ChainPoint& p : inside.exact.chains.values) EXPECT_TRUE(p.position.allFinite());
+}
+
+}  // namespace
+}  // namespace illustrate
