@@ -119,6 +119,7 @@ class Thinner {
   std::optional<ExactPoint> point_between(const ExactPoint& a, const ExactPoint& b, double f) {
     const int t = a.point.on.triangle;
     ExactPoint result;
+    result.segment = a.segment;
     if (a.knot && b.knot) {
       const PatchTriangle& patch = surface_.patches[idx(t)];
       ContourKnot end = *b.knot;
@@ -152,6 +153,75 @@ class Thinner {
   ExactSegment& segment_;
   bool closed_;
   const std::vector<ExactPoint>& chain_;
+};
+
+// The points of the strand that leaves a cusp in one direction, as long as they recede from it.
+std::vector<std::size_t> receding(bool closed, const std::vector<ExactPoint>& chain,
+                                  std::size_t cusp, bool forward) {
+  constexpr std::size_t longest = 100;
+  constexpr double farthest = 30;  // px
+  std::vector<std::size_t> result{cusp};
+  Walk walk(chain.size(), closed, cusp, forward);
+  double reached = 0;
+  while (result.size() < longest && walk.step()) {
+    const double distance = (chain[walk.at()].image - chain[cusp].image).norm();
+    if (distance < reached || distance > farthest) break;
+    reached = distance;
+    result.push_back(walk.at());
+    if (chain[walk.at()].is_cusp()) break;
+  }
+  return result;
+}
+
+bool cross_each_other(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  const auto turns_left = [](const Vec2& p, const Vec2& q, const Vec2& r) {
+    return cross(q - p, r - p) > 0;
+  };
+  return turns_left(a, b, c) != turns_left(a, b, d) && turns_left(c, d, a) != turns_left(c, d, b);
+}
+
+// The two strands of one cusp.
+class Horn {
+ public:
+  Horn(bool closed, const std::vector<ExactPoint>& chain, std::size_t cusp)
+      : chain_(chain),
+        strands_{receding(closed, chain, cusp, false), receding(closed, chain, cusp, true)} {}
+
+  void find(std::vector<CrossedSegment>& crossed) const {
+    const auto& [a, b] = strands_;
+    std::size_t from = 0;
+    for (std::size_t i = 0; i + 1 < a.size(); ++i) {
+      while (from + 1 < b.size() && distance(b[from + 1]) < distance(a[i])) ++from;
+      for (std::size_t j = from; j + 1 < b.size() && distance(b[j]) <= distance(a[i + 1]); ++j) {
+        const bool share_end = (i == 0 && j == 0) || a[i + 1] == b[j + 1];
+        if (share_end ||
+            !cross_each_other(image(a[i]), image(a[i + 1]), image(b[j]), image(b[j + 1]))) {
+          continue;
+        }
+        add(a, i, crossed);
+        add(b, j, crossed);
+      }
+    }
+  }
+
+ private:
+  const Vec2& image(std::size_t i) const { return chain_[i].image; }
+  double distance(std::size_t i) const { return (image(i) - image(strands_[0][0])).norm(); }
+
+  // The crossed segment and its neighbours.
+  void add(const std::vector<std::size_t>& strand, std::size_t at,
+           std::vector<CrossedSegment>& crossed) const {
+    const std::size_t first = at == 0 ? 0 : at - 1, last = std::min(at + 2, strand.size() - 1);
+    for (std::size_t i = first; i < last; ++i) {
+      const double length = (image(strand[i + 1]) - image(strand[i])).norm();
+      // The segment between two points is that of the one that comes first in the chain.
+      const bool forward = strand == strands_[1];
+      crossed.push_back({chain_[forward ? strand[i] : strand[i + 1]].segment, length});
+    }
+  }
+
+  const std::vector<ExactPoint>& chain_;
+  std::array<std::vector<std::size_t>, 2> strands_;
 };
 
 // The next cusp along the chain, none where there is no other.
@@ -190,6 +260,14 @@ void drop_around(const Surface& surface, const std::vector<ExactPoint>& chain, b
 void thin_at_cusps(const Surface& surface, const Camera& camera, ExactSegment& segment, bool closed,
                    std::vector<ExactPoint>& chain) {
   chain = Thinner(surface, camera, segment, closed, chain).run();
+}
+
+std::vector<CrossedSegment> crossed_at_cusps(bool closed, const std::vector<ExactPoint>& chain) {
+  std::vector<CrossedSegment> crossed;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (chain[i].is_cusp()) Horn(closed, chain, i).find(crossed);
+  }
+  return crossed;
 }
 
 int collapse_swallowtails(const Surface& surface, bool closed, std::vector<ExactPoint>& chain) {

@@ -10,6 +10,15 @@ namespace illustrate {
 void thin_at_cusps(const Surface& surface, const Camera& camera, ExactSegment& segment, bool closed,
                    std::vector<ExactPoint>& chain);
 
+// Segments of the linear chain on which the two strands that leave a cusp cross each other before
+// the next cusp, and the length in the image of what crosses there. Two strands of one cusp do not
+// cross unless they are drawn too coarsely.
+struct CrossedSegment {
+  int segment;
+  double length_px;
+};
+std::vector<CrossedSegment> crossed_at_cusps(bool closed, const std::vector<ExactPoint>& chain);
+
 // Turns pairs of neighbouring cusps of the same jump that are less than a quarter pixel apart into
 // one plain point. Returns the number of pairs; the chain is empty when nothing of it is left.
 int collapse_swallowtails(const Surface& surface, bool closed, std::vector<ExactPoint>& chain);

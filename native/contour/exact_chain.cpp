@@ -39,12 +39,25 @@ std::vector<ExactPoint> ExactChain::run(Span<const ChainPoint> linear, bool clos
     for (const std::size_t i : near_suspects()) solve(i);
     spread();
   }
+  return again();
+}
+
+void ExactChain::make_finer(int segment, double longest_px) {
+  double& longest = stations_[idx(segment)].longest_px;
+  longest = std::min(longest, longest_px);
+  solve(idx(segment));
+  solve((idx(segment) + 1) % stations_.size());
+}
+
+std::vector<ExactPoint> ExactChain::again() {
   std::vector<ExactPoint> result;
   Vec2 arrival = Vec2::Zero();
   for (std::size_t i = 0; i < segments(); ++i) {
     result.push_back(station_point(stations_[i]));
     result.back().arrival = arrival;
+    const std::size_t first = result.size() - 1;
     arrival = emit(i, result);
+    for (std::size_t k = first; k < result.size(); ++k) result[k].segment = static_cast<int>(i);
   }
   if (!closed_) result.push_back(station_point(stations_.back()));
   (closed_ ? result.front() : result.back()).arrival = arrival;
@@ -214,7 +227,8 @@ void ExactChain::emit_exact(const Station& from, const Station& to, const Vec2& 
   const int t = from.point.on.triangle;
   const PatchTriangle& patch = surface_.patches[idx(t)];
   std::vector<ContourKnot> knots;
-  segment_.refine(patch.ptex_face, *result.back().knot, segment_.knot(end, *to.sample), knots);
+  segment_.refine(patch.ptex_face, *result.back().knot, segment_.knot(end, *to.sample),
+                  from.longest_px, knots);
   for (const ContourKnot& knot : knots) {
     ExactPoint inside;
     inside.point.position = knot.sample.position;

@@ -13,6 +13,7 @@ struct ExactPoint {
   // The point's place on the patch of on.triangle, where it is exact.
   std::optional<ContourKnot> knot;
   Vec2 arrival = Vec2::Zero();  // its place on the patch of the triangle before it
+  int segment = none;           // of the linear chain, that the point starts or lies on
 
   bool is_cusp() const { return point.cusp_jump != 0; }
 };
@@ -30,6 +31,11 @@ class ExactChain {
   // linear: a chain of silhouettes.h; everywhere: make all of it exact.
   std::vector<ExactPoint> run(Span<const ChainPoint> linear, bool closed, bool everywhere);
 
+  // The same chain once more, after some of its segments have been made exact and told how far
+  // apart their points may be.
+  void make_finer(int segment, double longest_px);
+  std::vector<ExactPoint> again();
+
  private:
   // A point of the chain on an edge.
   struct Station {
@@ -39,6 +45,7 @@ class ExactChain {
     std::optional<ContourSample> sample;
     double next_fraction = 0;  // of the next station on the edge where this one's triangle ends
     int out = none;            // that edge
+    double longest_px = std::numeric_limits<double>::infinity();  // between points up to the next
 
     int exact_sign() const { return !sample ? sign : sample->kappa < 0 ? -1 : 1; }
   };

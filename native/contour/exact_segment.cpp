@@ -29,8 +29,9 @@ ContourKnot ExactSegment::knot(const Vec2& uv, const ContourSample& sample) cons
 }
 
 void ExactSegment::refine(int ptex_face, const ContourKnot& a, const ContourKnot& b,
-                          std::vector<ContourKnot>& between) {
+                          double longest_px, std::vector<ContourKnot>& between) {
   ptex_face_ = ptex_face;
+  longest_px_ = longest_px;
   found_ = &between;
   refine(a, b, most_halvings);
 }
@@ -77,6 +78,7 @@ bool ExactSegment::needs_split(const ContourKnot& a, const ContourKnot& b) const
   const Vec2 chord = b.image - a.image;
   const double length = chord.norm();
   if (!(length > shortest_px)) return false;
+  if (length > longest_px_) return true;
   const double first = angle(image_tangent(a, a.after), chord);
   const double second = angle(chord, image_tangent(b, b.before));
   if (std::abs(first) > largest_turn_rad || std::abs(second) > largest_turn_rad) return true;

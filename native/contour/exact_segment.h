@@ -33,8 +33,8 @@ class ExactSegment {
 
   ContourKnot knot(const Vec2& uv, const ContourSample& sample) const;
 
-  // The points strictly between a and b, in order.
-  void refine(int ptex_face, const ContourKnot& a, const ContourKnot& b,
+  // The points strictly between a and b, in order, no farther apart than longest_px.
+  void refine(int ptex_face, const ContourKnot& a, const ContourKnot& b, double longest_px,
               std::vector<ContourKnot>& between);
 
   // The point of the contour across from `fraction` of the chord from a to b.
@@ -53,6 +53,7 @@ class ExactSegment {
   LimitContour& contour_;
   const Camera& camera_;
   int ptex_face_ = none;
+  double longest_px_ = 0;
   std::vector<ContourKnot>* found_ = nullptr;
 };
 
