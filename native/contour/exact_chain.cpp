@@ -13,6 +13,10 @@ namespace {
 constexpr int dilation = 3;
 constexpr double dilation_px = 3;
 
+// Of the angle between a chord and the contour that only a triangle with too much in it has: 50
+// degrees.
+constexpr double troubled_cos = 0.643;
+
 int sign(double x) { return x < 0 ? -1 : 1; }
 
 }  // namespace
@@ -47,6 +51,16 @@ void ExactChain::make_finer(int segment, double longest_px) {
   longest = std::min(longest, longest_px);
   solve(idx(segment));
   solve((idx(segment) + 1) % stations_.size());
+}
+
+void ExactChain::add_troubled(std::vector<int>& triangles) const {
+  for (std::size_t i = 0; i < segments(); ++i) {
+    const Station &a = stations_[i], &b = stations_[(i + 1) % stations_.size()];
+    if (!a.sample || !b.sample) continue;
+    const Vec3 chord = (b.sample->position - a.sample->position).normalized();
+    const double least = std::min(chord.dot(a.sample->tangent), chord.dot(b.sample->tangent));
+    if (least < troubled_cos) triangles.push_back(a.point.on.triangle);
+  }
 }
 
 std::vector<ExactPoint> ExactChain::again() {

@@ -36,6 +36,10 @@ class ExactChain {
   void make_finer(int segment, double longest_px);
   std::vector<ExactPoint> again();
 
+  // Triangles whose segment runs far from the contour's direction at an end: they hold more of the
+  // contour than the signs at their corners tell.
+  void add_troubled(std::vector<int>& triangles) const;
+
  private:
   // A point of the chain on an edge.
   struct Station {

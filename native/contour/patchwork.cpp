@@ -1,0 +1,296 @@
+#include "contour/patchwork.h"
+
+#include <algorithm>
+#include <map>
+
+#include "surface/curvature.h"
+
+namespace illustrate {
+namespace {
+
+// Corners are points 0, 1, 2, the middle of edge k is point 3 + k.
+using Part = std::array<int, 3>;
+
+int turned(int point, int by) { return point < 3 ? (point + by) % 3 : 3 + (point + by) % 3; }
+
+// The parts of a triangle of which these edges have a middle.
+std::vector<Part> parts_of(const std::array<bool, 3>& has_middle) {
+  const auto count = std::count(has_middle.begin(), has_middle.end(), true);
+  if (count == 0) return {{0, 1, 2}};
+  if (count == 3) return {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
+  int by = 0;  // turns the marked edge to 0, two marked ones to 0 and 1
+  while (!has_middle[idx(by)] || (count == 2 && !has_middle[idx((by + 1) % 3)])) ++by;
+  std::vector<Part> parts{{0, 3, 2}, {3, 1, 2}};
+  if (count == 2) parts = {{3, 1, 4}, {0, 3, 4}, {0, 4, 2}};
+  for (Part& part : parts) {
+    for (int& point : part) point = turned(point, by);
+  }
+  return parts;
+}
+
+// Which edge of the parent a side of a part lies on (none: inside), and which half (2: all of it).
+struct ParentEdge {
+  int edge = none;
+  int half = 0;
+};
+ParentEdge parent_edge(int from, int to) {
+  for (int k = 0; k < 3; ++k) {
+    if (from == k && to == next_corner(k)) return {k, 2};
+    if (from == k && to == 3 + k) return {k, 0};
+    if (from == 3 + k && to == next_corner(k)) return {k, 1};
+  }
+  return {};
+}
+
+std::uint16_t mean(std::uint16_t a, std::uint16_t b) {
+  return static_cast<std::uint16_t>((a + b) / 2);
+}
+
+}  // namespace
+
+Patchwork::Patchwork(const Surface& whole, const LimitSurface& limit,
+                     const std::vector<int>& triangles)
+    : whole_(whole), limit_(limit) {
+  surface_.object_is_smooth = whole.object_is_smooth;
+  surface_.diagonal = whole.diagonal;
+  for (const int t : triangles) add_whole(t);
+  publish();
+}
+
+int Patchwork::add_vertex_of(int whole_vertex) {
+  const auto [found, is_new] =
+      vertices_.try_emplace(whole_vertex, static_cast<int>(surface_.positions.size()));
+  if (!is_new) return found->second;
+  const std::size_t v = idx(whole_vertex);
+  const int place = places_.try_emplace(whole_.places[v], found->second).first->second;
+  surface_.positions.push_back(whole_.positions[v]);
+  surface_.normals.push_back(whole_.normals[v]);
+  surface_.places.push_back(place);
+  surface_.curvature.k1.push_back(whole_.curvature.k1[v]);
+  surface_.curvature.k2.push_back(whole_.curvature.k2[v]);
+  surface_.curvature.w1.push_back(whole_.curvature.w1[v]);
+  surface_.curvature.w2.push_back(whole_.curvature.w2[v]);
+  return found->second;
+}
+
+int Patchwork::add_whole(int triangle) {
+  const int number = static_cast<int>(pieces_.size());
+  numbers_[triangle] = number;
+  Piece piece;
+  for (int k = 0; k < 3; ++k) {
+    piece.vertices[idx(k)] = add_vertex_of(whole_.triangles[idx(triangle)][idx(k)]);
+  }
+  piece.flips = whole_.flips[idx(triangle)];
+  piece.kinds = whole_.edge_kinds[idx(triangle)];
+  piece.patch = whole_.patches[idx(triangle)];
+  piece.source = triangle;
+  pieces_.push_back(piece);
+  for (int k = 0; k < 3; ++k) {
+    const auto here = rim_.find(3 * triangle + k);
+    if (here != rim_.end()) {
+      join(number, k, here->second / 3, here->second % 3);
+      rim_.erase(here);
+      continue;
+    }
+    const EdgeSide other = opposite_side(whole_, {triangle, k});
+    if (other.triangle == none) continue;
+    pieces_.back().beyond[idx(k)] = 3 * other.triangle + other.corner;
+    rim_[3 * other.triangle + other.corner] = 3 * number + k;
+  }
+  return number;
+}
+
+void Patchwork::join(int piece, int edge, int other, int other_edge) {
+  const auto link = [&](int a, int i, int b, int j) {
+    Piece& p = pieces_[idx(a)];
+    p.neighbours[idx(i)] = b;
+    p.mates[idx(i)] = j;
+    p.beyond[idx(i)] = none;
+  };
+  link(piece, edge, other, other_edge);
+  link(other, other_edge, piece, edge);
+}
+
+// The coordinates of the corners on the patch still have a middle.
+bool Patchwork::can_cut(int piece) const {
+  const PatchTriangle& patch = pieces_[idx(piece)].patch;
+  if (patch.ptex_face == none) return false;
+  for (const auto& corner : patch.corners) {
+    for (const std::uint16_t x : corner) {
+      if (x % 2 != 0) return false;
+    }
+  }
+  return true;
+}
+
+bool Patchwork::cut(const std::vector<int>& triangles) {
+  std::vector<int> possible;
+  for (const int t : triangles) {
+    if (can_cut(t)) possible.push_back(t);
+  }
+  if (possible.empty()) return false;
+  replace(mark(possible));
+  publish();
+  return true;
+}
+
+Patchwork::Middles Patchwork::mark(const std::vector<int>& triangles) {
+  for (const int t : triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const int beyond = pieces_[idx(t)].beyond[idx(k)];
+      if (beyond != none) add_whole(beyond / 3);
+    }
+  }
+  Middles middles(pieces_.size());
+  for (const int t : triangles) {
+    for (int k = 0; k < 3; ++k) mark_edge(t, k, middles);
+  }
+  return middles;
+}
+
+void Patchwork::mark_edge(int piece, int edge, Middles& middles) {
+  Middle& middle = middles[idx(piece)][idx(edge)];
+  if (middle.vertex != none) return;
+  const Piece& here = pieces_[idx(piece)];
+  middle = new_middle(here, edge, static_cast<int>(surface_.positions.size()));
+  const int other = here.neighbours[idx(edge)];
+  if (other == none) return;
+  const int mate = here.mates[idx(edge)];
+  const Piece& there = pieces_[idx(other)];
+  const auto ends = [](const Piece& p, int k) {
+    return std::minmax({p.vertices[idx(k)], p.vertices[idx(next_corner(k))]});
+  };
+  Middle& opposite = middles[idx(other)][idx(mate)];
+  if (ends(here, edge) != ends(there, mate) && there.patch.ptex_face != none) {
+    opposite = new_middle(there, mate, surface_.places[idx(middle.vertex)]);
+    return;
+  }
+  const Vec3& normal = surface_.normals[idx(middle.vertex)];
+  opposite = {middle.vertex, own_normal(there, mate, normal).dot(normal) < 0};
+}
+
+// The normal of a piece's own sheet in the middle of an edge.
+Vec3 Patchwork::own_normal(const Piece& piece, int edge, const Vec3& fallback) const {
+  if (piece.patch.ptex_face == none) return fallback;
+  const Vec2 uv = (piece.patch.uv(edge) + piece.patch.uv(next_corner(edge))) / 2;
+  const auto p = limit_.evaluate({piece.patch.ptex_face, uv});
+  return p ? Vec3(p->du.cross(p->dv)) : fallback;
+}
+
+Patchwork::Middle Patchwork::new_middle(const Piece& piece, int edge, int place) {
+  const Vec2 uv = (piece.patch.uv(edge) + piece.patch.uv(next_corner(edge))) / 2;
+  const LimitPoint p = *limit_.evaluate({piece.patch.ptex_face, uv});
+  const Vec3 normal = p.du.cross(p.dv).normalized();
+  const PrincipalCurvature k = principal_curvature(p.du, p.dv, p.duu, p.duv, p.dvv, normal);
+  surface_.positions.push_back(p.position);
+  surface_.normals.push_back(normal);
+  surface_.places.push_back(place);
+  surface_.curvature.k1.push_back(k.k1);
+  surface_.curvature.k2.push_back(k.k2);
+  surface_.curvature.w1.push_back(k.w1);
+  surface_.curvature.w2.push_back(k.w2);
+  return {static_cast<int>(surface_.positions.size()) - 1, false};
+}
+
+Patchwork::Piece Patchwork::part(const Piece& parent, const std::array<Middle, 3>& middles,
+                                 const std::array<int, 3>& points) const {
+  Piece result;
+  result.source = parent.source;
+  result.patch.ptex_face = parent.patch.ptex_face;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const bool is_corner = points[i] < 3;
+    const int k = is_corner ? points[i] : points[i] - 3, n = next_corner(k);
+    result.vertices[i] = is_corner ? parent.vertices[idx(k)] : middles[idx(k)].vertex;
+    const bool flipped = is_corner ? parent.flips >> k & 1 : middles[idx(k)].flipped;
+    result.flips |= flipped ? 1 << i : 0;
+    result.weights[i] = is_corner ? parent.weights[idx(k)]
+                                  : Vec2((parent.weights[idx(k)] + parent.weights[idx(n)]) / 2);
+    const auto &a = parent.patch.corners[idx(k)], &b = parent.patch.corners[idx(n)];
+    result.patch.corners[i] =
+        is_corner ? a : std::array<std::uint16_t, 2>{mean(a[0], b[0]), mean(a[1], b[1])};
+  }
+  return result;
+}
+
+// Puts the parts of all pieces in their places, and joins them again.
+void Patchwork::replace(const Middles& middles) {
+  std::vector<Piece> old;
+  old.swap(pieces_);
+  numbers_.clear();
+  rim_.clear();
+  std::map<std::array<int, 4>, int> waiting;  // sides that have not met the other one yet
+  for (int t = 0; t < static_cast<int>(old.size()); ++t) {
+    const Piece& parent = old[idx(t)];
+    std::array<bool, 3> has_middle{};
+    for (std::size_t k = 0; k < 3; ++k) has_middle[k] = middles[idx(t)][k].vertex != none;
+    const std::vector<Part> parts = parts_of(has_middle);
+    if (parts.size() == 1) numbers_[parent.source] = static_cast<int>(pieces_.size());
+    for (const Part& points : parts) {
+      const int number = static_cast<int>(pieces_.size());
+      pieces_.push_back(part(parent, middles[idx(t)], points));
+      for (int i = 0; i < 3; ++i) {
+        const int from = points[idx(i)], to = points[idx(next_corner(i))];
+        const ParentEdge side = parent_edge(from, to);
+        std::array<int, 4> key{-1, t, std::min(from, to), std::max(from, to)};
+        if (side.edge != none) {
+          pieces_.back().kinds[idx(i)] = parent.kinds[idx(side.edge)];
+          const int beyond = parent.beyond[idx(side.edge)];
+          pieces_.back().beyond[idx(i)] = beyond;
+          if (beyond != none) rim_[beyond] = 3 * number + i;
+          const int other = parent.neighbours[idx(side.edge)];
+          if (other == none) continue;
+          // Both pieces name the side by the lower of them; halves by the place they touch.
+          const int here = 3 * t + side.edge, there = 3 * other + parent.mates[idx(side.edge)];
+          const int touched =
+              side.half == 2
+                  ? none
+                  : surface_.places[idx(
+                        parent.vertices[idx(side.half == 0 ? side.edge : next_corner(side.edge))])];
+          key = {std::min(here, there), std::max(here, there), side.half == 2, touched};
+        }
+        const auto [met, first] = waiting.try_emplace(key, 3 * number + i);
+        if (!first) join(number, i, met->second / 3, met->second % 3);
+      }
+    }
+  }
+}
+
+void Patchwork::publish() {
+  const std::size_t count = pieces_.size();
+  surface_.triangles.resize(count);
+  surface_.flips.resize(count);
+  surface_.neighbours.resize(count);
+  surface_.edge_kinds.resize(count);
+  surface_.patches.resize(count);
+  surface_.triangle_objects.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Piece& p = pieces_[i];
+    surface_.triangles[i] = p.vertices;
+    surface_.flips[i] = static_cast<std::uint8_t>(p.flips);
+    surface_.neighbours[i] = p.neighbours;
+    surface_.edge_kinds[i] = p.kinds;
+    surface_.patches[i] = p.patch;
+    surface_.triangle_objects[i] = whole_.triangle_objects[idx(p.source)];
+  }
+}
+
+Patchwork::Place Patchwork::on_whole(const SurfacePoint& on, int edge) const {
+  const Piece& piece = pieces_[idx(on.triangle)];
+  const auto& w = piece.weights;
+  const Vec2 at = (1 - on.b1 - on.b2) * w[0] + on.b1 * w[1] + on.b2 * w[2];
+  Place result{{piece.source, at.x(), at.y()}, none, 0};
+  if (edge == none) return result;
+  const auto weight = [](const Vec2& p, int corner) {
+    return corner == 0 ? 1 - p.x() - p.y() : p[corner - 1];
+  };
+  for (int k = 0; k < 3; ++k) {
+    const int opposite = previous_corner(k);
+    if (weight(w[idx(edge)], opposite) != 0 || weight(w[idx(next_corner(edge))], opposite) != 0)
+      continue;
+    result.edge = k;
+    result.fraction = weight(at, next_corner(k));
+  }
+  return result;
+}
+
+}  // namespace illustrate

@@ -1,0 +1,81 @@
+// A small surface of the triangles that silhouettes pass, some of them cut finer.
+//
+// Where the contour enters and leaves a triangle more than once, or turns sharply within it, the
+// signs at three corners do not tell how it runs. Such triangles are cut in four, their neighbours
+// in two or three so that nothing gapes, and the silhouette is traced again.
+#pragma once
+
+#include <unordered_map>
+
+#include "contour/feature_edges.h"
+#include "surface/limit_surface.h"
+
+namespace illustrate {
+
+class Patchwork {
+ public:
+  // Starts with these triangles of `whole`, uncut, in this order.
+  Patchwork(const Surface& whole, const LimitSurface& limit, const std::vector<int>& triangles);
+
+  // Cuts those of these triangles of surface() that lie on a patch, and what is beside them. New
+  // vertices lie on the limit surface, with its normal and curvature. False where none could be
+  // cut. Triangles have other numbers afterwards.
+  bool cut(const std::vector<int>& triangles);
+
+  // With the fields that tracing needs; the patchwork's rim has no neighbours.
+  const Surface& surface() const { return surface_; }
+
+  // A triangle of the whole that is not cut yet.
+  int number_of(int whole_triangle) const { return numbers_.at(whole_triangle); }
+
+  // A point of surface() on the whole, and the edge there that it lies on (none: inside).
+  struct Place {
+    SurfacePoint on;
+    int edge = none;
+    double fraction = 0;  // of that edge
+  };
+  Place on_whole(const SurfacePoint& on, int edge) const;
+
+ private:
+  struct Piece {
+    Triangle vertices{};
+    int flips = 0;
+    std::array<int, 3> neighbours{none, none, none};
+    std::array<int, 3> mates{none, none, none};   // edge of each neighbour
+    std::array<int, 3> beyond{none, none, none};  // 3 triangle + edge of the whole, at the rim
+    std::array<EdgeKind, 3> kinds{};
+    PatchTriangle patch;
+    int source = none;
+    std::array<Vec2, 3> weights{Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)};  // of corners 1 and 2 there
+  };
+  // A new vertex in the middle of an edge, as one side sees it.
+  struct Middle {
+    int vertex = none;
+    bool flipped = false;
+  };
+  using Middles = std::vector<std::array<Middle, 3>>;  // (pieces)
+
+  int add_whole(int triangle);
+  int add_vertex_of(int whole_vertex);
+  void join(int piece, int edge, int other, int other_edge);
+  bool can_cut(int piece) const;
+  Middles mark(const std::vector<int>& triangles);
+  void mark_edge(int piece, int edge, Middles& middles);
+  Middle new_middle(const Piece& piece, int edge, int place);
+  Vec3 own_normal(const Piece& piece, int edge, const Vec3& fallback) const;
+  void replace(const Middles& middles);
+  Piece part(const Piece& parent, const std::array<Middle, 3>& middles,
+             const std::array<int, 3>& points) const;
+  void publish();
+
+  const Surface& whole_;
+  const LimitSurface& limit_;
+  Surface surface_;
+  std::vector<Piece> pieces_;
+  std::unordered_map<int, int> numbers_;   // of uncut triangles of the whole
+  std::unordered_map<int, int> vertices_;  // of vertices of the whole
+  std::unordered_map<int, int> places_;    // of places of the whole
+  std::unordered_map<int, int> rim_;  // side of the whole beyond the rim -> 3 piece + edge here
+};
+
+}  // namespace illustrate
