@@ -1,6 +1,8 @@
 #include "contour/exact_silhouettes.h"
 
 #include <algorithm>
+#include <iterator>
+#include <unordered_map>
 
 #include "contour/cusp_ends.h"
 #include "contour/patchwork.h"
@@ -13,11 +15,12 @@ constexpr int most_cuts = 5;    // of a triangle
 constexpr std::size_t smallest_loop = 3;
 constexpr double finest_px = 0.03;  // below, the image grid would twist strands
 
+// One for each linear chain; empty where it is too small to be drawn.
 struct ExactChains {
   std::vector<std::vector<ExactPoint>> chains;
   std::vector<std::uint8_t> closed;
-  std::vector<int> troubled;  // triangles, ascending
-  int swallowtails = 0;
+  std::vector<int> swallowtails;  // in each chain
+  std::vector<int> troubled;      // triangles, ascending
 };
 
 class Drawer {
@@ -38,10 +41,10 @@ class Drawer {
         chain = exact.again();
         swallowtails = tidy(surface, closed, chain);
       }
-      result.swallowtails += swallowtails;
-      if (closed && chain.size() < smallest_loop) continue;
+      if (closed && chain.size() < smallest_loop) chain.clear();
       result.chains.push_back(std::move(chain));
       result.closed.push_back(closed);
+      result.swallowtails.push_back(swallowtails);
     }
     std::sort(result.troubled.begin(), result.troubled.end());
     return result;
@@ -83,26 +86,71 @@ void restore(const Patchwork& patchwork, ExactChains& drawn) {
   }
 }
 
-// Cuts troubled triangles and traces again, until none is left.
-ExactChains draw_finer(const Surface& surface, const LimitSurface& limit, const Camera& camera,
-                       const Silhouettes& linear, const std::vector<int>& troubled,
-                       Drawer& drawer) {
-  Patchwork patchwork(surface, limit, linear.triangles);
-  std::vector<int> wanted;
-  for (const int t : troubled) wanted.push_back(patchwork.number_of(t));
-  ExactChains drawn;
-  for (int round = 0; round < most_cuts; ++round) {
-    const bool is_cut = patchwork.cut(wanted);
-    if (!is_cut && round > 0) break;
-    const Surface& finer = patchwork.surface();
-    const ContourFunctions functions(finer, camera);
-    drawn = drawer.draw(finer, functions, silhouettes(finer, functions, camera));
-    wanted = drawn.troubled;
-    if (wanted.empty() || !is_cut) break;
+// Redraws the chains with troubled triangles, with these cut, until none is left. Chains that run
+// through a triangle beside them are redrawn with them.
+class Finer {
+ public:
+  Finer(const Surface& surface, const LimitSurface& limit, const Silhouettes& linear)
+      : patchwork_(surface, limit), linear_(linear), is_redrawn_(linear.chains.size(), 0) {
+    for (std::size_t c = 0; c < linear.chains.size(); ++c) {
+      for (const ChainPoint& p : linear.chains[c]) chain_of_[p.on.triangle] = c;
+    }
   }
-  restore(patchwork, drawn);
-  return drawn;
-}
+
+  // Takes the place of the chains of `drawn` that were troubled.
+  void redraw(const Camera& camera, Drawer& drawer, ExactChains& drawn) {
+    include(drawn.troubled);
+    std::vector<int> wanted;
+    for (const int t : drawn.troubled) wanted.push_back(patchwork_.number_of(t));
+    ExactChains finer;
+    for (int round = 0; round < most_cuts; ++round) {
+      const bool is_cut = patchwork_.cut(wanted);
+      if (!is_cut && round > 0) break;
+      include(patchwork_.take_added());
+      const Surface& surface = patchwork_.surface();
+      const ContourFunctions functions(surface, camera);
+      finer = drawer.draw(surface, functions, silhouettes(surface, functions, camera));
+      wanted = finer.troubled;
+      if (wanted.empty() || !is_cut) break;
+    }
+    restore(patchwork_, finer);
+    replace(drawn, finer);
+  }
+
+ private:
+  void include(const std::vector<int>& triangles) {
+    for (const int t : triangles) {
+      const auto chain = chain_of_.find(t);
+      if (chain == chain_of_.end() || is_redrawn_[chain->second]) continue;
+      is_redrawn_[chain->second] = 1;
+      std::vector<int> along;
+      for (const ChainPoint& p : linear_.chains[chain->second]) along.push_back(p.on.triangle);
+      patchwork_.add(along);
+    }
+  }
+
+  void replace(ExactChains& drawn, ExactChains& finer) const {
+    std::size_t kept = 0;
+    for (std::size_t c = 0; c < drawn.chains.size(); ++c) {
+      if (is_redrawn_[c]) continue;
+      if (kept != c) drawn.chains[kept] = std::move(drawn.chains[c]);
+      drawn.closed[kept] = drawn.closed[c];
+      drawn.swallowtails[kept++] = drawn.swallowtails[c];
+    }
+    const auto keep_and_add = [kept](auto& values, auto& more) {
+      values.resize(kept);
+      std::move(more.begin(), more.end(), std::back_inserter(values));
+    };
+    keep_and_add(drawn.chains, finer.chains);
+    keep_and_add(drawn.closed, finer.closed);
+    keep_and_add(drawn.swallowtails, finer.swallowtails);
+  }
+
+  Patchwork patchwork_;
+  const Silhouettes& linear_;
+  std::vector<std::uint8_t> is_redrawn_;           // (chains)
+  std::unordered_map<int, std::size_t> chain_of_;  // of each triangle with a segment
+};
 
 }  // namespace
 
@@ -113,21 +161,20 @@ Silhouettes exact_silhouettes(const Surface& surface, const LimitSurface& limit,
   Drawer drawer(contour, camera, everywhere);
   ExactChains drawn = drawer.draw(surface, functions, linear);
   counts["troubled_triangles"] += static_cast<std::int64_t>(drawn.troubled.size());
-  if (!drawn.troubled.empty()) {
-    drawn = draw_finer(surface, limit, camera, linear, drawn.troubled, drawer);
-  }
+  if (!drawn.troubled.empty()) Finer(surface, limit, linear).redraw(camera, drawer, drawn);
   Silhouettes result;
   result.triangles = linear.triangles;
   result.triangles_visited = linear.triangles_visited;
-  result.closed = drawn.closed;
-  for (const std::vector<ExactPoint>& chain : drawn.chains) {
-    for (const ExactPoint& p : chain) {
+  for (std::size_t c = 0; c < drawn.chains.size(); ++c) {
+    counts["swallowtails"] += drawn.swallowtails[c];
+    if (drawn.chains[c].empty()) continue;
+    for (const ExactPoint& p : drawn.chains[c]) {
       result.chains.push(p.point);
       result.cusps += p.is_cusp();
     }
     result.chains.close_list();
+    result.closed.push_back(drawn.closed[c]);
   }
-  counts["swallowtails"] += drawn.swallowtails;
   counts["evaluations"] += contour.evaluations();
   return result;
 }

@@ -48,12 +48,16 @@ std::uint16_t mean(std::uint16_t a, std::uint16_t b) {
 
 }  // namespace
 
-Patchwork::Patchwork(const Surface& whole, const LimitSurface& limit,
-                     const std::vector<int>& triangles)
+Patchwork::Patchwork(const Surface& whole, const LimitSurface& limit)
     : whole_(whole), limit_(limit) {
   surface_.object_is_smooth = whole.object_is_smooth;
   surface_.diagonal = whole.diagonal;
-  for (const int t : triangles) add_whole(t);
+}
+
+void Patchwork::add(const std::vector<int>& triangles) {
+  for (const int t : triangles) {
+    if (numbers_.find(t) == numbers_.end()) add_whole(t);
+  }
   publish();
 }
 
@@ -138,7 +142,9 @@ Patchwork::Middles Patchwork::mark(const std::vector<int>& triangles) {
   for (const int t : triangles) {
     for (int k = 0; k < 3; ++k) {
       const int beyond = pieces_[idx(t)].beyond[idx(k)];
-      if (beyond != none) add_whole(beyond / 3);
+      if (beyond == none) continue;
+      add_whole(beyond / 3);
+      added_.push_back(beyond / 3);
     }
   }
   Middles middles(pieces_.size());
@@ -216,7 +222,6 @@ Patchwork::Piece Patchwork::part(const Piece& parent, const std::array<Middle, 3
 void Patchwork::replace(const Middles& middles) {
   std::vector<Piece> old;
   old.swap(pieces_);
-  numbers_.clear();
   rim_.clear();
   std::map<std::array<int, 4>, int> waiting;  // sides that have not met the other one yet
   for (int t = 0; t < static_cast<int>(old.size()); ++t) {
@@ -224,7 +229,9 @@ void Patchwork::replace(const Middles& middles) {
     std::array<bool, 3> has_middle{};
     for (std::size_t k = 0; k < 3; ++k) has_middle[k] = middles[idx(t)][k].vertex != none;
     const std::vector<Part> parts = parts_of(has_middle);
-    if (parts.size() == 1) numbers_[parent.source] = static_cast<int>(pieces_.size());
+    int& number_of_source = numbers_[parent.source];
+    if (parts.size() > 1) number_of_source = none;
+    if (number_of_source != none) number_of_source = static_cast<int>(pieces_.size());
     for (const Part& points : parts) {
       const int number = static_cast<int>(pieces_.size());
       pieces_.push_back(part(parent, middles[idx(t)], points));

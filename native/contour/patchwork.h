@@ -6,6 +6,7 @@
 #pragma once
 
 #include <unordered_map>
+#include <utility>
 
 #include "contour/feature_edges.h"
 #include "surface/limit_surface.h"
@@ -14,13 +15,18 @@ namespace illustrate {
 
 class Patchwork {
  public:
-  // Starts with these triangles of `whole`, uncut, in this order.
-  Patchwork(const Surface& whole, const LimitSurface& limit, const std::vector<int>& triangles);
+  Patchwork(const Surface& whole, const LimitSurface& limit);
+
+  // Adds those of these triangles of the whole that are not there yet, uncut, in this order.
+  void add(const std::vector<int>& triangles);
 
   // Cuts those of these triangles of surface() that lie on a patch, and what is beside them. New
   // vertices lie on the limit surface, with its normal and curvature. False where none could be
   // cut. Triangles have other numbers afterwards.
   bool cut(const std::vector<int>& triangles);
+
+  // Triangles of the whole that `cut` had to add since this was asked last.
+  std::vector<int> take_added() { return std::exchange(added_, {}); }
 
   // With the fields that tracing needs; the patchwork's rim has no neighbours.
   const Surface& surface() const { return surface_; }
@@ -72,7 +78,8 @@ class Patchwork {
   const LimitSurface& limit_;
   Surface surface_;
   std::vector<Piece> pieces_;
-  std::unordered_map<int, int> numbers_;   // of uncut triangles of the whole
+  std::unordered_map<int, int> numbers_;  // of triangles of the whole, none once cut
+  std::vector<int> added_;
   std::unordered_map<int, int> vertices_;  // of vertices of the whole
   std::unordered_map<int, int> places_;    // of places of the whole
   std::unordered_map<int, int> rim_;  // side of the whole beyond the rim -> 3 piece + edge here
