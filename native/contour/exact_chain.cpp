@@ -33,27 +33,26 @@ SurfacePoint on_triangle(const PatchTriangle& patch, int triangle, const Vec2& u
   return {triangle, b1, b2};
 }
 
-std::vector<ExactPoint> ExactChain::run(Span<const ChainPoint> linear, bool closed,
-                                        bool everywhere) {
+void ExactChain::solve(Span<const ChainPoint> linear, bool closed, bool everywhere) {
   closed_ = closed;
   read(linear);
   if (everywhere) {
-    for (std::size_t i = 0; i < stations_.size(); ++i) solve(i);
+    for (std::size_t i = 0; i < stations_.size(); ++i) solve_station(i);
   } else {
-    for (const std::size_t i : near_suspects()) solve(i);
+    for (const std::size_t i : near_suspects()) solve_station(i);
     spread();
   }
-  return again();
 }
 
 void ExactChain::make_finer(int segment, double longest_px) {
   double& longest = stations_[idx(segment)].longest_px;
   longest = std::min(longest, longest_px);
-  solve(idx(segment));
-  solve((idx(segment) + 1) % stations_.size());
+  solve_station(idx(segment));
+  solve_station((idx(segment) + 1) % stations_.size());
 }
 
-void ExactChain::add_troubled(std::vector<int>& triangles) const {
+std::vector<int> ExactChain::troubled() const {
+  std::vector<int> triangles;
   for (std::size_t i = 0; i < segments(); ++i) {
     const Station &a = stations_[i], &b = stations_[(i + 1) % stations_.size()];
     if (!a.sample || !b.sample) continue;
@@ -61,9 +60,10 @@ void ExactChain::add_troubled(std::vector<int>& triangles) const {
     const double least = std::min(chord.dot(a.sample->tangent), chord.dot(b.sample->tangent));
     if (least < troubled_cos) triangles.push_back(a.point.on.triangle);
   }
+  return triangles;
 }
 
-std::vector<ExactPoint> ExactChain::again() {
+std::vector<ExactPoint> ExactChain::points() {
   std::vector<ExactPoint> result;
   Vec2 arrival = Vec2::Zero();
   for (std::size_t i = 0; i < segments(); ++i) {
@@ -143,25 +143,41 @@ std::vector<std::size_t> ExactChain::near_suspects() {
   return result;
 }
 
-void ExactChain::solve(std::size_t i) {
+void ExactChain::solve_station(std::size_t i) {
   Station& station = stations_[i];
   if (station.is_tried) return;
   station.is_tried = true;
   const PatchTriangle& patch = surface_.patches[idx(station.point.on.triangle)];
   if (patch.ptex_face == none || !(camera_.near_distance(station.point.position) > 0)) return;
-  solve_on_edge(station);
-  if (!station.sample) return;
-  station.point.position = station.sample->position;
-  const int t = station.point.on.triangle;
-  station.point.on = on_edge(t, station.point.edge, station.point.fraction);
-  if (i > 0 || closed_) {
-    Station& before = stations_[(i + stations_.size() - 1) % stations_.size()];
-    link(before, station);
-  }
+  const SolvedEdge& found = solved_edge(station);
+  if (!found.sample) return;
+  station.sample = found.sample;
+  station.point.position = found.sample->position;
+  const int t = station.point.on.triangle, k = station.point.edge;
+  station.point.fraction = ascends(t, k) ? found.fraction : 1 - found.fraction;
+  station.point.on = on_edge(t, k, station.point.fraction);
+  if (i == 0 && !closed_) return;
+  link(stations_[(i + stations_.size() - 1) % stations_.size()], station);
+}
+
+bool ExactChain::ascends(int triangle, int corner) const {
+  const Triangle& t = surface_.triangles[idx(triangle)];
+  return t[idx(corner)] < t[idx(next_corner(corner))];
+}
+
+const SolvedEdge& ExactChain::solved_edge(const Station& station) {
+  const Triangle& t = surface_.triangles[idx(station.point.on.triangle)];
+  const auto [low, high] =
+      std::minmax(t[idx(station.point.edge)], t[idx(next_corner(station.point.edge))]);
+  const std::uint64_t key =
+      static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint32_t>(high);
+  const auto [found, is_new] = solved_.try_emplace(key);
+  if (is_new) found->second = solve_edge(station);
+  return found->second;
 }
 
 // Newton's method along the edge, kept between the last points found on either side of the zero.
-void ExactChain::solve_on_edge(Station& station) {
+SolvedEdge ExactChain::solve_edge(const Station& station) {
   constexpr int most_steps = 30;
   constexpr double end = 1e-5, flat = 1e-3;
   const int t = station.point.on.triangle, k = station.point.edge;
@@ -172,15 +188,14 @@ void ExactChain::solve_on_edge(Station& station) {
   std::optional<ContourSample> sample;
   for (int i = 0; i < most_steps; ++i) {
     sample = contour_.at({patch.ptex_face, patch_uv(patch, k, f)});
-    if (!sample) return;
+    if (!sample) return {};
     if (std::abs(sample->g) < on_contour || high - low < 1e-12) break;
     ((sample->g >= 0) == low_front ? low : high) = f;
     f -= sample->g / sample->gradient.dot(along);
     if (!(f > low && f < high)) f = (low + high) / 2;
   }
-  if (std::abs(sample->g) > flat || sample->tangent.isZero()) return;
-  station.point.fraction = f;
-  station.sample = sample;
+  if (std::abs(sample->g) > flat || sample->tangent.isZero()) return {};
+  return {ascends(t, k) ? f : 1 - f, sample};
 }
 
 // Where an exact point and a linear one beside it disagree, the linear one must become exact too.
@@ -191,7 +206,7 @@ void ExactChain::spread() {
       Station &a = stations_[i], &b = next(i);
       if (a.is_tried == b.is_tried || a.exact_sign() == b.exact_sign()) continue;
       const std::size_t linear = a.is_tried ? (i + 1) % stations_.size() : i;
-      solve(linear);
+      solve_station(linear);
       again = true;
     }
   }

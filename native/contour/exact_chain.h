@@ -1,6 +1,8 @@
 // One silhouette chain made exact where it matters (exact_silhouettes.h).
 #pragma once
 
+#include <unordered_map>
+
 #include "contour/exact_segment.h"
 #include "contour/silhouettes.h"
 
@@ -18,27 +20,38 @@ struct ExactPoint {
   bool is_cusp() const { return point.cusp_jump != 0; }
 };
 
+// What was found on the edges of a surface, by their lower and higher vertices; `fraction` runs
+// from the lower one. Stays true as long as the vertices keep their numbers.
+struct SolvedEdge {
+  double fraction = 0;
+  std::optional<ContourSample> sample;
+};
+using SolvedEdges = std::unordered_map<std::uint64_t, SolvedEdge>;
+
 class ExactChain {
  public:
+  // `solved` is read and filled.
   ExactChain(const Surface& surface, LimitContour& contour, const ContourFunctions& functions,
-             const Camera& camera)
+             const Camera& camera, SolvedEdges& solved)
       : surface_(surface),
         contour_(contour),
         functions_(functions),
         camera_(camera),
+        solved_(solved),
         segment_(contour, camera) {}
 
-  // linear: a chain of silhouettes.h; everywhere: make all of it exact.
-  std::vector<ExactPoint> run(Span<const ChainPoint> linear, bool closed, bool everywhere);
-
-  // The same chain once more, after some of its segments have been made exact and told how far
-  // apart their points may be.
-  void make_finer(int segment, double longest_px);
-  std::vector<ExactPoint> again();
+  // Finds the exact points of a chain of silhouettes.h; everywhere: all of them.
+  void solve(Span<const ChainPoint> linear, bool closed, bool everywhere);
 
   // Triangles whose segment runs far from the contour's direction at an end: they hold more of the
   // contour than the signs at their corners tell.
-  void add_troubled(std::vector<int>& triangles) const;
+  std::vector<int> troubled() const;
+
+  // The chain that was solved, with what lies within its triangles.
+  std::vector<ExactPoint> points();
+
+  // Makes a segment exact, and its points no farther apart than that.
+  void make_finer(int segment, double longest_px);
 
  private:
   // A point of the chain on an edge.
@@ -63,8 +76,10 @@ class ExactChain {
   bool has_both_signs(int triangle) const;
   void want_around(std::size_t station, bool forward, std::vector<std::uint8_t>& wanted) const;
   std::vector<std::size_t> near_suspects();
-  void solve(std::size_t station);
-  void solve_on_edge(Station& station);
+  void solve_station(std::size_t station);
+  bool ascends(int triangle, int corner) const;
+  SolvedEdge solve_edge(const Station& station);
+  const SolvedEdge& solved_edge(const Station& station);
   void spread();
 
   // Returns where the segment arrives on its patch.
@@ -78,6 +93,7 @@ class ExactChain {
   LimitContour& contour_;
   const ContourFunctions& functions_;
   const Camera& camera_;
+  SolvedEdges& solved_;
   ExactSegment segment_;
   bool closed_ = false;
   std::vector<Station> stations_;

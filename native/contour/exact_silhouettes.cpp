@@ -28,29 +28,52 @@ class Drawer {
   Drawer(LimitContour& contour, const Camera& camera, bool everywhere)
       : contour_(contour), camera_(camera), segment_(contour, camera), everywhere_(everywhere) {}
 
+  std::vector<int> troubled(const Surface& surface, const ContourFunctions& functions,
+                            const Silhouettes& linear, SolvedEdges& solved) {
+    ExactChain exact(surface, contour_, functions, camera_, solved);
+    std::vector<int> result;
+    for (std::size_t c = 0; c < linear.chains.size(); ++c) {
+      exact.solve(linear.chains[c], linear.closed[c], everywhere_);
+      const std::vector<int> found = exact.troubled();
+      result.insert(result.end(), found.begin(), found.end());
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  // Chains with troubled triangles stay empty, unless all are wanted.
   ExactChains draw(const Surface& surface, const ContourFunctions& functions,
-                   const Silhouettes& linear) {
-    ExactChain exact(surface, contour_, functions, camera_);
+                   const Silhouettes& linear, SolvedEdges& solved, bool all) {
+    ExactChain exact(surface, contour_, functions, camera_, solved);
     ExactChains result;
     for (std::size_t c = 0; c < linear.chains.size(); ++c) {
       const bool closed = linear.closed[c];
-      std::vector<ExactPoint> chain = exact.run(linear.chains[c], closed, everywhere_);
-      exact.add_troubled(result.troubled);
-      int swallowtails = tidy(surface, closed, chain);
-      for (int round = 0; round < most_rounds && untangle(closed, chain, exact); ++round) {
-        chain = exact.again();
-        swallowtails = tidy(surface, closed, chain);
-      }
-      if (closed && chain.size() < smallest_loop) chain.clear();
-      result.chains.push_back(std::move(chain));
+      exact.solve(linear.chains[c], closed, everywhere_);
+      const std::vector<int> troubled = exact.troubled();
+      result.troubled.insert(result.troubled.end(), troubled.begin(), troubled.end());
+      result.chains.emplace_back();
       result.closed.push_back(closed);
-      result.swallowtails.push_back(swallowtails);
+      result.swallowtails.push_back(0);
+      if (!all && !troubled.empty()) continue;
+      result.swallowtails.back() = draw_chain(surface, closed, exact, result.chains.back());
     }
     std::sort(result.troubled.begin(), result.troubled.end());
     return result;
   }
 
  private:
+  int draw_chain(const Surface& surface, bool closed, ExactChain& exact,
+                 std::vector<ExactPoint>& chain) {
+    chain = exact.points();
+    int swallowtails = tidy(surface, closed, chain);
+    for (int round = 0; round < most_rounds && untangle(closed, chain, exact); ++round) {
+      chain = exact.points();
+      swallowtails = tidy(surface, closed, chain);
+    }
+    if (closed && chain.size() < smallest_loop) chain.clear();
+    return swallowtails;
+  }
+
   int tidy(const Surface& surface, bool closed, std::vector<ExactPoint>& chain) {
     const int swallowtails = collapse_swallowtails(surface, closed, chain);
     thin_at_cusps(surface, camera_, segment_, closed, chain);
@@ -102,16 +125,17 @@ class Finer {
     include(drawn.troubled);
     std::vector<int> wanted;
     for (const int t : drawn.troubled) wanted.push_back(patchwork_.number_of(t));
+    SolvedEdges solved;
     ExactChains finer;
-    for (int round = 0; round < most_cuts; ++round) {
-      const bool is_cut = patchwork_.cut(wanted);
-      if (!is_cut && round > 0) break;
+    for (int round = 1; !wanted.empty(); ++round) {
+      const bool is_last = !patchwork_.cut(wanted) || round == most_cuts;
       include(patchwork_.take_added());
       const Surface& surface = patchwork_.surface();
       const ContourFunctions functions(surface, camera);
-      finer = drawer.draw(surface, functions, silhouettes(surface, functions, camera));
-      wanted = finer.troubled;
-      if (wanted.empty() || !is_cut) break;
+      const Silhouettes traced = silhouettes(surface, functions, camera);
+      wanted.clear();
+      if (!is_last) wanted = drawer.troubled(surface, functions, traced, solved);
+      if (wanted.empty()) finer = drawer.draw(surface, functions, traced, solved, true);
     }
     restore(patchwork_, finer);
     replace(drawn, finer);
@@ -159,7 +183,8 @@ Silhouettes exact_silhouettes(const Surface& surface, const LimitSurface& limit,
                               const Silhouettes& linear, bool everywhere, Counts& counts) {
   LimitContour contour(limit, camera);
   Drawer drawer(contour, camera, everywhere);
-  ExactChains drawn = drawer.draw(surface, functions, linear);
+  SolvedEdges solved;
+  ExactChains drawn = drawer.draw(surface, functions, linear, solved, false);
   counts["troubled_triangles"] += static_cast<std::int64_t>(drawn.troubled.size());
   if (!drawn.troubled.empty()) Finer(surface, limit, linear).redraw(camera, drawer, drawn);
   Silhouettes result;
