@@ -1,7 +1,6 @@
 #include "contour/patchwork.h"
 
 #include <algorithm>
-#include <map>
 
 #include "surface/curvature.h"
 
@@ -223,43 +222,45 @@ void Patchwork::replace(const Middles& middles) {
   std::vector<Piece> old;
   old.swap(pieces_);
   rim_.clear();
-  std::map<std::array<int, 4>, int> waiting;  // sides that have not met the other one yet
+  WaitingSides waiting;
   for (int t = 0; t < static_cast<int>(old.size()); ++t) {
-    const Piece& parent = old[idx(t)];
     std::array<bool, 3> has_middle{};
     for (std::size_t k = 0; k < 3; ++k) has_middle[k] = middles[idx(t)][k].vertex != none;
     const std::vector<Part> parts = parts_of(has_middle);
-    int& number_of_source = numbers_[parent.source];
-    if (parts.size() > 1) number_of_source = none;
-    if (number_of_source != none) number_of_source = static_cast<int>(pieces_.size());
+    int& number = numbers_[old[idx(t)].source];
+    if (parts.size() > 1) number = none;
+    if (number != none) number = static_cast<int>(pieces_.size());
     for (const Part& points : parts) {
-      const int number = static_cast<int>(pieces_.size());
-      pieces_.push_back(part(parent, middles[idx(t)], points));
-      for (int i = 0; i < 3; ++i) {
-        const int from = points[idx(i)], to = points[idx(next_corner(i))];
-        const ParentEdge side = parent_edge(from, to);
-        std::array<int, 4> key{-1, t, std::min(from, to), std::max(from, to)};
-        if (side.edge != none) {
-          pieces_.back().kinds[idx(i)] = parent.kinds[idx(side.edge)];
-          const int beyond = parent.beyond[idx(side.edge)];
-          pieces_.back().beyond[idx(i)] = beyond;
-          if (beyond != none) rim_[beyond] = 3 * number + i;
-          const int other = parent.neighbours[idx(side.edge)];
-          if (other == none) continue;
-          // Both pieces name the side by the lower of them; halves by the place they touch.
-          const int here = 3 * t + side.edge, there = 3 * other + parent.mates[idx(side.edge)];
-          const int touched =
-              side.half == 2
-                  ? none
-                  : surface_.places[idx(
-                        parent.vertices[idx(side.half == 0 ? side.edge : next_corner(side.edge))])];
-          key = {std::min(here, there), std::max(here, there), side.half == 2, touched};
-        }
-        const auto [met, first] = waiting.try_emplace(key, 3 * number + i);
-        if (!first) join(number, i, met->second / 3, met->second % 3);
+      pieces_.push_back(part(old[idx(t)], middles[idx(t)], points));
+      for (int k = 0; k < 3; ++k) {
+        place_side(old, t, points[idx(k)], points[idx(next_corner(k))], k, waiting);
       }
     }
   }
+}
+
+// Side k of the last piece, which runs between these points of the old piece t.
+void Patchwork::place_side(const std::vector<Piece>& old, int t, int from, int to, int k,
+                           WaitingSides& waiting) {
+  const Piece& parent = old[idx(t)];
+  const int number = static_cast<int>(pieces_.size()) - 1;
+  const ParentEdge side = parent_edge(from, to);
+  std::array<int, 4> key{none, t, std::min(from, to), std::max(from, to)};
+  if (side.edge != none) {
+    Piece& piece = pieces_.back();
+    piece.kinds[idx(k)] = parent.kinds[idx(side.edge)];
+    piece.beyond[idx(k)] = parent.beyond[idx(side.edge)];
+    if (piece.beyond[idx(k)] != none) rim_[piece.beyond[idx(k)]] = 3 * number + k;
+    if (parent.neighbours[idx(side.edge)] == none) return;
+    // Both pieces name the edge by its two sides, and a half by the place that it touches.
+    const int here = 3 * t + side.edge;
+    const int there = 3 * parent.neighbours[idx(side.edge)] + parent.mates[idx(side.edge)];
+    const int end = side.half == 0 ? side.edge : next_corner(side.edge);
+    const int touched = side.half == 2 ? none : surface_.places[idx(parent.vertices[idx(end)])];
+    key = {std::min(here, there), std::max(here, there), side.half == 2, touched};
+  }
+  const auto [met, is_first] = waiting.try_emplace(key, 3 * number + k);
+  if (!is_first) join(number, k, met->second / 3, met->second % 3);
 }
 
 void Patchwork::publish() {

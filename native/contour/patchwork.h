@@ -5,6 +5,7 @@
 // in two or three so that nothing gapes, and the silhouette is traced again.
 #pragma once
 
+#include <map>
 #include <unordered_map>
 #include <utility>
 
@@ -70,6 +71,10 @@ class Patchwork {
   Middle new_middle(const Piece& piece, int edge, int place);
   Vec3 own_normal(const Piece& piece, int edge, const Vec3& fallback) const;
   void replace(const Middles& middles);
+  // Sides of new pieces that have not met the other one yet.
+  using WaitingSides = std::map<std::array<int, 4>, int>;
+  void place_side(const std::vector<Piece>& old, int t, int from, int to, int k,
+                  WaitingSides& waiting);
   Piece part(const Piece& parent, const std::array<Middle, 3>& middles,
              const std::array<int, 3>& points) const;
   void publish();
