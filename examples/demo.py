@@ -59,6 +59,8 @@ def main(headless: ModuleType) -> int:
         settings.line_width_px, settings.feature_width_px = LINE_WIDTH_PX, FEATURE_WIDTH_PX
         command = ["--out", chosen.out, "--format", "svg,png,blend", "--name", name]
         code |= headless.main(command, lines)
+        if name in scenes.CAGES and not code:
+            scenes.save_cage(pathlib.Path(chosen.out, f"{name}.obj"), scenes.CAGES[name])
     print(*lines, sep="\n")
     return code
 

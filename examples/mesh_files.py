@@ -1,9 +1,9 @@
-"""Reads OBJ and PLY files into Blender meshes, the same way in every Blender."""
+"""Reads OBJ and PLY files and writes OBJ, the same way with every Blender and without one."""
 
 import pathlib
+from collections.abc import Iterable
 from typing import Any
 
-import bpy
 import numpy as np
 
 PLY_TYPES = {
@@ -26,15 +26,22 @@ PLY_TYPES = {
 }
 
 
-def load_mesh(path: pathlib.Path) -> Any:
-    """A Blender mesh of an .obj or binary little-endian .ply file; ValueError for other files."""
+def read_mesh(path: pathlib.Path) -> tuple[list[Any], list[Any]]:
+    """Positions and faces, lists of vertex numbers, of an .obj or binary little-endian .ply file.
+
+    Raises ValueError for other files.
+    """
     readers = {".obj": _read_obj, ".ply": _read_ply}
     if path.suffix not in readers:
         raise ValueError(f"{path.name} is neither .obj nor .ply")
-    positions, faces = readers[path.suffix](path)
-    mesh = bpy.data.meshes.new(path.stem)
-    mesh.from_pydata(positions, [], faces)
-    return mesh
+    return readers[path.suffix](path)
+
+
+def write_obj(path: pathlib.Path, positions: Iterable[Any], faces: Iterable[Any]) -> None:
+    """Writes positions and faces, lists of vertex numbers."""
+    lines = [" ".join(["v", *map(str, position)]) for position in positions]
+    lines += [" ".join(["f", *(str(corner + 1) for corner in face)]) for face in faces]
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
 def _read_obj(path: pathlib.Path) -> tuple[list[Any], list[Any]]:

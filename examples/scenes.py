@@ -12,7 +12,7 @@ import bpy
 import formulas
 import numpy as np
 from mathutils import Matrix, Vector
-from mesh_files import load_mesh
+from mesh_files import read_mesh, write_obj
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SHARED = pathlib.Path(os.environ.get("ILLUSTRATE_SHARED", ROOT.parent / "shared"))
@@ -85,6 +85,9 @@ SCENES: dict[str, Callable[[], None]] = {
 FILES = {"spot_cage": "smooth/spot_cage.obj", "koala_100k": "smooth/koala_100k.ply"}
 """What a scene reads from the folder of shared meshes."""
 
+CAGES = {"suzanne": "Suzanne"}
+"""Objects whose control cages the demo leaves as .obj, for curvature.py."""
+
 
 def is_available(name: str) -> bool:
     """Whether the scene's files are there."""
@@ -100,16 +103,29 @@ def build(name: str) -> Any:
 
 def add(name: str, mesh: tuple[Any, Any]) -> Any:
     """Links a smooth object with positions (n, 3) and faces to the scene; the object."""
-    data = bpy.data.meshes.new(name)
-    data.from_pydata(mesh[0].tolist(), [], mesh[1].tolist())
-    return _link(data)
+    return _link(_mesh_data(name, mesh[0].tolist(), mesh[1].tolist()))
 
 
 def add_file(path: str) -> Any:
     """Links a smooth object from the folder of shared meshes, whose y axis is up, to the scene."""
-    thing = _link(load_mesh(SHARED / "meshes" / path))
+    file = SHARED / "meshes" / path
+    positions, faces = read_mesh(file)
+    thing = _link(_mesh_data(file.stem, positions, faces))
     thing.matrix_world = Matrix.Rotation(np.pi / 2, 4, "X")
     return thing
+
+
+def save_cage(path: pathlib.Path, name: str) -> None:
+    """Writes the mesh of an object without its modifiers, y up, as .obj."""
+    data = bpy.data.objects[name].data
+    positions = [(v.co.x, v.co.z, -v.co.y) for v in data.vertices]
+    write_obj(path, positions, [face.vertices for face in data.polygons])
+
+
+def _mesh_data(name: str, positions: list[Any], faces: list[Any]) -> Any:
+    data = bpy.data.meshes.new(name)
+    data.from_pydata(positions, [], faces)
+    return data
 
 
 def _link(data: Any) -> Any:
