@@ -5,10 +5,11 @@
 // and chains are closed or end on edges without a smooth neighbour. Cusps are where the cusp
 // function C = k1 (v.w1)^2 + k2 (v.w2)^2, linear too, changes sign along a segment. Objects of
 // scheme none have no g: their silhouettes are mesh edges between a front and a back face, found by
-// the network.
+// `polygon_silhouettes`.
 #pragma once
 
 #include "contour/contour_functions.h"
+#include "contour/dual_surface.h"
 #include "core/ragged.h"
 
 namespace illustrate {
@@ -34,7 +35,12 @@ struct Silhouettes {
   std::int64_t cusps = 0;
 };
 
+// Time in proportion to the silhouettes; where `dual` (of the same surface) is null, all triangles
+// are scanned, with the same result but for `triangles_visited`.
 Silhouettes silhouettes(const Surface& surface, const ContourFunctions& functions,
-                        const Camera& camera);
+                        const Camera& camera, const DualSurface* dual = nullptr);
+
+// The triangles alone, ascending, from the signs of g at the corners of every triangle.
+std::vector<int> scan_for_silhouettes(const Surface& surface, const ContourFunctions& functions);
 
 }  // namespace illustrate

@@ -291,6 +291,8 @@ class DrawOptions:
     """Draw borders between materials."""
     flat_outlines: bool
     """Draw outlines of flat areas."""
+    scan_silhouettes: bool
+    """Look at every triangle for silhouettes instead of searching: slower, the same drawing."""
     styles: Sequence[ObjectStyle] | None
     """One per mesh, or None."""
     threads: int
@@ -469,10 +471,10 @@ class Silhouettes:
         """(m,) triangles that carry a silhouette, ascending."""
 
 def silhouettes(prepared: Prepared, camera: Camera, brute_force: bool = False) -> Silhouettes:
-    """The triangles that carry silhouettes.
+    """The triangles that carry silhouettes, found by the dual search.
 
-    brute_force tells them from the signs at the corners of every triangle, without following the
-    curves.
+    brute_force tells them from the signs at the corners of every triangle instead, without
+    following the curves.
     """
 
 class Graph:
