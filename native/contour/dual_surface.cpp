@@ -5,6 +5,7 @@
 #include "contour/contour_functions.h"
 #include "contour/polygon_silhouettes.h"
 #include "core/parallel.h"
+#include "core/radix_sort.h"
 #include "core/tolerances.h"
 
 namespace illustrate {
@@ -145,6 +146,7 @@ DualSurface::DualSurface(const Surface& surface, int threads) {
     return frames[idx(surface.objects[idx(v)])].dual(surface.normals[idx(v)], surface.positions[idx(v)]);
   }, threads);
   const std::vector<std::vector<int>> ids = ids_of(surface);
+  while (surface.triangles.size() * 3 >> id_bits_) ++id_bits_;
   for (std::size_t o = 0; o < ids.size(); ++o) {
     if (ids[o].empty()) continue;
     const bool is_smooth = surface.object_is_smooth[o];
@@ -165,7 +167,7 @@ std::vector<int> DualSurface::find(const Camera& camera, bool smooth) const {
     const double farthest = viewpoint.head<3>().norm() + viewpoint[3];
     part.tree.find(viewpoint, tolerance::facing_noise * farthest * (1 + rounding), found);
   }
-  std::sort(found.begin(), found.end());
+  radix_sort(found, id_bits_, [](int id) { return static_cast<std::uint64_t>(id); });
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }

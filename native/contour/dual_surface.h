@@ -37,6 +37,7 @@ class DualSurface {
   std::vector<int> find(const Camera& camera, bool smooth) const;
 
   std::vector<Part> parts_;
+  int id_bits_ = 0;  // enough for every id
 };
 
 }  // namespace illustrate

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "core/radix_sort.h"
 
 namespace illustrate {
 namespace {
@@ -18,7 +19,7 @@ constexpr double least_component = 0.25;
 constexpr int leaf_items = 4;
 
 constexpr int octree_levels = 16;
-constexpr int radix_bits = 11;
+constexpr int key_bits = 3 * octree_levels + 3;
 
 // The face whose component is largest in the corner where it is smallest.
 int best_face(const std::array<Vec4, 3>& corners) {
@@ -71,21 +72,6 @@ struct Entry {
   int item;
 };
 
-// By key, those with equal keys in the order they came.
-void radix_sort(std::vector<Entry>& entries) {
-  constexpr std::size_t buckets = std::size_t{1} << radix_bits;
-  constexpr int bits = 3 * octree_levels + 3;
-  std::vector<Entry> sorted(entries.size());
-  for (int shift = 0; shift < bits; shift += radix_bits) {
-    const auto bucket = [&](const Entry& e) { return e.key >> shift & (buckets - 1); };
-    std::vector<std::size_t> ends(buckets + 1, 0);
-    for (const Entry& e : entries) ++ends[bucket(e) + 1];
-    for (std::size_t b = 0; b < buckets; ++b) ends[b + 1] += ends[b];
-    for (const Entry& e : entries) sorted[ends[bucket(e)]++] = e;
-    std::swap(entries, sorted);
-  }
-}
-
 }  // namespace
 
 std::optional<DualItem> dual_item(int id, const std::array<Vec4, 3>& corners) {
@@ -119,10 +105,11 @@ class DualTree::Builder {
         entries_[i] = {key_of(items_[i]), static_cast<int>(i)};
       }
     });
-    radix_sort(entries_);
+    radix_sort(entries_, key_bits, [](const Entry& e) { return e.key; });
     add_roots();
     fit_leaves();
     fit_parents();
+    tree_.ids_.reserve(entries_.size());
     for (const Entry& e : entries_) tree_.ids_.push_back(items_[idx(e.item)].id);
   }
 
