@@ -6,12 +6,14 @@
 
 namespace illustrate {
 
-// The two functions of paper sections 4.1 and 4.2 at corners, with the sign of the triangle's sheet;
-// computed when asked for.
+// The two functions of paper sections 4.1 and 4.2 at corners, with the sign of the triangle's
+// sheet; computed when asked for.
 class ContourFunctions {
  public:
   ContourFunctions(const Surface& surface, const Camera& camera)
       : surface_(surface), camera_(camera) {}
+
+  const Camera& camera() const { return camera_; }
 
   // g at a vertex, on its own sheet; rounding noise is 0.
   double g(int vertex) const;

@@ -76,7 +76,8 @@ Items items_of(const std::vector<int>& ids, const CornersOf& corners_of, int thr
   items.placed.resize(ids.size());
   parallel_for(ids.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      items.placed[i] = dual_item(ids[i], corners_of(ids[i])).value_or(DualItem{ids[i], none, {}, {}});
+      items.placed[i] =
+          dual_item(ids[i], corners_of(ids[i])).value_or(DualItem{ids[i], none, {}, {}});
     }
   });
   const auto rest = std::stable_partition(items.placed.begin(), items.placed.end(),
@@ -114,7 +115,8 @@ std::vector<Vec4> duals_of(std::size_t count, const DualOf& dual, int threads) {
   return duals;
 }
 
-DualTree tree_of_triangles(const Surface& surface, const std::vector<int>& triangles, const std::vector<Vec4>& duals, int threads) {
+DualTree tree_of_triangles(const Surface& surface, const std::vector<int>& triangles,
+                           const std::vector<Vec4>& duals, int threads) {
   const auto corners = [&](int t) {
     Corners result;
     for (int k = 0; k < 3; ++k) {
@@ -126,9 +128,11 @@ DualTree tree_of_triangles(const Surface& surface, const std::vector<int>& trian
   return DualTree(items.placed, std::move(items.always), threads);
 }
 
-DualTree tree_of_edges(const Surface& surface, const std::vector<int>& edges, const Frame& frame, int threads) {
+DualTree tree_of_edges(const Surface& surface, const std::vector<int>& edges, const Frame& frame,
+                       int threads) {
   const auto plane = [&](int t) {
-    return frame.dual(face_normal(surface, t), surface.positions[idx(surface.triangles[idx(t)][0])]);
+    return frame.dual(face_normal(surface, t),
+                      surface.positions[idx(surface.triangles[idx(t)][0])]);
   };
   const auto corners = [&](int edge) {
     const Vec4 here = plane(edge / 3);
@@ -142,9 +146,13 @@ DualTree tree_of_edges(const Surface& surface, const std::vector<int>& edges, co
 
 DualSurface::DualSurface(const Surface& surface, int threads) {
   const std::vector<Frame> frames = frames_of(surface);
-  const std::vector<Vec4> duals = duals_of(surface.positions.size(), [&](int v) {
-    return frames[idx(surface.objects[idx(v)])].dual(surface.normals[idx(v)], surface.positions[idx(v)]);
-  }, threads);
+  const std::vector<Vec4> duals = duals_of(
+      surface.positions.size(),
+      [&](int v) {
+        return frames[idx(surface.objects[idx(v)])].dual(surface.normals[idx(v)],
+                                                         surface.positions[idx(v)]);
+      },
+      threads);
   const std::vector<std::vector<int>> ids = ids_of(surface);
   while (surface.triangles.size() * 3 >> id_bits_) ++id_bits_;
   for (std::size_t o = 0; o < ids.size(); ++o) {

@@ -8,13 +8,14 @@
 
 namespace illustrate {
 
-// Each object has a tree of its own, in a frame of its own (the centre and half the diagonal of its
-// box), so that far objects and great distances from the world's origin cost no accuracy. The items
+// Each object has octrees of its own, in a frame of its own (the centre and half the diagonal of its
+// box), so that neither far objects nor a great distance from the world's origin cost accuracy. The items
 // of a smooth object are its triangles, with the duals of their vertices, turned where a corner
 // sees its vertex from the other sheet; those of a polygon object the edges between two faces, with
 // the duals of the faces' planes.
 class DualSurface {
  public:
+  // The same for any number of threads (0: all cores).
   explicit DualSurface(const Surface& surface, int threads = 0);
 
   // Everything that carries a silhouette by the rules of `ContourFunctions` (triangles of smooth

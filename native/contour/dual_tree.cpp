@@ -134,10 +134,10 @@ class DualTree::Builder {
   std::size_t end_of(std::size_t begin, std::size_t end, std::uint64_t code, int level) const {
     const auto inside = [&](const Entry& e) { return e.key >> 3 * level <= code; };
     const auto first = entries_.begin();
-    return static_cast<std::size_t>(
-        std::partition_point(first + static_cast<std::ptrdiff_t>(begin),
-                             first + static_cast<std::ptrdiff_t>(end), inside) -
-        first);
+    return static_cast<std::size_t>(std::partition_point(first + static_cast<std::ptrdiff_t>(begin),
+                                                         first + static_cast<std::ptrdiff_t>(end),
+                                                         inside) -
+                                    first);
   }
 
   // A node for the entries of one octant of `level` (0: the finest). Octants with a single child

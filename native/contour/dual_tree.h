@@ -56,9 +56,9 @@ class DualTree {
   };
   class Builder;
 
-  std::vector<Node> nodes_;    // of all faces, then one that ends the items
+  std::vector<Node> nodes_;     // of all faces, then one that ends the items
   std::array<int, 9> roots_{};  // face f has the nodes roots_[f] .. roots_[f + 1]
-  std::vector<int> ids_;       // those of a leaf side by side
+  std::vector<int> ids_;        // those of a leaf side by side
   std::vector<int> always_;
 };
 

@@ -33,8 +33,8 @@ std::vector<FeatureEdge> wanted_features(const std::vector<FeatureEdge>& feature
 
 CurveNetwork build_network(const Surface& surface, const std::vector<FeatureEdge>& all_features,
                            const IntersectionCurves& intersections, const Camera& camera,
-                           const NetworkOptions& options, Counts& counts,
-                           const Progress& progress, const DualSurface* dual) {
+                           const NetworkOptions& options, Counts& counts, const Progress& progress,
+                           const DualSurface* dual) {
   const std::vector<FeatureEdge> features = wanted_features(all_features, options);
   const ContourFunctions functions(surface, camera);
   const Silhouettes found = silhouettes(surface, functions, camera, dual);

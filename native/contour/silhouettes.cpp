@@ -1,6 +1,6 @@
 #include "contour/silhouettes.h"
 
-#include <algorithm>
+#include <utility>
 
 #include "contour/feature_edges.h"
 #include "surface/locate.h"
@@ -17,21 +17,6 @@ struct Segment {
   int in = none;
   int out = none;
 };
-
-Segment segment_between(const std::array<bool, 3>& front) {
-  Segment segment;
-  for (int k = 0; k < 3; ++k) {
-    if (front[idx(k)] == front[idx(next_corner(k))]) continue;
-    (front[idx(k)] ? segment.in : segment.out) = k;
-  }
-  return segment;
-}
-
-std::int64_t smooth_triangles(const Surface& surface) {
-  return std::count_if(
-      surface.triangle_objects.begin(), surface.triangle_objects.end(),
-      [&](int object) { return surface.object_is_smooth[idx(object)] != 0; });
-}
 
 // From triangles to their numbers in a list of distinct ones: a hash table that is at most half
 // full, with linear probing.
@@ -68,17 +53,17 @@ class TriangleIndex {
 class Tracer {
  public:
   Tracer(const Surface& surface, const ContourFunctions& functions, const Camera& camera,
-         const std::vector<Segment>& segments, Silhouettes& result)
+         Silhouettes& result)
       : surface_(surface),
         functions_(functions),
         camera_(camera),
         triangles_(result.triangles),
-        segments_(segments),
         index_(triangles_),
         traced_(triangles_.size(), 0),
         result_(result) {}
 
   void run() {
+    for (const int t : triangles_) segments_.push_back(segment_of(t));
     const int count = static_cast<int>(triangles_.size());
     for (int i = 0; i < count; ++i) {
       if (!traced_[idx(i)] && across(i, segments_[idx(i)].in) == none) trace(i);
@@ -89,6 +74,17 @@ class Tracer {
   }
 
  private:
+  Segment segment_of(int triangle) const {
+    std::array<bool, 3> front;
+    for (int k = 0; k < 3; ++k) front[idx(k)] = functions_.front(triangle, k);
+    Segment segment;
+    for (int k = 0; k < 3; ++k) {
+      if (front[idx(k)] == front[idx(next_corner(k))]) continue;
+      (front[idx(k)] ? segment.in : segment.out) = k;
+    }
+    return segment;
+  }
+
   // The segment that goes on beyond an edge of segment i's triangle.
   int across(int i, int corner) const {
     const int triangle = triangles_[idx(i)];
@@ -156,42 +152,53 @@ class Tracer {
   const ContourFunctions& functions_;
   const Camera& camera_;
   const std::vector<int>& triangles_;
-  const std::vector<Segment>& segments_;
+  std::vector<Segment> segments_;  // of these triangles
   TriangleIndex index_;
   std::vector<std::uint8_t> traced_;
   Silhouettes& result_;
 };
 
-}  // namespace
+SilhouetteSearch search(const ContourFunctions& functions, const DualSurface& dual) {
+  SilhouetteSearch result;
+  for (const int t : dual.triangles(functions.camera())) {
+    ++result.visited;
+    const bool front = functions.front(t, 0);
+    if (functions.front(t, 1) != front || functions.front(t, 2) != front) {
+      result.triangles.push_back(t);
+    }
+  }
+  return result;
+}
 
-std::vector<int> scan_for_silhouettes(const Surface& surface, const ContourFunctions& functions) {
+SilhouetteSearch scan(const Surface& surface, const ContourFunctions& functions) {
   std::vector<std::uint8_t> front(surface.positions.size());
   for (int v = 0; v < static_cast<int>(front.size()); ++v) front[idx(v)] = functions.g(v) >= 0;
-  std::vector<int> found;
+  SilhouetteSearch result;
   for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
     if (!surface.object_is_smooth[idx(surface.triangle_objects[idx(t)])]) continue;
-    int fronts = 0;  // a bit for each corner
-    for (int k = 0; k < 3; ++k) fronts |= front[idx(surface.triangles[idx(t)][idx(k)])] << k;
-    fronts ^= surface.flips[idx(t)] & 7;
-    if (fronts != 0 && fronts != 7) found.push_back(t);
+    ++result.visited;
+    int fronts = surface.flips[idx(t)] & 7;  // a bit for each corner
+    for (int k = 0; k < 3; ++k) fronts ^= front[idx(surface.triangles[idx(t)][idx(k)])] << k;
+    if (fronts != 0 && fronts != 7) result.triangles.push_back(t);
   }
-  return found;
+  return result;
+}
+
+}  // namespace
+
+SilhouetteSearch find_silhouette_triangles(const Surface& surface,
+                                           const ContourFunctions& functions,
+                                           const DualSurface* dual) {
+  return dual ? search(functions, *dual) : scan(surface, functions);
 }
 
 Silhouettes silhouettes(const Surface& surface, const ContourFunctions& functions,
                         const Camera& camera, const DualSurface* dual) {
+  SilhouetteSearch found = find_silhouette_triangles(surface, functions, dual);
   Silhouettes result;
-  std::vector<Segment> segments;
-  for (const int t : dual ? dual->triangles(camera) : scan_for_silhouettes(surface, functions)) {
-    const Segment segment = segment_between(
-        {functions.front(t, 0), functions.front(t, 1), functions.front(t, 2)});
-    ++result.triangles_visited;
-    if (segment.in == none) continue;
-    result.triangles.push_back(t);
-    segments.push_back(segment);
-  }
-  if (!dual) result.triangles_visited = smooth_triangles(surface);
-  Tracer(surface, functions, camera, segments, result).run();
+  result.triangles = std::move(found.triangles);
+  result.triangles_visited = found.visited;
+  Tracer(surface, functions, camera, result).run();
   return result;
 }
 

@@ -35,12 +35,20 @@ struct Silhouettes {
   std::int64_t cusps = 0;
 };
 
-// Time in proportion to the silhouettes; where `dual` (of the same surface) is null, all triangles
-// are scanned, with the same result but for `triangles_visited`.
+// What a view looked at to find the triangles that carry a segment.
+struct SilhouetteSearch {
+  std::vector<int> triangles;  // ascending
+  std::int64_t visited = 0;    // triangles whose corners were looked at
+};
+
+// `dual`: of the same surface; time in proportion to what is found. Null: all triangles of smooth
+// objects are scanned, and the same ones found.
+SilhouetteSearch find_silhouette_triangles(const Surface& surface,
+                                           const ContourFunctions& functions,
+                                           const DualSurface* dual);
+
+// Finds the triangles likewise, and follows the chains.
 Silhouettes silhouettes(const Surface& surface, const ContourFunctions& functions,
                         const Camera& camera, const DualSurface* dual = nullptr);
-
-// The triangles alone, ascending, from the signs of g at the corners of every triangle.
-std::vector<int> scan_for_silhouettes(const Surface& surface, const ContourFunctions& functions);
 
 }  // namespace illustrate

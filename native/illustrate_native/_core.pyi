@@ -473,8 +473,7 @@ class Silhouettes:
 def silhouettes(prepared: Prepared, camera: Camera, brute_force: bool = False) -> Silhouettes:
     """The triangles that carry silhouettes, found by the dual search.
 
-    brute_force tells them from the signs at the corners of every triangle instead, without
-    following the curves.
+    brute_force tells them from the signs at the corners of every triangle instead, as a check.
     """
 
 class Graph:

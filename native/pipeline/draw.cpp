@@ -144,8 +144,8 @@ std::vector<int> silhouette_triangles(const Prepared& prepared, const Camera& ca
                                       bool brute_force) {
   const Surface& surface = prepared.surface();
   const ContourFunctions functions(surface, camera);
-  if (brute_force) return scan_for_silhouettes(surface, functions);
-  return silhouettes(surface, functions, camera, &prepared.dual_surface()).triangles;
+  const DualSurface* dual = brute_force ? nullptr : &prepared.dual_surface();
+  return find_silhouette_triangles(surface, functions, dual).triangles;
 }
 
 }  // namespace illustrate
