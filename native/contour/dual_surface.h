@@ -8,11 +8,11 @@
 
 namespace illustrate {
 
-// Each object has octrees of its own, in a frame of its own (the centre and half the diagonal of its
-// box), so that neither far objects nor a great distance from the world's origin cost accuracy. The items
-// of a smooth object are its triangles, with the duals of their vertices, turned where a corner
-// sees its vertex from the other sheet; those of a polygon object the edges between two faces, with
-// the duals of the faces' planes.
+// Each object has octrees of its own, in a frame of its own (the centre and half the diagonal of
+// its box), so that neither far objects nor a great distance from the world's origin cost accuracy.
+// The items of a smooth object are its triangles, with the duals of their vertices, turned where a
+// corner sees its vertex from the other sheet; those of a polygon object the edges between two
+// faces, with the duals of the faces' planes.
 class DualSurface {
  public:
   // The same for any number of threads (0: all cores).
