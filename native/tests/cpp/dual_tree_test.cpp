@@ -232,6 +232,14 @@ TEST(DualSearch, CutsWhatNoFaceHolds) {
   }
 }
 
+// Where the sheets of a surface that cannot be oriented meet, unsigned duals would be opposite.
+TEST(DualSearch, TurnsTheDualsOfTheOtherSheet) {
+  const Surface klein = surface_of({shapes::klein_mesh(20, 12)}, Scheme::catmull_clark, 2);
+  EXPECT_TRUE(std::any_of(klein.flips.begin(), klein.flips.end(),
+                          [](std::uint8_t flips) { return flips % 7 != 0; }));
+  EXPECT_EQ(DualSurface(klein).always_count(), 0U);
+}
+
 TEST(DualSearch, IsTheSameForAnyNumberOfThreads) {
   const Surface torus = shapes::torus_surface(1, 0.4, 128, 64);
   const DualSurface one(torus, 1), four(torus, 4);
