@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds, then runs every benchmark: JSON lines of counts and times.
+# Builds, then runs every benchmark: JSON lines of counts and times, and tables.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 "$ROOT/tools/build.sh" >&2

@@ -117,6 +117,8 @@ void bind_draw_options(py::module_& m) {
   bind_hatch_options(bound);
   bind_tone_options(bound);
   bind_stroke_options(bound);
+  OPTION("scan_silhouettes", values.scan_silhouettes,
+         "Look at every triangle for silhouettes instead of searching: slower, the same drawing");
   OPTION("threads", values.threads, "0: all cores");
   bound.def_readwrite("styles", &PythonDrawOptions::styles, "One ObjectStyle per mesh, or None");
   bound.def_property(

@@ -93,7 +93,9 @@ py::tuple evaluate(const SurfaceHandle& handle, const py::object& base_faces,
     for (Points& result : results) result.reserve(faces.size());
     for (std::size_t i = 0; i < faces.size(); ++i) {
       const auto p = surface.evaluate(checked_place(surface, faces[i], uv[i]));
-      if (!p) throw InvalidInput("face " + std::to_string(faces[i]) + " has no limit surface");
+      if (!p)
+        throw InvalidInput("base_faces: face " + std::to_string(faces[i]) +
+                           " has more than 100 corners or edges at a corner");
       const std::array<Vec3, 6> parts{p->position, p->du, p->dv, p->duu, p->duv, p->dvv};
       for (std::size_t k = 0; k < parts.size(); ++k) results[k].push_back(parts[k]);
     }

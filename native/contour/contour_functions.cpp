@@ -18,24 +18,21 @@ double without_noise(double g, double distance) {
 
 }  // namespace
 
-ContourFunctions::ContourFunctions(const Surface& surface, const Camera& camera)
-    : surface_(surface), camera_(camera), g_(surface.positions.size()) {
-  for (std::size_t v = 0; v < g_.size(); ++v) {
-    const Vec3 view = camera.to_eye(surface.positions[v]);
-    g_[v] = without_noise(surface.normals[v].dot(view), view.norm());
-  }
+double ContourFunctions::g(int vertex) const {
+  const Vec3 view = camera_.to_eye(surface_.positions[idx(vertex)]);
+  return without_noise(surface_.normals[idx(vertex)].dot(view), view.norm());
 }
 
 bool ContourFunctions::front(int triangle, int corner) const {
   const int v = surface_.triangles[idx(triangle)][idx(corner)];
-  return (g_[idx(v)] >= 0) == (surface_.corner_sign(triangle, corner) > 0);
+  return (g(v) >= 0) == (surface_.corner_sign(triangle, corner) > 0);
 }
 
 double ContourFunctions::zero_fraction(int triangle, int corner) const {
   const int a = surface_.triangles[idx(triangle)][idx(corner)];
   const int b = surface_.triangles[idx(triangle)][idx(next_corner(corner))];
-  const double g_low = std::abs(g_[idx(std::min(a, b))]);
-  const double sum = g_low + std::abs(g_[idx(std::max(a, b))]);
+  const double g_low = std::abs(g(std::min(a, b)));
+  const double sum = g_low + std::abs(g(std::max(a, b)));
   const double zero = std::clamp(sum > 0 ? g_low / sum : 0.5, least_fraction, 1 - least_fraction);
   return a < b ? zero : 1 - zero;
 }
@@ -56,14 +53,17 @@ double ContourFunctions::cusp_function(int triangle, int corner, double fraction
   return a < b ? here + there : there + here;
 }
 
-bool is_front_face(const Surface& surface, const Camera& camera, int triangle) {
+Vec3 face_normal(const Surface& surface, int triangle) {
   const Triangle& corners = surface.triangles[idx(triangle)];
   const Vec3& a = surface.positions[idx(corners[0])];
-  const Vec3 normal = (surface.positions[idx(corners[1])] - a)
-                          .cross(surface.positions[idx(corners[2])] - a)
-                          .normalized();
-  const Vec3 view = camera.to_eye(a);
-  return !(without_noise(normal.dot(view), view.norm()) < 0);
+  return (surface.positions[idx(corners[1])] - a)
+      .cross(surface.positions[idx(corners[2])] - a)
+      .normalized();
+}
+
+bool is_front_face(const Surface& surface, const Camera& camera, int triangle) {
+  const Vec3 view = camera.to_eye(surface.positions[idx(surface.triangles[idx(triangle)][0])]);
+  return !(without_noise(face_normal(surface, triangle).dot(view), view.norm()) < 0);
 }
 
 }  // namespace illustrate

@@ -6,11 +6,17 @@
 
 namespace illustrate {
 
-// Reads the two functions of paper sections 4.1 and 4.2 per corner, with the sign of the triangle's
-// sheet.
+// The two functions of paper sections 4.1 and 4.2 at corners, with the sign of the triangle's
+// sheet; computed when asked for.
 class ContourFunctions {
  public:
-  ContourFunctions(const Surface& surface, const Camera& camera);
+  ContourFunctions(const Surface& surface, const Camera& camera)
+      : surface_(surface), camera_(camera) {}
+
+  const Camera& camera() const { return camera_; }
+
+  // g at a vertex, on its own sheet; rounding noise is 0.
+  double g(int vertex) const;
 
   // g = 0 is front, decided once per vertex, so that both sheets of a double cover agree.
   bool front(int triangle, int corner) const;
@@ -28,8 +34,10 @@ class ContourFunctions {
 
   const Surface& surface_;
   const Camera& camera_;
-  std::vector<double> g_;
 };
+
+// Unit normal of a triangle's plane; zero where it has no area.
+Vec3 face_normal(const Surface& surface, int triangle);
 
 // Whether a face of a polygon object is front-facing; faces seen exactly edge-on are front.
 bool is_front_face(const Surface& surface, const Camera& camera, int triangle);

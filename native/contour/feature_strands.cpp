@@ -59,12 +59,6 @@ class PieceMaker {
     }
   }
 
-  // Whether an edge of a polygon object parts a front and a back face.
-  bool is_fold(const FeatureEdge& edge) const {
-    return is_front_face(surface_, camera_, edge.sides[0].triangle) !=
-           is_front_face(surface_, camera_, edge.sides[1].triangle);
-  }
-
  private:
   Piece piece(const FeatureEdge& edge, Span<const EdgeCut> cuts, double from, double to,
               int start_node, int end_node) const {
@@ -237,24 +231,10 @@ class Linker {
   std::vector<std::uint8_t> used_;
 };
 
-// Edges of polygon objects between a front and a back face that are not features anyway.
-void add_polygon_silhouettes(const Surface& surface, const PieceMaker& maker,
-                             std::vector<Piece>& pieces) {
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    if (surface.object_is_smooth[idx(surface.triangle_objects[t])]) continue;
-    for (int k = 0; k < 3; ++k) {
-      if (surface.edge_kinds[t][idx(k)] != EdgeKind::smooth) continue;
-      const EdgeSide side{static_cast<int>(t), k}, other = opposite_side(surface, side);
-      if (other.triangle == none || other.triangle < side.triangle) continue;
-      const FeatureEdge edge{EdgeKind::smooth, {side, other}};
-      if (maker.is_fold(edge)) maker.add(edge, {}, pieces);
-    }
-  }
-}
-
 }  // namespace
 
 void add_feature_strands(const Surface& surface, const std::vector<FeatureEdge>& features,
+                         const std::vector<FeatureEdge>& polygon_silhouettes,
                          const ContourFunctions& functions, const Camera& camera,
                          const Joints& joints, CurveNetwork& network) {
   const PieceMaker maker(surface, functions, camera, joints.nodes);
@@ -265,7 +245,7 @@ void add_feature_strands(const Surface& surface, const std::vector<FeatureEdge>&
     while (next < joints.edges.size() && joints.edges[next].feature == static_cast<int>(f)) ++next;
     maker.add(features[f], {joints.edges.data() + begin, next - begin}, pieces);
   }
-  add_polygon_silhouettes(surface, maker, pieces);
+  for (const FeatureEdge& edge : polygon_silhouettes) maker.add(edge, {}, pieces);
   Linker(pieces, network).run();
 }
 

@@ -2,6 +2,7 @@
 
 #include "contour/exact_silhouettes.h"
 #include "contour/joints.h"
+#include "contour/polygon_silhouettes.h"
 #include "contour/strands.h"
 
 namespace illustrate {
@@ -34,23 +35,26 @@ std::vector<FeatureEdge> wanted_features(const std::vector<FeatureEdge>& feature
 CurveNetwork build_network(const Surface& surface, const LimitSurface& limit,
                            const std::vector<FeatureEdge>& all_features,
                            const IntersectionCurves& intersections, const Camera& camera,
-                           const NetworkOptions& options, Counts& counts,
-                           const Progress& progress) {
+                           const NetworkOptions& options, Counts& counts, const Progress& progress,
+                           const DualSurface* dual) {
   const std::vector<FeatureEdge> features = wanted_features(all_features, options);
   const ContourFunctions functions(surface, camera);
-  const Silhouettes linear = silhouettes(surface, functions, camera);
+  const Silhouettes linear = silhouettes(surface, functions, camera, dual);
   const Silhouettes found =
       exact_silhouettes(surface, limit, functions, camera, linear, false, counts);
+  const PolygonSilhouettes folds = polygon_silhouettes(surface, camera, dual);
   progress.report(0.5);
   const Joints joints = find_joints(surface, features, found, intersections);
   CurveNetwork network;
   network.nodes = joints.nodes;
   add_silhouette_strands(surface, found, joints, network);
   add_intersection_strands(surface, intersections, joints, network);
-  add_feature_strands(surface, features, functions, camera, joints, network);
+  add_feature_strands(surface, features, folds.edges, functions, camera, joints, network);
   CurveNetwork clipped = clip_near(surface, network, camera);
   counts["triangles_visited"] += found.triangles_visited;
   counts["silhouette_triangles"] += static_cast<std::int64_t>(found.triangles.size());
+  counts["edges_visited"] += folds.edges_visited;
+  counts["silhouette_edges"] += static_cast<std::int64_t>(folds.edges.size());
   counts["cusps"] += found.cusps;
   counts["strands"] += static_cast<std::int64_t>(clipped.strands.size());
   progress.report(1);

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "contour/curve_network.h"
+#include "contour/dual_surface.h"
 #include "contour/feature_edges.h"
 #include "contour/intersections.h"
 #include "core/progress.h"
@@ -23,12 +24,14 @@ struct NetworkOptions {
   bool flat_outlines = false;  // outlines of flat areas
 };
 
-// `limit` is the limit surface of `surface`. Adds "triangles_visited", "silhouette_triangles",
-// "cusps", "swallowtails", "evaluations", "strands" to `counts`.
+// `limit` is the limit surface of `surface`, `dual` of the same; null: all of it is scanned, with
+// the same result. Adds "triangles_visited", "silhouette_triangles" (of smooth objects),
+// "edges_visited", "silhouette_edges" (of polygon objects), "cusps", "swallowtails",
+// "troubled_triangles", "evaluations", "strands" to `counts`.
 CurveNetwork build_network(const Surface& surface, const LimitSurface& limit,
                            const std::vector<FeatureEdge>& features,
                            const IntersectionCurves& intersections, const Camera& camera,
                            const NetworkOptions& options, Counts& counts,
-                           const Progress& progress = {});
+                           const Progress& progress = {}, const DualSurface* dual = nullptr);
 
 }  // namespace illustrate

@@ -5,10 +5,11 @@
 // and chains are closed or end on edges without a smooth neighbour. Cusps are where the cusp
 // function C = k1 (v.w1)^2 + k2 (v.w2)^2, linear too, changes sign along a segment. Objects of
 // scheme none have no g: their silhouettes are mesh edges between a front and a back face, found by
-// the network.
+// `polygon_silhouettes`.
 #pragma once
 
 #include "contour/contour_functions.h"
+#include "contour/dual_surface.h"
 #include "core/ragged.h"
 
 namespace illustrate {
@@ -34,7 +35,20 @@ struct Silhouettes {
   std::int64_t cusps = 0;
 };
 
+// What a view looked at to find the triangles that carry a segment.
+struct SilhouetteSearch {
+  std::vector<int> triangles;  // ascending
+  std::int64_t visited = 0;    // triangles whose corners were looked at
+};
+
+// `dual`: of the same surface; time in proportion to what is found. Null: all triangles of smooth
+// objects are scanned, and the same ones found.
+SilhouetteSearch find_silhouette_triangles(const Surface& surface,
+                                           const ContourFunctions& functions,
+                                           const DualSurface* dual);
+
+// Finds the triangles likewise, and follows the chains.
 Silhouettes silhouettes(const Surface& surface, const ContourFunctions& functions,
-                        const Camera& camera);
+                        const Camera& camera, const DualSurface* dual = nullptr);
 
 }  // namespace illustrate

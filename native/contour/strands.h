@@ -16,8 +16,9 @@ void add_intersection_strands(const Surface& surface, const IntersectionCurves& 
                               const Joints& joints, CurveNetwork& network);
 
 // Feature edges cut where a side turns from front to back, linked into strands of one kind and one
-// hiding.
+// hiding; then the silhouettes of polygon objects.
 void add_feature_strands(const Surface& surface, const std::vector<FeatureEdge>& features,
+                         const std::vector<FeatureEdge>& polygon_silhouettes,
                          const ContourFunctions& functions, const Camera& camera,
                          const Joints& joints, CurveNetwork& network);
 

@@ -291,6 +291,8 @@ class DrawOptions:
     """Draw borders between materials."""
     flat_outlines: bool
     """Draw outlines of flat areas."""
+    scan_silhouettes: bool
+    """Look at every triangle for silhouettes instead of searching: slower, the same drawing."""
     styles: Sequence[ObjectStyle] | None
     """One per mesh, or None."""
     threads: int
@@ -344,8 +346,8 @@ class Surface:
         duu, duv and dvv, each (m, 3). Within 1/64 of an extraordinary vertex the second derivatives
         have no meaning: there the surface has none. What a face needs is made once and kept.
 
-        Raises InvalidInput for a face that does not exist (scheme 'none' has none) and for
-        coordinates outside of it.
+        Raises InvalidInput for a face that does not exist (scheme 'none' has none), for one of more
+        than 100 corners or with more than 100 edges at a corner, and for coordinates outside of it.
         """
     @property
     def k1(self) -> _Doubles:
@@ -469,10 +471,9 @@ class Silhouettes:
         """(m,) triangles that carry a silhouette, ascending."""
 
 def silhouettes(prepared: Prepared, camera: Camera, brute_force: bool = False) -> Silhouettes:
-    """The triangles that carry silhouettes.
+    """The triangles that carry silhouettes, found by the dual search.
 
-    brute_force tells them from the signs at the corners of every triangle, without following the
-    curves.
+    brute_force tells them from the signs at the corners of every triangle instead, as a check.
     """
 
 class Graph:

@@ -68,10 +68,12 @@ class View {
   void label_curves(const Progress& progress) {
     const StrokeOptions& stroke = options_.stroke;
     const NetworkOptions network_options{stroke.marks, stroke.materials, stroke.flat_outlines};
+    const DualSurface* dual =
+        options_.scan_silhouettes ? nullptr : &scene_.dual_surface(options_.threads);
     const CurveNetwork network = timed(result_.timings["contour"], [&] {
       return build_network(scene_.surface(), scene_.limit_surface(), scene_.features(),
                            scene_.intersections(), camera_, network_options, result_.counts,
-                           progress.part(0, 0.5, "contour"));
+                           progress.part(0, 0.5, "contour"), dual);
     });
     result_.graph = timed(result_.timings["visibility"], [&] {
       return label_network(network, scene_.surface(), scene_.bvh(), camera_, result_.counts,
@@ -143,16 +145,8 @@ std::vector<int> silhouette_triangles(const Prepared& prepared, const Camera& ca
                                       bool brute_force) {
   const Surface& surface = prepared.surface();
   const ContourFunctions functions(surface, camera);
-  if (!brute_force) return silhouettes(surface, functions, camera).triangles;
-  std::vector<int> found;
-  for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
-    const bool front = functions.front(t, 0);
-    const bool crosses = functions.front(t, 1) != front || functions.front(t, 2) != front;
-    if (crosses && surface.object_is_smooth[idx(surface.triangle_objects[idx(t)])]) {
-      found.push_back(t);
-    }
-  }
-  return found;
+  const DualSurface* dual = brute_force ? nullptr : &prepared.dual_surface();
+  return find_silhouette_triangles(surface, functions, dual).triangles;
 }
 
 }  // namespace illustrate

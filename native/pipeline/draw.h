@@ -20,8 +20,8 @@ struct DrawResult {
 DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOptions& options,
                 const std::vector<Light>& lights = {}, const Progress& progress = {});
 
-// The triangles that carry silhouettes. `brute_force`: told from the signs at the corners of every
-// triangle, without following the curves, as a check.
+// The triangles that carry silhouettes, by the dual search, or `brute_force` from the signs at the
+// corners of every triangle.
 std::vector<int> silhouette_triangles(const Prepared& prepared, const Camera& camera,
                                       bool brute_force);
 

@@ -40,6 +40,7 @@ struct DrawOptions {
   StrokeOptions stroke;  // its marks, materials and flat outlines are also those of the network
   double cell_px =
       1;  // cells of the tone map, [0.25, 64]; larger where the image has over 16 million of them
+  bool scan_silhouettes = false;    // look at all triangles instead of searching the dual surface
   std::vector<ObjectStyle> styles;  // one per mesh, or empty
   int threads = 0;                  // 0: all cores
 };

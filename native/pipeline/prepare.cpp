@@ -97,6 +97,11 @@ const Bvh& Prepared::bvh() const {
   });
 }
 
+const DualSurface& Prepared::dual_surface() const {
+  return geometry_->dual_surface.get(
+      [&] { return timed("surface", [&] { return DualSurface(surface(), options_.threads); }); });
+}
+
 const std::pair<IntersectionCurves, Counts>& Prepared::found_intersections(
     const Progress& progress) const {
   return geometry_->intersections.get([&] {

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "contour/dual_surface.h"
 #include "contour/feature_edges.h"
 #include "contour/intersections.h"
 #include "core/lazy.h"
@@ -30,6 +31,7 @@ class Prepared {
   const Surface& surface() const { return geometry_->surface; }
   const LimitSurface& limit_surface() const { return *geometry_->limit_surface; }
   const Bvh& bvh() const;
+  const DualSurface& dual_surface() const;
   const std::vector<FeatureEdge>& features() const { return geometry_->features; }
   const IntersectionCurves& intersections(const Progress& progress = {}) const;
   const Curvature& hatch_curvature(const Progress& progress = {}) const;
@@ -49,6 +51,7 @@ class Prepared {
     Surface surface;
     std::unique_ptr<const LimitSurface> limit_surface;
     Lazy<Bvh> bvh;
+    Lazy<DualSurface> dual_surface;
     std::vector<FeatureEdge> features;
     Lazy<std::pair<IntersectionCurves, Counts>> intersections;
   };

@@ -15,6 +15,10 @@ class SeenScene {
   const Surface& surface() const { return part_ ? part_->surface : prepared_.surface(); }
   const LimitSurface& limit_surface() const { return prepared_.limit_surface(); }
   const Bvh& bvh() const { return part_ ? part_->bvh : prepared_.bvh(); }
+  const DualSurface& dual_surface(int threads) const {
+    if (!part_) return prepared_.dual_surface();
+    return part_->dual_surface.get([&] { return DualSurface(part_->surface, threads); });
+  }
   const std::vector<FeatureEdge>& features() const {
     return part_ ? part_->features : prepared_.features();
   }
@@ -30,6 +34,7 @@ class SeenScene {
     Surface surface;
     std::vector<int> sources;  // (t) triangle of the whole surface
     Bvh bvh;
+    Lazy<DualSurface> dual_surface;
     std::vector<FeatureEdge> features;
     IntersectionCurves intersections;
   };

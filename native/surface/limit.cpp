@@ -66,10 +66,11 @@ void evaluate_patches(const Subdivision& subdivision, const RefinedMesh& mesh,
   if (vertex == vertices) return;
   const LimitPatches patches(subdivision.base(), subdivision.scheme());
   parallel_for(sectors.count(), threads, [&](std::size_t begin, std::size_t end) {
+    LimitPatches::Pass pass(patches);
     for (std::size_t s = begin; s < end; ++s) {
       const int corner = sectors.first_corners[s];
       if (!beyond_masks(mesh.vertex(corner))) continue;
-      const std::optional<LimitPoint> p = patches.evaluate(base_place(mesh, corner));
+      const std::optional<LimitPoint> p = pass.evaluate(base_place(mesh, corner));
       if (!p || !p->position.allFinite()) continue;
       result.positions[s] = p->position;
       result.normals[s] = normal_of(*p);

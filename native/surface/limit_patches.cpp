@@ -20,6 +20,13 @@ namespace Far = OpenSubdiv::Far;
 // How deep the patches go on after the last sharpness has faded: OpenSubdiv's largest level.
 constexpr int patch_level_smooth = 7, patch_level_sharp = 10;
 
+constexpr int most_edges = 100;
+
+// What is kept for good of one mesh; beyond, only what was asked for last. All of a scan of 100,000
+// irregular faces would take three times as much.
+constexpr std::size_t most_kept_bytes = std::size_t{256} << 20;
+constexpr int recent_faces = 256;
+
 Bfr::SurfaceFactory::Options factory_options() {
   Bfr::SurfaceFactory::Options options;
   options.SetApproxLevelSmooth(patch_level_smooth).SetApproxLevelSharp(patch_level_sharp);
@@ -44,6 +51,8 @@ class FacePatches {
   }
 
   bool is_valid() const { return polynomial_ || surface_.IsValid(); }
+
+  std::size_t bytes() const { return sizeof(*this) + sizeof(double) * patch_points_.size(); }
 
   LimitPoint evaluate(int sub_face, const Vec2& uv) const {
     LimitPoint p = polynomial_ ? polynomial_->evaluate(uv) : evaluate_patches(sub_face, uv);
@@ -119,8 +128,10 @@ struct LimitPatches::Data {
   std::vector<int> ptex_faces;  // first of each base face
   std::optional<Bfr::RefinerSurfaceFactory<>> factory;
   std::mutex making;
-  std::vector<std::unique_ptr<const FacePatches>> made;
-  std::vector<std::atomic<const FacePatches*>> faces;
+  std::vector<std::shared_ptr<const FacePatches>> kept;
+  std::size_t kept_bytes = 0;
+  std::vector<std::atomic<const FacePatches*>> faces;  // those that are kept
+  std::array<std::pair<int, std::shared_ptr<const FacePatches>>, recent_faces> recent;
 
   Data(const SoundMesh& mesh, Scheme s)
       : scheme(s),
@@ -129,18 +140,62 @@ struct LimitPatches::Data {
         ptex_faces(illustrate::ptex_faces(mesh, s)),
         faces(mesh.face_sizes.size()) {
     if (refiner) factory.emplace(*refiner, factory_options());
+    recent.fill({none, nullptr});
   }
 
-  const FacePatches& face(int f) {
+  std::optional<LimitPoint> evaluate(int f, const BasePlace& place) {
     std::atomic<const FacePatches*>& slot = faces[idx(f)];
-    if (const FacePatches* found = slot.load(std::memory_order_acquire)) return *found;
+    if (const FacePatches* found = slot.load(std::memory_order_acquire)) {
+      return evaluate(*found, f, place);
+    }
+    const std::shared_ptr<const FacePatches> patches = find_or_make(f);
+    return evaluate(*patches, f, place);
+  }
+
+  std::shared_ptr<const FacePatches> find_or_make(int f) {
     const std::lock_guard<std::mutex> lock(making);
-    if (const FacePatches* found = slot.load(std::memory_order_relaxed)) return *found;
+    auto& [recent_face, recent_patches] = recent[idx(f % recent_faces)];
+    if (recent_face == f) return recent_patches;
+    std::shared_ptr<const FacePatches> patches = make(f);
+    recent_face = f;
+    recent_patches = patches;
+    if (kept_bytes < most_kept_bytes) {
+      kept_bytes += patches->bytes();
+      kept.push_back(patches);
+      faces[idx(f)].store(patches.get(), std::memory_order_release);
+    }
+    return patches;
+  }
+
+  // Under lock.
+  std::unique_ptr<const FacePatches> make(int f) {
     Bfr::Surface<double> surface;
-    factory->InitVertexSurface(f, &surface);
-    made.push_back(std::make_unique<const FacePatches>(std::move(surface), points));
-    slot.store(made.back().get(), std::memory_order_release);
-    return *made.back();
+    if (is_small_enough(f)) factory->InitVertexSurface(f, &surface);
+    return std::make_unique<const FacePatches>(std::move(surface), points);
+  }
+
+  // What the patches of a face need grows with the square of the edges round its corners.
+  bool is_small_enough(int f) const {
+    const Far::TopologyLevel& level = refiner->GetLevel(0);
+    const auto vertices = level.GetFaceVertices(f);
+    return vertices.size() <= most_edges &&
+           std::all_of(vertices.begin(), vertices.end(),
+                       [&](int v) { return level.GetVertexEdges(v).size() <= most_edges; });
+  }
+
+  // The base face of a ptex face, none where there is no such.
+  int base_face(int ptex_face) const {
+    if (!refiner || ptex_face < 0 || ptex_face >= ptex_faces.back()) return none;
+    const auto after = std::upper_bound(ptex_faces.begin(), ptex_faces.end(), ptex_face);
+    return static_cast<int>(after - ptex_faces.begin()) - 1;
+  }
+
+  std::optional<LimitPoint> evaluate(const FacePatches& patches, int f,
+                                     const BasePlace& place) const {
+    if (!patches.is_valid()) return {};
+    const Vec2 inside = clamped(place.uv, scheme == Scheme::loop);
+    const LimitPoint p = patches.evaluate(place.ptex_face - ptex_faces[idx(f)], inside);
+    return inside == place.uv ? p : continued(p, place.uv - inside);
   }
 };
 
@@ -150,15 +205,20 @@ LimitPatches::LimitPatches(const SoundMesh& mesh, Scheme scheme)
 LimitPatches::~LimitPatches() = default;
 
 std::optional<LimitPoint> LimitPatches::evaluate(const BasePlace& place) const {
-  const std::vector<int>& first = data_->ptex_faces;
-  if (!data_->refiner || place.ptex_face < 0 || place.ptex_face >= first.back()) return {};
-  const auto after = std::upper_bound(first.begin(), first.end(), place.ptex_face);
-  const auto face = static_cast<int>(after - first.begin()) - 1;
-  const FacePatches& patches = data_->face(face);
-  if (!patches.is_valid()) return {};
-  const Vec2 inside = clamped(place.uv, data_->scheme == Scheme::loop);
-  const LimitPoint p = patches.evaluate(place.ptex_face - first[idx(face)], inside);
-  return inside == place.uv ? p : continued(p, place.uv - inside);
+  const int face = data_->base_face(place.ptex_face);
+  return face == none ? std::nullopt : data_->evaluate(face, place);
+}
+
+std::optional<LimitPoint> LimitPatches::Pass::evaluate(const BasePlace& place) {
+  Data& data = *patches_.data_;
+  const int face = data.base_face(place.ptex_face);
+  if (face == none) return {};
+  if (face != face_) {
+    const std::lock_guard<std::mutex> lock(data.making);
+    made_ = data.make(face);
+    face_ = face;
+  }
+  return data.evaluate(*static_cast<const FacePatches*>(made_.get()), face, place);
 }
 
 }  // namespace illustrate

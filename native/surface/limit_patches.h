@@ -1,9 +1,10 @@
 // The limit surface of one subdivided mesh, piece by piece (paper section 3): the patches of a face
-// are made when it is first asked for, and kept.
+// are made when it is first asked for, and kept, up to 256 MB.
 //
 // Regular faces without creases are one polynomial. Others are OpenSubdiv's adaptive patches (Bfr),
 // which go 7 levels deep: beyond, within 1/64 of an extraordinary vertex, second derivatives are
-// those of a filling patch and have no meaning. Third derivatives jump between its patches.
+// those of a filling patch and have no meaning. Third derivatives jump between its patches. Faces
+// with more than 100 corners, or with more than 100 edges at one of them, have no patches here.
 #pragma once
 
 #include <memory>
@@ -24,6 +25,18 @@ class LimitPatches {
   // by its Taylor polynomial of the second degree. Nothing where the mesh has no such surface. Safe
   // between threads.
   std::optional<LimitPoint> evaluate(const BasePlace& place) const;
+
+  // The same without keeping anything but the last face: for one pass over places face by face.
+  class Pass {
+   public:
+    explicit Pass(const LimitPatches& patches) : patches_(patches) {}
+    std::optional<LimitPoint> evaluate(const BasePlace& place);
+
+   private:
+    const LimitPatches& patches_;
+    int face_ = none;
+    std::shared_ptr<const void> made_;
+  };
 
  private:
   struct Data;

@@ -360,6 +360,25 @@ def test_silhouettes_are_those_of_brute_force(perspective: bool) -> None:
         assert len(fast) > 0
 
 
+def test_searched_and_scanned_silhouettes_give_the_same_drawing() -> None:
+    meshes = [torus().mesh(), cube().mesh(scheme="none"), drape().moved((0, 0, 1)).mesh()]
+    found = ill.prepare(meshes, ill.PrepareOptions(level=LEVEL, field=False))
+    for ignored in (None, 0, 1):
+        styles = [ill.ObjectStyle(ignore=i == ignored) for i in range(len(meshes))]
+        searched, scanned = (
+            ill.draw(
+                found,
+                look_at(),
+                ill.DrawOptions(hatching=False, scan_silhouettes=scan, styles=styles),
+            )
+            for scan in (False, True)
+        )
+        assert digest(searched) == digest(scanned)
+        visited = [d.counts["triangles_visited"] for d in (searched, scanned)]
+        assert 0 < visited[0] < 0.5 * visited[1]
+        assert searched.counts["edges_visited"] <= scanned.counts["edges_visited"]
+
+
 def test_field_can_be_solved_alone(prepared: ill.Prepared) -> None:
     again = ill.solve_cross_field(prepared, ill.PrepareOptions(level=LEVEL))
     np.testing.assert_array_equal(again.directions, prepared.field.directions)
