@@ -9,9 +9,11 @@ namespace illustrate {
 namespace {
 
 // Points to each side of a suspected cusp that are made exact with it, and how far from it in the
-// image: strands leave a cusp close together.
+// image, in edges of its triangle: strands leave a cusp close together, and the finer the triangles
+// are the nearer to each other linear points can follow them.
 constexpr int dilation = 3;
-constexpr double dilation_px = 3;
+constexpr double dilation_edges = 1;
+constexpr double most_dilation_px = 3;
 
 // Of the angle between a chord and the contour that only a triangle with too much in it has: 50
 // degrees.
@@ -116,15 +118,24 @@ bool ExactChain::is_suspect(std::size_t i) {
   return stations_[i].sign != next(i).sign || has_both_signs(stations_[i].point.on.triangle);
 }
 
+double ExactChain::dilation_reach(const Station& station) const {
+  const Triangle& t = surface_.triangles[idx(station.point.on.triangle)];
+  const Vec3& a = surface_.positions[idx(t[idx(station.point.edge)])];
+  const Vec3& b = surface_.positions[idx(t[idx(next_corner(station.point.edge))])];
+  const double edge_px = (b - a).norm() / camera_.pixel_size(station.point.position);
+  return std::min(dilation_edges * edge_px, most_dilation_px);
+}
+
 void ExactChain::want_around(std::size_t i, bool forward, std::vector<std::uint8_t>& wanted) const {
   const std::size_t count = stations_.size();
   const Vec2 centre = camera_.project(stations_[i].point.position).xy;
+  const double reach = dilation_reach(stations_[i]);
   wanted[i] = 1;
   for (std::size_t step = 1; step < count; ++step) {
     if (!closed_ && i == (forward ? count - 1 : 0)) return;
     i = forward ? (i + 1) % count : (i + count - 1) % count;
     const Vec2 image = camera_.project(stations_[i].point.position).xy;
-    if (step > dilation && !((image - centre).norm() < dilation_px)) return;
+    if (step > dilation && !((image - centre).norm() < reach)) return;
     wanted[i] = 1;
   }
 }

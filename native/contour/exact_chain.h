@@ -74,6 +74,7 @@ class ExactChain {
 
   bool is_suspect(std::size_t segment);
   bool has_both_signs(int triangle) const;
+  double dilation_reach(const Station& station) const;
   void want_around(std::size_t station, bool forward, std::vector<std::uint8_t>& wanted) const;
   std::vector<std::size_t> near_suspects();
   void solve_station(std::size_t station);
