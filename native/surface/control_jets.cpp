@@ -48,17 +48,27 @@ std::vector<std::uint8_t> border_vertices(const Surface& surface) {
 // The vertices round nodes.
 class Gatherer {
  public:
-  Gatherer(const Surface& surface, const ControlNodes& nodes)
-      : surface_(surface), nodes_(nodes), visited_(nodes.vertices().size(), none) {}
+  Gatherer(const Surface& surface, const ControlNodes& nodes,
+           const std::vector<std::uint8_t>& border_vertices)
+      : surface_(surface),
+        nodes_(nodes),
+        border_vertices_(border_vertices),
+        visited_(nodes.vertices().size(), none) {}
 
-  // The node's vertex first, then those of its rings as far as the surface does not turn away.
+  // The node's vertex first, then those of so many rings of control edges round it, as far as the
+  // surface does not turn away.
   const std::vector<int>& gather(int node, int rings) {
+    const int links_per_edge = nodes_.links_per_edge(node);
     found_.assign(1, {node, 1});
     visited_[idx(node)] = node;
+    is_near_border_ = is_at_border(node);
     std::size_t from = 0;
-    for (int ring = 0; ring < rings && found_.size() < most_gathered; ++ring) {
+    for (int ring = 1; ring <= rings * links_per_edge && found_.size() < most_gathered; ++ring) {
       const std::size_t to = found_.size();
       for (; from < to; ++from) add_neighbours(found_[from]);
+      if (ring >= links_per_edge || is_near_border_) continue;
+      is_near_border_ = std::any_of(found_.begin(), found_.end(),
+                                    [&](const auto& link) { return is_at_border(link.node); });
     }
     vertices_.clear();
     for (const ControlNodes::Link& link : found_) {
@@ -68,7 +78,14 @@ class Gatherer {
     return vertices_;
   }
 
+  // Less than a control edge away from a boundary or crease of the last node: what bends there
+  // belongs to the strip along it, and a higher degree follows it.
+  bool is_near_border() const { return is_near_border_; }
+
  private:
+  bool is_at_border(int node) const {
+    return border_vertices_[idx(nodes_.vertices()[idx(node)])] != 0;
+  }
   const Vec3& normal(int node) const { return surface_.normals[idx(nodes_.vertices()[idx(node)])]; }
 
   void add_neighbours(const ControlNodes::Link from) {
@@ -86,6 +103,8 @@ class Gatherer {
 
   const Surface& surface_;
   const ControlNodes& nodes_;
+  const std::vector<std::uint8_t>& border_vertices_;  // (n) 1: on a boundary or crease
+  bool is_near_border_ = false;
   std::vector<int> visited_;               // (nodes) last node that came by here
   std::vector<ControlNodes::Link> found_;  // with the sign against the node in the middle
   std::vector<int> vertices_;
@@ -96,12 +115,12 @@ std::vector<PrincipalCurvature> jets_at_nodes(const Surface& surface, const Cont
   const std::vector<std::uint8_t> at_border = border_vertices(surface);
   std::vector<PrincipalCurvature> jets(nodes.vertices().size());
   in_parts(jets.size(), options.threads, progress, [&](std::size_t begin, std::size_t end) {
-    Gatherer gatherer(surface, nodes);
+    Gatherer gatherer(surface, nodes, at_border);
     LocalJet jet;
     for (std::size_t i = begin; i < end; ++i) {
       const int node = static_cast<int>(i);
-      jet.take(surface, gatherer.gather(node, options.rings * nodes.links_per_edge(node)));
-      jets[i] = jet.fit(at_border[idx(nodes.vertices()[i])] ? 2 : 4, true);
+      jet.take(surface, gatherer.gather(node, options.rings));
+      jets[i] = jet.fit(gatherer.is_near_border() ? 2 : 4, true);
     }
   });
   return jets;
