@@ -20,6 +20,8 @@ constexpr std::size_t most_gathered = 1024, most_links = 48;
 // Where the normal has turned by 60 degrees from the node's the surface is no longer a graph that a
 // polynomial follows: a coarse control mesh is gone round in three rings.
 constexpr double least_cosine = .5;
+// Points at the rim come and go from one node to the next: they weigh little.
+constexpr double falloff = .9;
 constexpr std::size_t between_reports = 10000;
 
 // Calls body(begin, end) for [0, count) in parallel parts, with reports between them.
@@ -120,7 +122,7 @@ std::vector<PrincipalCurvature> jets_at_nodes(const Surface& surface, const Cont
     for (std::size_t i = begin; i < end; ++i) {
       const int node = static_cast<int>(i);
       jet.take(surface, gatherer.gather(node, options.rings));
-      jets[i] = jet.fit(gatherer.is_near_border() ? 2 : 4, true);
+      jets[i] = jet.fit(gatherer.is_near_border() ? 2 : 4, true, falloff);
     }
   });
   return jets;

@@ -27,9 +27,9 @@ struct Moments {
   std::array<double, idx(count)> powers{};
   std::array<double, idx(coefficient_count(degree))> heights{};
 
-  void add(const Vec3& p) {
+  void add(const Vec3& p, double weight) {
     std::array<double, idx(count)> m;
-    m[0] = 1;
+    m[0] = weight;
     int filled = 1;
     for (int d = 1, previous = 0; d <= 2 * degree; ++d) {
       for (int k = 0; k < d; ++k) m[idx(filled + k)] = p.x() * m[idx(previous + k)];
@@ -68,10 +68,10 @@ void solve(double (&a)[n][n], std::array<double, idx(n)>& b) {
 using Quadric = std::array<double, 6>;
 
 template <int degree>
-Quadric fit_polynomial(const Points& points) {
+Quadric fit_polynomial(const Points& points, double falloff) {
   constexpr int n = coefficient_count(degree);
   Moments<degree> moments;
-  for (const Vec3& p : points) moments.add(p);
+  for (const Vec3& p : points) moments.add(p, 1 - falloff * p.squaredNorm());
   double matrix[n][n];
   for (int di = 0, r = 0; di <= degree; ++di) {
     for (int j = 0; j <= di; ++j, ++r) {
@@ -89,10 +89,12 @@ Quadric fit_polynomial(const Points& points) {
   return result;
 }
 
-Quadric fit_polynomial(const Points& points, int most_degree) {
-  if (most_degree >= 4 && points.size() >= points_for_quartic) return fit_polynomial<4>(points);
-  if (most_degree >= 3 && points.size() >= points_for_cubic) return fit_polynomial<3>(points);
-  return fit_polynomial<2>(points);
+Quadric fit_polynomial(const Points& points, double falloff, int most_degree) {
+  if (most_degree >= 4 && points.size() >= points_for_quartic)
+    return fit_polynomial<4>(points, falloff);
+  if (most_degree >= 3 && points.size() >= points_for_cubic)
+    return fit_polynomial<3>(points, falloff);
+  return fit_polynomial<2>(points, falloff);
 }
 
 }  // namespace
@@ -114,8 +116,8 @@ void LocalJet::take(const Surface& surface, const std::vector<int>& vertices) {
   }
 }
 
-PrincipalCurvature LocalJet::fit(int most_degree, bool exact_normal) const {
-  const Quadric q = fit_polynomial(points_, most_degree);
+PrincipalCurvature LocalJet::fit(int most_degree, bool exact_normal, double falloff) const {
+  const Quadric q = fit_polynomial(points_, falloff, most_degree);
   const Vec3 du(1, 0, q[1]), dv(0, 1, q[2]), fitted = du.cross(dv).normalized();
   const Vec3 z = Vec3::UnitZ() / radius_;
   PrincipalCurvature k = principal_curvature(du, dv, 2 * q[3] * z, q[4] * z, 2 * q[5] * z, fitted);

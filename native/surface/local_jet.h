@@ -12,8 +12,8 @@ class LocalJet {
 
   // Of degree 4, 3 or 2: the largest that the number of points allows, and at most `most_degree`.
   // Directions lie across the vertex's normal where that is exact, else in the tangent plane of the
-  // polynomial.
-  PrincipalCurvature fit(int most_degree, bool exact_normal) const;
+  // polynomial. The farthest point weighs 1 - falloff, in [0, 1).
+  PrincipalCurvature fit(int most_degree, bool exact_normal, double falloff = 0) const;
 
  private:
   Vec3 normal_, x_, y_;  // of the frame

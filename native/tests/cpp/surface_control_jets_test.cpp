@@ -197,6 +197,19 @@ TEST(ControlJets, ContinuousAcrossFacesAndSheets) {
   }
 }
 
+TEST(ControlJets, SheetsOfADoubleCoverAreOneSurface) {
+  // A regular mesh: the limit's own curvature is that of a spline.
+  const Surface surface = refined(shapes::klein_mesh(96, 64), at_level(1));
+  const Curvature jet = jet_curvature(surface, {});
+  double largest = 0, size = 0;
+  for (std::size_t v = 0; v < surface.positions.size(); ++v) {
+    const Mat3 exact = shape_operator(surface.curvature, v);
+    largest = std::max(largest, (shape_operator(jet, v) - exact).norm());
+    size = std::max(size, exact.norm());
+  }
+  EXPECT_LT(largest, .15 * size);  // support that ended where the sheets meet: .2
+}
+
 TEST(ControlJets, MoreRingsAreSmoother) {
   PolygonMesh mesh = shapes::icosphere_mesh(1, 3);
   for (Vec3& p : mesh.positions) p *= 1 + .02 * std::sin(90 * p.x() + 50 * p.y() + 70 * p.z());
