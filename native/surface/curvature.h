@@ -16,11 +16,11 @@ PrincipalCurvature principal_curvature(const Vec3& du, const Vec3& dv, const Vec
 
 // Curvature for hatching directions: a polynomial jet fitted to the vertices around, smoother than
 // the line curvature. Departure from section 5, step 1: the support takes the place of a smoothed
-// copy.
+// copy. On subdivided meshes it is measured in edges of the control mesh, whatever the level.
 // Directions lie in the tangent plane of the vertex normal, for polygon meshes in that of the jet,
 // which is nearer to the smooth surface that the vertices come from.
 struct JetOptions {
-  int rings = 3;  // of neighbours, one-sided at creases and boundaries
+  int rings = 3;  // of (control) edges, one-sided at creases and boundaries
   int threads = 0;
 };
 Curvature jet_curvature(const Surface& surface, const JetOptions& options,

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/parallel.h"
-#include "surface/polygons.h"
+#include "surface/control_jets.h"
 
 namespace illustrate {
 namespace {
@@ -14,95 +13,6 @@ namespace {
 constexpr std::size_t most_points = 100;
 // Of a vertex with very many neighbours only so many are followed, by stride.
 constexpr std::size_t most_neighbours = 48;
-// Points that a polynomial of degree 4 and 3 needs to be well determined (it has 15 and 10
-// coefficients).
-constexpr std::size_t points_for_quartic = 22, points_for_cubic = 13;
-// Added to the diagonal, relative to the number of points: a fit that is not determined gets the
-// smallest.
-constexpr double ridge = 1e-12;
-
-constexpr int coefficient_count(int degree) { return (degree + 1) * (degree + 2) / 2; }
-
-// Number of the monomial x^i y^j among those of degree i + j and below.
-constexpr int monomial(int i, int j) { return (i + j) * (i + j + 1) / 2 + j; }
-
-// Sums over the points of all monomials that the normal equations of a fit of this degree need.
-template <int degree>
-struct Moments {
-  static constexpr int count = coefficient_count(2 * degree);
-  std::array<double, idx(count)> powers{};
-  std::array<double, idx(coefficient_count(degree))> heights{};
-
-  void add(const Vec3& p) {
-    std::array<double, idx(count)> m;
-    m[0] = 1;
-    int filled = 1;
-    for (int d = 1, previous = 0; d <= 2 * degree; ++d) {
-      for (int k = 0; k < d; ++k) m[idx(filled + k)] = p.x() * m[idx(previous + k)];
-      m[idx(filled + d)] = p.y() * m[idx(previous + d - 1)];
-      previous = filled;
-      filled += d + 1;
-    }
-    for (std::size_t k = 0; k < m.size(); ++k) powers[k] += m[k];
-    for (std::size_t k = 0; k < heights.size(); ++k) heights[k] += p.z() * m[k];
-  }
-};
-
-// Solves a symmetric positive definite system in place by L D L^T; the right-hand side becomes the
-// solution.
-template <int n>
-void solve(double (&a)[n][n], std::array<double, idx(n)>& b) {
-  constexpr double smallest_pivot = 1e-14;  // below the ridge: only rounding gets here
-  for (int j = 0; j < n; ++j) {
-    for (int k = 0; k < j; ++k) {
-      const double scaled = a[j][k] * a[k][k];
-      for (int i = j; i < n; ++i) a[i][j] -= a[i][k] * scaled;
-    }
-    a[j][j] = std::max(a[j][j], smallest_pivot);
-    for (int i = j + 1; i < n; ++i) a[i][j] /= a[j][j];
-  }
-  for (int i = 0; i < n; ++i) {
-    for (int k = 0; k < i; ++k) b[idx(i)] -= a[i][k] * b[idx(k)];
-  }
-  for (int i = n - 1; i >= 0; --i) {
-    b[idx(i)] /= a[i][i];
-    for (int k = i + 1; k < n; ++k) b[idx(i)] -= a[k][i] * b[idx(k)];
-  }
-}
-
-// The first six coefficients: 1, x, y, x^2, xy, y^2.
-using Quadric = std::array<double, 6>;
-
-template <int degree>
-Quadric fit_polynomial(const Points& points) {
-  constexpr int n = coefficient_count(degree);
-  Moments<degree> moments;
-  for (const Vec3& p : points) moments.add(p);
-  double matrix[n][n];
-  for (int di = 0, r = 0; di <= degree; ++di) {
-    for (int j = 0; j <= di; ++j, ++r) {
-      for (int dk = 0, c = 0; dk <= di; ++dk) {
-        for (int l = 0; l <= dk; ++l, ++c) {
-          matrix[r][c] = moments.powers[idx(monomial(di - j + dk - l, j + l))];
-        }
-      }
-    }
-  }
-  for (int i = 0; i < n; ++i) matrix[i][i] += ridge * static_cast<double>(points.size());
-  solve<n>(matrix, moments.heights);
-  Quadric result;
-  std::copy_n(moments.heights.begin(), result.size(), result.begin());
-  return result;
-}
-
-// Takes every few of the points, the first always.
-void thin(std::vector<int>& found) {
-  if (found.size() <= most_points) return;
-  const std::size_t stride = (found.size() + most_points - 1) / most_points;
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < found.size(); i += stride) found[kept++] = found[i];
-  found.resize(kept);
-}
 
 }  // namespace
 
@@ -160,40 +70,15 @@ void JetFitter::gather(int vertex, Workspace& work) const {
       }
     }
   }
-  thin(work.found);
+  thin(work.found, most_points);
 }
 
 PrincipalCurvature JetFitter::fit(int vertex, Workspace& work) const {
   gather(vertex, work);
-  const Vec3& origin = surface_.positions[idx(vertex)];
-  const Vec3& normal = surface_.normals[idx(vertex)];
-  const Vec3 x = any_tangent(normal), y = normal.cross(x);
-  double radius = 0;
-  for (const int v : work.found) {
-    radius = std::max(radius, (surface_.positions[idx(v)] - origin).norm());
-  }
-  if (!(radius > 0) || !std::isfinite(radius)) radius = 1;
-  work.local.clear();
-  for (const int v : work.found) {
-    const Vec3 d = (surface_.positions[idx(v)] - origin) / radius;
-    work.local.emplace_back(d.dot(x), d.dot(y), d.dot(normal));
-  }
-  const std::size_t points = at_border_[idx(vertex)] ? 0 : work.local.size();
-  const Quadric q = points >= points_for_quartic ? fit_polynomial<4>(work.local)
-                    : points >= points_for_cubic ? fit_polynomial<3>(work.local)
-                                                 : fit_polynomial<2>(work.local);
-  const Vec3 du(1, 0, q[1]), dv(0, 1, q[2]), fitted = du.cross(dv).normalized();
-  const Vec3 z = Vec3::UnitZ() / radius;
-  PrincipalCurvature k = principal_curvature(du, dv, 2 * q[3] * z, q[4] * z, 2 * q[5] * z, fitted);
+  work.jet.take(surface_, work.found);
   // The normal of a limit surface is exact, that of a polygon mesh is worse than the fit's own.
   const bool exact_normal = surface_.object_is_smooth[idx(surface_.objects[idx(vertex)])] != 0;
-  const Vec3 plane =
-      exact_normal ? normal : Vec3(fitted.x() * x + fitted.y() * y + fitted.z() * normal);
-  const Vec3 direction = k.w1.x() * x + k.w1.y() * y + k.w1.z() * normal;
-  k.w1 = unit_or_zero(direction - direction.dot(plane) * plane);
-  if (k.w1.isZero()) k.w1 = any_tangent(plane);
-  k.w2 = plane.cross(k.w1);
-  return k;
+  return work.jet.fit(at_border_[idx(vertex)] ? 2 : 4, exact_normal);
 }
 
 void fit_jets(const Surface& surface, const std::vector<int>& vertices, const JetOptions& options,
@@ -224,9 +109,8 @@ Curvature jet_curvature(const Surface& surface, const JetOptions& options,
                         const Progress& progress) {
   const std::size_t n = surface.positions.size();
   Curvature result{std::vector<double>(n), std::vector<double>(n), Points(n), Points(n)};
-  std::vector<int> all(n);
-  std::iota(all.begin(), all.end(), 0);
-  fit_jets(surface, all, options, progress, result);
+  const std::vector<int> left = control_jets(surface, options, progress.part(0, .5), result);
+  fit_jets(surface, left, options, progress.part(.5, 1), result);
   return result;
 }
 

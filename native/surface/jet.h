@@ -1,7 +1,7 @@
 // Polynomials fitted to the points round a vertex.
 #pragma once
 
-#include "surface/curvature.h"
+#include "surface/local_jet.h"
 
 namespace illustrate {
 
@@ -14,7 +14,7 @@ class JetFitter {
   struct Workspace {
     std::vector<int> found;    // vertices around, the vertex itself first
     std::vector<int> visited;  // (n) last vertex that came by here
-    Points local;              // found, in the frame of the vertex
+    LocalJet jet;              // of them
   };
 
   PrincipalCurvature fit(int vertex, Workspace& work) const;
