@@ -56,13 +56,12 @@ void limit_of_sector(const RefinedMesh& mesh, const Sectors& sectors, std::size_
 // Where sharpness has not faded yet, the limit is several levels away: the patches know it.
 void evaluate_semi_sharp(const Subdivision& subdivision, const RefinedMesh& mesh,
                          const Sectors& sectors, int threads, SectorLimits& result) {
-  const auto& semi_sharp = mesh.semi_sharp;
-  if (std::find(semi_sharp.begin(), semi_sharp.end(), 1) == semi_sharp.end()) return;
+  if (mesh.semi_sharp.empty()) return;
   const LimitPatches patches(subdivision.base(), subdivision.scheme());
   parallel_for(sectors.count(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s) {
       const int corner = sectors.first_corners[s];
-      if (!semi_sharp[idx(mesh.vertex(corner))]) continue;
+      if (!mesh.semi_sharp[idx(mesh.vertex(corner))]) continue;
       const std::optional<LimitPoint> p = patches.evaluate(base_place(mesh, corner));
       if (!p || !p->position.allFinite()) continue;
       result.positions[s] = p->position;
@@ -78,7 +77,7 @@ void evaluate_semi_sharp(const Subdivision& subdivision, const RefinedMesh& mesh
 // level on which the vertex exists and all faces around are patches.
 void inherit_extraordinary(const Subdivision& subdivision, const std::vector<int>& sector_of_vertex,
                            int birth, int level, SectorLimits& result) {
-  const RefinedMesh mesh = subdivision.level(birth);
+  const RefinedMesh& mesh = subdivision.level(birth);
   const Sectors sectors = smooth_sectors(mesh);
   Ring ring;
   LimitPoint p;
@@ -86,7 +85,7 @@ void inherit_extraordinary(const Subdivision& subdivision, const std::vector<int
     const int vertex = mesh.vertex(sectors.first_corners[s]);
     const int descendant = subdivision.descendant(vertex, birth, level);
     const int sector = sector_of_vertex[static_cast<std::size_t>(descendant)];
-    if (sector == none || mesh.semi_sharp[static_cast<std::size_t>(vertex)]) continue;
+    if (sector == none || (!mesh.semi_sharp.empty() && mesh.semi_sharp[idx(vertex)])) continue;
     if (!read_ring(mesh, sectors, static_cast<int>(s), ring) || is_regular(ring)) continue;
     if (ring.rule != VertexRule::smooth) continue;
     fit_derivatives(ring, p);

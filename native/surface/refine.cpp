@@ -5,6 +5,7 @@
 
 #include "core/errors.h"
 #include "surface/assemble.h"
+#include "surface/child_corners.h"
 #include "surface/curvature.h"
 #include "surface/edges.h"
 #include "surface/jet.h"
@@ -15,11 +16,10 @@ namespace illustrate {
 namespace {
 
 // Sectors of the faces of level 0 that are no patches: those of the same corners on level 1.
-std::vector<int> sectors_of_parents(const Subdivision& subdivision, const RefinedMesh& parent,
-                                    const Sectors& sectors) {
-  std::vector<int> result;
-  for (int c = 0; c < static_cast<int>(parent.corner_vertices.size()); ++c) {
-    result.push_back(sectors.corner_sectors[idx(subdivision.child_corner(parent, c))]);
+std::vector<int> sectors_of_parents(const RefinedMesh& parent, const Sectors& sectors) {
+  std::vector<int> result(parent.corner_count());
+  for (std::size_t c = 0; c < result.size(); ++c) {
+    result[c] = sectors.corner_sectors[idx(child_corner(parent, static_cast<int>(c)))];
   }
   return result;
 }
@@ -45,7 +45,7 @@ class Refiner {
 
  private:
   void add_polygons(const SoundMesh& base, const Progress& progress) {
-    const RefinedMesh mesh = polygonal_mesh(base);
+    const RefinedMesh mesh = polygonal_mesh(base, options_.threads);
     progress.report(.3);
     const Sectors sectors = smooth_sectors(mesh);
     const SectorLimits limits = polygonal_limits(mesh, sectors, options_.threads);
@@ -62,10 +62,10 @@ class Refiner {
         scheme == Scheme::loop || std::all_of(base.face_sizes.begin(), base.face_sizes.end(),
                                               [](int size) { return size == 4; });
     const int limit_level = level == 0 && !all_patches ? 1 : level;
-    const Subdivision subdivision(base, scheme, limit_level, progress.part(0, .4));
+    const Subdivision subdivision(base, scheme, limit_level, options_.threads,
+                                  progress.part(0, .55));
     if (!subdivision.is_valid()) return false;
-    progress.report(.4);
-    const RefinedMesh mesh = subdivision.level(limit_level);
+    const RefinedMesh& mesh = subdivision.level(limit_level);
     progress.report(.55);
     const Sectors sectors = smooth_sectors(mesh);
     progress.report(.6);
@@ -79,8 +79,8 @@ class Refiner {
       assemble({base, mesh, sectors.corner_sectors, vertices, object, ptex}, surface_, needs_jet_);
       return true;
     }
-    const RefinedMesh coarse = subdivision.level(level);
-    const std::vector<int> corners = sectors_of_parents(subdivision, coarse, sectors);
+    const RefinedMesh& coarse = subdivision.level(level);
+    const std::vector<int> corners = sectors_of_parents(coarse, sectors);
     assemble({base, coarse, corners, vertices, object, ptex}, surface_, needs_jet_);
     return true;
   }
