@@ -48,10 +48,11 @@ class Refiner {
     const RefinedMesh mesh = polygonal_mesh(base, options_.threads);
     progress.report(.3);
     const Sectors sectors = smooth_sectors(mesh);
-    const SectorLimits limits = polygonal_limits(mesh, sectors, options_.threads);
+    SectorLimits limits = polygonal_limits(mesh, sectors, options_.threads);
     progress.report(.6);
     surface_.object_is_smooth.push_back(0);
-    assemble({base, mesh, sectors.corner_sectors, limits, next_object_++, 0}, surface_, needs_jet_);
+    assemble({base, mesh, sectors.corner_sectors, std::move(limits), next_object_++, 0},
+             options_.threads, surface_, needs_jet_);
   }
 
   bool add_subdivided(ControlMesh& control, const Progress& progress) {
@@ -67,21 +68,19 @@ class Refiner {
     if (!subdivision.is_valid()) return false;
     const RefinedMesh& mesh = subdivision.level(limit_level);
     progress.report(.55);
-    const Sectors sectors = smooth_sectors(mesh);
+    Sectors sectors = smooth_sectors(mesh);
     progress.report(.6);
-    const SectorLimits vertices =
+    SectorLimits vertices =
         limits(subdivision, mesh, sectors, limit_level, options_.threads, progress.part(.6, .8));
     progress.report(.8);
     surface_.object_is_smooth.push_back(1);
     const int object = next_object_++, ptex = control.first_ptex_face;
     control.ptex_faces = subdivision.ptex_faces();
-    if (limit_level == level) {
-      assemble({base, mesh, sectors.corner_sectors, vertices, object, ptex}, surface_, needs_jet_);
-      return true;
-    }
-    const RefinedMesh& coarse = subdivision.level(level);
-    const std::vector<int> corners = sectors_of_parents(coarse, sectors);
-    assemble({base, coarse, corners, vertices, object, ptex}, surface_, needs_jet_);
+    const RefinedMesh& drawn = subdivision.level(level);
+    const std::vector<int> corner_sectors =
+        limit_level == level ? std::move(sectors.corner_sectors) : sectors_of_parents(drawn, sectors);
+    assemble({base, drawn, corner_sectors, std::move(vertices), object, ptex}, options_.threads,
+             surface_, needs_jet_);
     return true;
   }
 
