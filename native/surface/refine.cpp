@@ -131,7 +131,7 @@ Surface refine(std::vector<SoundMesh> meshes, const SurfaceOptions& options, Cou
         schemes[i] != Scheme::polygons && !surface.object_is_smooth.back() ? 1 : 0;
   }
   progress.report(.9);
-  mark_flat_outlines(surface);
+  mark_flat_outlines(surface, options.threads);
   collect_feature_edges(surface);
   surface.diagonal = diagonal(surface.positions);
   fit_jets(surface, needs_jet, {JetOptions().rings, options.threads}, progress.part(.95, 1),
