@@ -6,6 +6,7 @@
 #include "core/parallel.h"
 #include "surface/base_edges.h"
 #include "surface/child_corners.h"
+#include "surface/sharpness.h"
 
 namespace illustrate {
 namespace {
@@ -149,37 +150,6 @@ void inherit_twin_faces(const RefinedMesh& parent, const TopologyLevel& level, R
   }
 }
 
-void set_semi_sharp(int vertex, RefinedMesh& mesh) {
-  mesh.semi_sharp.resize(mesh.sharp_vertices.size(), 0);
-  at(mesh.semi_sharp, vertex) = 1;
-}
-
-void read_sharp_vertices(const TopologyLevel& level, int threads, RefinedMesh& mesh) {
-  mesh.sharp_vertices.resize(idx(level.GetNumVertices()));
-  std::vector<std::uint8_t> semi_sharp(mesh.sharp_vertices.size());
-  parallel_for(semi_sharp.size(), threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      mesh.sharp_vertices[v] = level.IsVertexInfSharp(static_cast<int>(v));
-      semi_sharp[v] = level.IsVertexSemiSharp(static_cast<int>(v));
-    }
-  });
-  const bool any = std::find(semi_sharp.begin(), semi_sharp.end(), 1) != semi_sharp.end();
-  if (any) mesh.semi_sharp = std::move(semi_sharp);
-}
-
-// Edges inside a face are smooth, so that those of the parent tell of all.
-void inherit_semi_sharp_edges(const TopologyLevel& level, const TopologyLevel& next,
-                              RefinedMesh& child) {
-  for (int e = 0; e < level.GetNumEdges(); ++e) {
-    const auto ends = level.GetEdgeVertices(e), halves = level.GetEdgeChildEdges(e);
-    for (int k = 0; k < 2; ++k) {
-      if (!next.IsEdgeSemiSharp(halves[k])) continue;
-      set_semi_sharp(level.GetVertexChildVertex(ends[k]), child);
-      set_semi_sharp(level.GetEdgeChildVertex(e), child);
-    }
-  }
-}
-
 void read_corner_vertices(const TopologyLevel& level, int threads, RefinedMesh& mesh) {
   mesh.corner_vertices.resize(mesh.mates.size());
   parallel_for(mesh.face_count(), threads, [&](std::size_t begin, std::size_t end) {
@@ -199,19 +169,14 @@ std::vector<int> ptex_faces(const SoundMesh& mesh, Scheme scheme) {
   return face_offsets(counts);
 }
 
-RefinedMesh base_level(const SoundMesh& mesh, const TopologyLevel& level, Scheme scheme,
-                       int threads) {
+RefinedMesh base_level(const SoundMesh& mesh, Scheme scheme, int threads) {
   RefinedMesh result = polygonal_mesh(mesh, threads);
   result.triangles_are_patches = scheme == Scheme::loop;
   const std::vector<int> ptex = ptex_faces(mesh, scheme);
   result.domains.resize(result.face_count());
   for (std::size_t f = 0; f < result.domains.size(); ++f) result.domains[f].ptex_face = ptex[f];
   result.places = seam_places(mesh);
-  read_sharp_vertices(level, threads, result);
-  for (int e = 0; e < level.GetNumEdges(); ++e) {
-    if (!level.IsEdgeSemiSharp(e)) continue;
-    for (const int v : level.GetEdgeVertices(e)) set_semi_sharp(v, result);
-  }
+  find_sharp_vertices(mesh, result);
   return result;
 }
 
@@ -229,8 +194,7 @@ RefinedMesh next_level(const RefinedMesh& parent, const TopologyLevel& level,
     inherit_twin_vertices(parent, level, child);
     inherit_twin_faces(parent, level, child);
   }
-  read_sharp_vertices(next, threads, child);
-  if (!parent.semi_sharp.empty()) inherit_semi_sharp_edges(level, next, child);
+  inherit_sharp_vertices(parent, level, next, threads, child);
   return child;
 }
 

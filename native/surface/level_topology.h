@@ -12,9 +12,8 @@ namespace illustrate {
 // number of corners than its scheme likes; then it has one a corner.
 std::vector<int> ptex_faces(const SoundMesh& mesh, Scheme scheme);
 
-// Level 0, which is `level`, with its points.
-RefinedMesh base_level(const SoundMesh& mesh, const OpenSubdiv::Far::TopologyLevel& level,
-                       Scheme scheme, int threads);
+// Level 0, with its points. threads: 0 = all cores.
+RefinedMesh base_level(const SoundMesh& mesh, Scheme scheme, int threads);
 
 // The level `next` after `level`, which `parent` is; without points.
 RefinedMesh next_level(const RefinedMesh& parent, const OpenSubdiv::Far::TopologyLevel& level,

@@ -39,30 +39,39 @@ Points next_points(const Far::TopologyRefiner& refiner, const Points& points, in
 struct Subdivision::Data {
   const SoundMesh& mesh;
   Scheme scheme;
-  std::unique_ptr<Far::TopologyRefiner> refiner;
+  std::unique_ptr<Far::TopologyRefiner> refiner;  // null where there is only level 0
   std::vector<RefinedMesh> levels;
+
+  void add_level(int threads) {
+    const RefinedMesh& parent = levels.back();
+    const int level = static_cast<int>(levels.size());
+    RefinedMesh next =
+        next_level(parent, refiner->GetLevel(level - 1), refiner->GetLevel(level), threads);
+    next.points = next_points(*refiner, parent.points, level);
+    levels.push_back(std::move(next));
+  }
 };
 
 Subdivision::Subdivision(const SoundMesh& mesh, Scheme scheme, int levels, int threads,
                          const Progress& progress)
-    : data_(new Data{mesh, scheme, make_refiner(mesh, scheme), {}}) {
-  if (!is_valid()) return;
+    : data_(new Data{mesh, scheme, {}, {}}) {
+  if (!can_be_refined(mesh)) return;
   progress.report(0);
-  const Far::TopologyRefiner& refiner = *data_->refiner;
-  data_->refiner->RefineUniform(Far::TopologyRefiner::UniformOptions(levels));
-  data_->levels.push_back(base_level(mesh, refiner.GetLevel(0), scheme, threads));
+  if (levels > 0) {
+    data_->refiner = make_refiner(mesh, scheme);
+    if (!data_->refiner) return;
+    data_->refiner->RefineUniform(Far::TopologyRefiner::UniformOptions(levels));
+  }
+  data_->levels.push_back(base_level(mesh, scheme, threads));
   for (int l = 1; l <= levels; ++l) {
     progress.report(static_cast<double>(l) / (1 + levels));
-    const RefinedMesh& parent = data_->levels.back();
-    RefinedMesh next = next_level(parent, refiner.GetLevel(l - 1), refiner.GetLevel(l), threads);
-    next.points = next_points(refiner, parent.points, l);
-    data_->levels.push_back(std::move(next));
+    data_->add_level(threads);
   }
 }
 
 Subdivision::~Subdivision() = default;
 
-bool Subdivision::is_valid() const { return data_->refiner != nullptr; }
+bool Subdivision::is_valid() const { return !data_->levels.empty(); }
 
 const RefinedMesh& Subdivision::level(int level) const { return data_->levels[idx(level)]; }
 
