@@ -77,8 +77,9 @@ class Refiner {
     const int object = next_object_++, ptex = control.first_ptex_face;
     control.ptex_faces = subdivision.ptex_faces();
     const RefinedMesh& drawn = subdivision.level(level);
-    const std::vector<int> corner_sectors =
-        limit_level == level ? std::move(sectors.corner_sectors) : sectors_of_parents(drawn, sectors);
+    const std::vector<int> corner_sectors = limit_level == level
+                                                ? std::move(sectors.corner_sectors)
+                                                : sectors_of_parents(drawn, sectors);
     assemble({base, drawn, corner_sectors, std::move(vertices), object, ptex}, options_.threads,
              surface_, needs_jet_);
     return true;
