@@ -161,11 +161,12 @@ class Bvh::Builder {
   void build() {
     gather();
     if (items_.empty()) return;
-    const int grain = std::max(smallest_branch, static_cast<int>(items_.size()) / branch_count);
-    const Extent whole = extent_of(items_.data(), items_.data() + items_.size());
+    const int count = static_cast<int>(items_.size());
+    const int grain = threads_ == 1 ? 0 : std::max(smallest_branch, count / branch_count);
+    const Extent whole = extent_of(items_.data(), items_.data() + count);
     Nodes& nodes = tree_.nodes_;
-    std::vector<Branch> branches =
-        divide_down_to(grain, {0, 0, static_cast<int>(items_.size()), 0, whole}, nodes);
+    nodes.reserve(items_.size());
+    std::vector<Branch> branches = divide_down_to(grain, {0, 0, count, 0, whole}, nodes);
     build_branches(branches);
     append(branches, nodes);
     copy_items();
@@ -203,7 +204,7 @@ class Bvh::Builder {
   }
 
   // Makes the nodes of a root (at the end of `nodes`) down to branches of no more than `grain`
-  // items, which are returned in the order of their items.
+  // items, which are returned in the order of their items; with 0 all nodes.
   std::vector<Branch> divide_down_to(int grain, const Task& root, Nodes& nodes) {
     std::vector<Branch> branches;
     nodes.emplace_back();
@@ -234,9 +235,6 @@ class Bvh::Builder {
 
   // The root of a branch takes its place in the upper part, its other nodes follow at the end.
   static void append(std::vector<Branch>& branches, Nodes& nodes) {
-    std::size_t count = nodes.size();
-    for (const Branch& branch : branches) count += branch.nodes.size() - 1;
-    nodes.reserve(count);
     for (Branch& branch : branches) {
       const int offset = static_cast<int>(nodes.size()) - 1;
       for (Node& node : branch.nodes) node.first += node.count == 0 ? offset : 0;
