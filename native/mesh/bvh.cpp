@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "core/predicates.h"
 
@@ -11,98 +10,6 @@ namespace illustrate {
 namespace {
 
 using Box = Eigen::AlignedBox3d;
-
-constexpr int leaf_size = 4;
-constexpr int bin_count = 12;
-
-// Below this depth nodes are halved whatever their shape, so no path is longer than this plus 32.
-constexpr int surface_area_depth = 60;
-constexpr std::size_t stack_size = 128;
-
-double half_area(const Box& box) {
-  if (box.isEmpty()) return 0;
-  const Vec3 s = box.sizes();
-  return s.x() * s.y() + s.y() * s.z() + s.z() * s.x();
-}
-
-Box box_of(const Points& positions, const Triangle& triangle) {
-  Box box(positions[triangle[0]]);
-  box.extend(positions[triangle[1]]);
-  return box.extend(positions[triangle[2]]);
-}
-
-struct Item {
-  Box box;
-  Vec3 centre;
-  int triangle;
-};
-
-struct Bin {
-  Box box;
-  int count = 0;
-};
-
-// Where a range of items is cut: bins [0, bin] of the axis go left.
-struct Cut {
-  int axis = 0;
-  int bin = none;  // none: there is no cut between bins
-};
-
-// Bins of equal width along one axis of the box of the centres.
-struct Binning {
-  double low, scale;
-
-  Binning(const Box& centres, int axis)
-      : low(centres.min()[axis]), scale(bin_count / (centres.max()[axis] - low)) {}
-
-  // False where the centres do not differ enough to be told apart.
-  bool is_usable() const { return std::isfinite(scale); }
-
-  int bin(double centre) const {
-    return std::clamp(static_cast<int>((centre - low) * scale), 0, bin_count - 1);
-  }
-};
-
-// The cut of the least surface area heuristic, along the longest axis of the centres.
-Cut best_cut(const Item* begin, const Item* end, const Box& centres) {
-  Cut cut;
-  centres.sizes().maxCoeff(&cut.axis);
-  const Binning binning(centres, cut.axis);
-  if (!binning.is_usable()) return cut;
-  std::array<Bin, bin_count> bins;
-  for (const Item* item = begin; item != end; ++item) {
-    Bin& bin = bins[static_cast<std::size_t>(binning.bin(item->centre[cut.axis]))];
-    bin.box.extend(item->box);
-    ++bin.count;
-  }
-  std::array<double, bin_count> left_cost{};
-  Bin sum;
-  for (std::size_t i = 0; i + 1 < bin_count; ++i) {
-    sum.box.extend(bins[i].box);
-    sum.count += bins[i].count;
-    left_cost[i] = half_area(sum.box) * sum.count;
-  }
-  double best = std::numeric_limits<double>::infinity();
-  sum = {};
-  for (std::size_t i = bin_count - 1; i > 0; --i) {
-    sum.box.extend(bins[i].box);
-    sum.count += bins[i].count;
-    const double cost = left_cost[i - 1] + half_area(sum.box) * sum.count;
-    if (sum.count == end - begin || sum.count == 0 || !(cost < best)) continue;
-    best = cost;
-    cut.bin = static_cast<int>(i) - 1;
-  }
-  return cut;
-}
-
-// Orders the items by the cut and returns where the right part begins; halves them where no cut is.
-Item* divide(Item* begin, Item* end, const Box& centres, bool in_halves) {
-  const Cut cut = in_halves ? Cut{} : best_cut(begin, end, centres);
-  if (cut.bin == none) return begin + (end - begin) / 2;
-  const Binning binning(centres, cut.axis);
-  return std::partition(
-      begin, end, [&](const Item& item) { return binning.bin(item.centre[cut.axis]) <= cut.bin; });
-}
 
 // A ray in the space of Woop et al. 2013: sheared so that it runs along +z from the origin.
 class ShearedRay {
@@ -181,71 +88,6 @@ class BoxTest {
 
 }  // namespace
 
-class Bvh::Builder {
- public:
-  explicit Builder(Bvh& tree) : tree_(tree) {}
-
-  void build() {
-    gather();
-    if (items_.empty()) return;
-    tree_.nodes_.reserve(items_.size());
-    tree_.nodes_.emplace_back();
-    std::vector<Task> tasks{{0, 0, static_cast<int>(items_.size()), 0}};
-    while (!tasks.empty()) {
-      const Task task = tasks.back();
-      tasks.pop_back();
-      build_node(task, tasks);
-    }
-    for (const Item& item : items_) {
-      tree_.order_.push_back(item.triangle);
-      tree_.boxes_.push_back(item.box);
-    }
-  }
-
- private:
-  struct Task {
-    int node, first, count, depth;
-  };
-
-  void gather() {
-    const auto& triangles = *tree_.triangles_;
-    items_.reserve(triangles.size());
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-      const Triangle& triangle = triangles[t];
-      const auto is_finite = [&](int v) { return (*tree_.positions_)[v].allFinite(); };
-      if (!std::all_of(triangle.begin(), triangle.end(), is_finite)) continue;
-      const Box box = box_of(*tree_.positions_, triangle);
-      items_.push_back({box, box.min() / 2 + box.max() / 2, static_cast<int>(t)});
-    }
-  }
-
-  void build_node(const Task& task, std::vector<Task>& tasks) {
-    Item* const begin = items_.data() + task.first;
-    Item* const end = begin + task.count;
-    Box box, centres;
-    for (const Item* item = begin; item != end; ++item) {
-      box.extend(item->box);
-      centres.extend(item->centre);
-    }
-    Node& node = tree_.nodes_[task.node];
-    node.box = box;
-    if (task.count <= leaf_size) {
-      node.first = task.first;
-      node.count = task.count;
-      return;
-    }
-    Item* const middle = divide(begin, end, centres, task.depth >= surface_area_depth);
-    const int left = static_cast<int>(tree_.nodes_.size()), size = static_cast<int>(middle - begin);
-    node.first = left;
-    tree_.nodes_.resize(tree_.nodes_.size() + 2);
-    tasks.push_back({left + 1, task.first + size, task.count - size, task.depth + 1});
-    tasks.push_back({left, task.first, size, task.depth + 1});
-  }
-
-  Bvh& tree_;
-  std::vector<Item> items_;
-};
-
 // Descends into two nodes at once.
 class Bvh::Pairs {
  public:
@@ -311,18 +153,13 @@ class Bvh::Pairs {
   std::vector<Edge> stack_;
 };
 
-Bvh::Bvh(const Points& positions, const std::vector<Triangle>& triangles)
-    : positions_(&positions), triangles_(&triangles) {
-  Builder(*this).build();
-}
-
 void Bvh::hits(const Vec3& origin, const Vec3& direction, double low, double high,
                std::vector<RayHit>& found) const {
   if (nodes_.empty() || direction.isZero(0) || !direction.allFinite() || !origin.allFinite())
     return;
   const ShearedRay ray(origin, direction);
   const BoxTest test(origin, direction, nodes_.front().box);
-  std::array<int, stack_size> stack;
+  std::array<int, depth_limit> stack;
   std::size_t depth = 0;
   stack[depth++] = 0;
   while (depth > 0) {

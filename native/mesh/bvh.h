@@ -16,8 +16,8 @@ class Bvh {
  public:
   Bvh() = default;
   // Keeps pointers to both arrays: they must outlive the tree. Triangles with a corner that is not
-  // finite are left out.
-  Bvh(const Points& positions, const std::vector<Triangle>& triangles);
+  // finite are left out. threads: 0 = all cores; the tree is the same for any number.
+  Bvh(const Points& positions, const std::vector<Triangle>& triangles, int threads = 0);
 
   // Adds all hits with low < distance < high, in no particular but always the same order. A ray
   // through a shared edge hits exactly one of its triangles (watertight, Woop et al. 2013), or both
@@ -31,6 +31,9 @@ class Bvh {
   // `margin` apart along each axis; each pair once, in a fixed order.
   void overlapping_pairs(const std::function<void(int, int)>& visit, double margin = 0) const;
 
+  // Half of the area of a box's surface, 0 for an empty one.
+  static double half_area(const Eigen::AlignedBox3d& box);
+
  private:
   struct Node {
     Eigen::AlignedBox3d box;
@@ -40,6 +43,7 @@ class Bvh {
   };
   class Builder;
   class Pairs;
+  static constexpr std::size_t depth_limit = 128;  // no path from the root is longer
 
   const Points* positions_ = nullptr;
   const std::vector<Triangle>* triangles_ = nullptr;

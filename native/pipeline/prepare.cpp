@@ -93,7 +93,8 @@ void Prepared::make_geometry(const std::vector<MeshPointer>& meshes, const Progr
 
 const Bvh& Prepared::bvh() const {
   return geometry_->bvh.get([&] {
-    return timed("surface", [&] { return Bvh(surface().positions, surface().triangles); });
+    return timed("surface",
+                 [&] { return Bvh(surface().positions, surface().triangles, options_.threads); });
   });
 }
 

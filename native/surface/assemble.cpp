@@ -2,42 +2,60 @@
 
 #include <algorithm>
 
+#include "core/parallel.h"
 #include "surface/polygons.h"
 #include "surface/shading.h"
 
 namespace illustrate {
 namespace {
 
+// What the triangles of one face are made with, kept from face to face.
+struct FaceWork {
+  Points polygon;
+  std::vector<Triangle> split;
+  std::vector<std::array<int, 3>> diagonals;  // corners, slot
+};
+
+// Everything that belongs to one face, vertex or corner alone is made in parallel; the order of the
+// vertices, which is that of the triangles, in between.
 class Assembler {
  public:
-  Assembler(const RefinedObject& object, Surface& surface, std::vector<int>& needs_jet)
+  Assembler(RefinedObject& object, int threads, Surface& surface)
       : object_(object),
         mesh_(object.mesh),
+        threads_(threads),
         surface_(surface),
-        needs_jet_(needs_jet),
+        first_vertex_(surface.positions.size()),
         sector_corners_(object.limits.positions.size(), none),
-        vertices_(object.limits.positions.size(), none),
-        first_at_place_(object.mesh.points.size(), none),
-        slots_(object.mesh.corner_vertices.size(), none) {}
+        slots_(object.mesh.corner_count(), none) {}
 
-  void run() {
-    for (int f = 0; f < faces(); ++f) {
-      if (!is_drawn(f)) continue;
-      for (int c = mesh_.first(f); c < mesh_.first(f + 1); ++c) {
-        int& corner = sector_corners_[idx(sector(c))];
-        if (corner == none) corner = c;
+  void run(std::vector<int>& needs_jet) {
+    find_drawn_corners();
+    make_room_for_triangles();
+    for_each(first_triangles_.size(), [&](int begin, int end) {
+      FaceWork work;
+      for (int f = begin; f < end; ++f) {
+        if (first_triangles_[idx(f)] != none) add_face(f, work);
       }
-    }
-    for (int f = 0; f < faces(); ++f) {
-      if (is_drawn(f)) add_face(f);
-    }
-    surface_.triangle_objects.resize(surface_.triangles.size(), object_.object);
-    for (int c = 0; c < static_cast<int>(slots_.size()); ++c) {
-      if (slots_[idx(c)] != none) connect_edge(c);
-    }
+    });
+    number_vertices();
+    add_vertices();
+    find_places(needs_jet);
+    for_each(slots_.size(), [&](int begin, int end) {
+      for (int c = begin; c < end; ++c) {
+        if (slots_[idx(c)] != none) connect_edge(c);
+      }
+    });
   }
 
  private:
+  template <class Body>
+  void for_each(std::size_t count, const Body& body) const {
+    parallel_for(count, threads_, [&](std::size_t begin, std::size_t end) {
+      body(static_cast<int>(begin), static_cast<int>(end));
+    });
+  }
+
   int faces() const { return static_cast<int>(mesh_.face_count()); }
   int sector(int corner) const { return object_.corner_sectors[idx(corner)]; }
   const Vec3& position(int corner) const { return object_.limits.positions[idx(sector(corner))]; }
@@ -49,6 +67,34 @@ class Assembler {
     return !is_hole(face) && (kept.empty() || kept[idx(mesh_.base_faces[idx(face)])]);
   }
 
+  void find_drawn_corners() {
+    for (int f = 0; f < faces(); ++f) {
+      if (!is_drawn(f)) continue;
+      for (int c = mesh_.first(f); c < mesh_.first(f + 1); ++c) {
+        int& corner = sector_corners_[idx(sector(c))];
+        if (corner == none) corner = c;
+      }
+    }
+  }
+
+  void make_room_for_triangles() {
+    const std::size_t before = surface_.triangles.size();
+    std::size_t count = before;
+    first_triangles_.assign(mesh_.face_count(), none);
+    for (int f = 0; f < faces(); ++f) {
+      if (!is_drawn(f)) continue;
+      first_triangles_[idx(f)] = static_cast<int>(count);
+      count += idx(mesh_.face_size(f) - 2);
+    }
+    first_triangle_ = before;
+    surface_.triangles.resize(count);
+    surface_.flips.resize(count, 0);
+    surface_.triangle_objects.resize(count, object_.object);
+    surface_.neighbours.resize(count, {none, none, none});
+    surface_.edge_kinds.resize(count);
+    surface_.patches.resize(count);
+  }
+
   // The sector that stands for this corner's on both sheets.
   int representative(int corner) const {
     if (mesh_.twin_faces.empty()) return sector(corner);
@@ -57,111 +103,148 @@ class Assembler {
     return std::min(sector(corner), sector(twin));
   }
 
-  int vertex(int sector) {
-    int& vertex = vertices_[idx(sector)];
-    if (vertex == none) vertex = add_vertex(sector);
-    return vertex;
-  }
-
-  int add_vertex(int sector) {
-    const int corner = sector_corners_[idx(sector)];
-    const int added = static_cast<int>(surface_.positions.size());
-    const std::size_t s = idx(sector);
-    surface_.positions.push_back(object_.limits.positions[s]);
-    surface_.normals.push_back(object_.limits.normals[s]);
-    surface_.objects.push_back(object_.object);
-    surface_.places.push_back(place(mesh_.vertex(corner), added));
-    const BasePlace base = base_place(mesh_, corner);
-    const bool smooth = base.ptex_face != none;
-    surface_.base_faces.push_back(smooth ? base.ptex_face + object_.first_ptex_face : none);
-    surface_.base_uv.push_back(base.uv);
-    surface_.curvature.k1.push_back(object_.limits.curvature.k1[s]);
-    surface_.curvature.k2.push_back(object_.limits.curvature.k2[s]);
-    surface_.curvature.w1.push_back(object_.limits.curvature.w1[s]);
-    surface_.curvature.w2.push_back(object_.limits.curvature.w2[s]);
-    if (object_.limits.needs_jet[s]) needs_jet_.push_back(added);
-    return added;
-  }
-
-  // The first surface vertex at the same point.
-  int place(int mesh_vertex, int added) {
-    int key = place_of(mesh_, mesh_vertex);
-    const int twin = mesh_.twin_vertices.empty() ? none : mesh_.twin_vertices[idx(mesh_vertex)];
-    if (twin != none) key = std::min(key, place_of(mesh_, twin));
-    if (idx(key) >= first_at_place_.size()) first_at_place_.resize(idx(key) + 1, none);
-    int& first = first_at_place_[idx(key)];
-    if (first == none) first = added;
-    return first;
-  }
-
   // Corner numbers of the triangles of a face.
-  const std::vector<Triangle>& split(int face) {
+  const std::vector<Triangle>& split(int face, FaceWork& work) const {
     static const std::vector<Triangle> first{{0, 1, 2}, {0, 2, 3}}, second{{1, 2, 3}, {1, 3, 0}};
     const int c = mesh_.first(face), size = mesh_.face_size(face);
     if (size == 4 && !mesh_.domains.empty()) {
       const double a = (position(c + 2) - position(c)).squaredNorm();
       return a <= (position(c + 3) - position(c + 1)).squaredNorm() ? first : second;
     }
-    polygon_.clear();
-    for (int k = 0; k < size; ++k) polygon_.push_back(position(c + k));
-    split_ = triangulate({polygon_.data(), polygon_.size()});
-    return split_;
+    work.polygon.clear();
+    for (int k = 0; k < size; ++k) work.polygon.push_back(position(c + k));
+    work.split = triangulate({work.polygon.data(), work.polygon.size()});
+    return work.split;
   }
 
   // The triangle of these corners of a face on the limit surface.
   PatchTriangle patch_triangle(int face, const Triangle& local) const {
-    PatchTriangle result;
     const int size = mesh_.face_size(face);
     const bool is_patch = size == 4 || (size == 3 && mesh_.triangles_are_patches);
-    if (mesh_.domains.empty() || !is_patch) return result;
-    for (int k = 0; k < 3; ++k) {
-      const BasePlace place = base_place(mesh_, mesh_.first(face) + local[idx(k)]);
-      result.ptex_face = place.ptex_face + object_.first_ptex_face;
-      for (int i = 0; i < 2; ++i) {
-        result.corners[idx(k)][idx(i)] = static_cast<std::uint16_t>(32768 * place.uv[i]);
-      }
+    if (mesh_.domains.empty() || !is_patch) return {};
+    const FaceDomain& domain = mesh_.domains[idx(face)];
+    PatchTriangle result;
+    result.ptex_face = domain.ptex_face + object_.first_ptex_face;
+    for (std::size_t k = 0; k < 3; ++k) {
+      result.corners[k] = place_on_domain(domain, size, local[k]);
     }
     return result;
   }
 
-  void add_face(int face) {
-    const int first = mesh_.first(face), size = mesh_.face_size(face);
-    diagonals_.clear();
-    for (const Triangle& local : split(face)) {
-      const int number = static_cast<int>(surface_.triangles.size());
-      Triangle triangle{};
-      int flips = 0;
-      std::array<EdgeKind, 3> kinds{};
-      for (int k = 0; k < 3; ++k) {
-        const int a = local[idx(k)], b = local[idx(next_corner(k))], corner = first + a;
-        const int chosen = representative(corner);
-        triangle[idx(k)] = vertex(chosen);
-        if (chosen != sector(corner)) flips |= 1 << k;
-        if (b == (a + 1) % size) {
-          slots_[idx(corner)] = 3 * number + k;
-          kinds[idx(k)] = mesh_.kind(corner);
-        } else {
-          diagonals_.push_back({std::min(a, b), std::max(a, b), 3 * number + k});
-        }
-      }
-      surface_.triangles.push_back(triangle);
-      surface_.patches.push_back(patch_triangle(face, local));
-      surface_.flips.push_back(static_cast<std::uint8_t>(flips));
-      surface_.neighbours.push_back({none, none, none});
-      surface_.edge_kinds.push_back(kinds);
+  // Corners of triangles are sectors until the vertices are numbered.
+  void add_face(int face, FaceWork& work) {
+    int number = first_triangles_[idx(face)];
+    work.diagonals.clear();
+    for (const Triangle& local : split(face, work)) {
+      for (int k = 0; k < 3; ++k) add_corner(face, local, 3 * number + k, work);
+      surface_.patches[idx(number++)] = patch_triangle(face, local);
     }
-    connect_diagonals();
+    connect_diagonals(work.diagonals);
   }
 
-  void connect_diagonals() {
-    std::sort(diagonals_.begin(), diagonals_.end());
-    for (std::size_t i = 0; i + 1 < diagonals_.size(); i += 2) {
-      neighbour(diagonals_[i][2]) = diagonals_[i + 1][2] / 3;
-      neighbour(diagonals_[i + 1][2]) = diagonals_[i][2] / 3;
+  void add_corner(int face, const Triangle& local, int slot, FaceWork& work) {
+    const int triangle = slot / 3, k = slot % 3;
+    const int a = local[idx(k)], b = local[idx(next_corner(k))];
+    const int corner = mesh_.first(face) + a, chosen = representative(corner);
+    surface_.triangles[idx(triangle)][idx(k)] = chosen;
+    if (chosen != sector(corner)) {
+      surface_.flips[idx(triangle)] =
+          static_cast<std::uint8_t>(surface_.flips[idx(triangle)] | 1 << k);
+    }
+    if (b == a + 1 || (b == 0 && a + 1 == mesh_.face_size(face))) {
+      slots_[idx(corner)] = slot;
+      surface_.edge_kinds[idx(triangle)][idx(k)] = mesh_.kind(corner);
+    } else {
+      work.diagonals.push_back({std::min(a, b), std::max(a, b), slot});
+    }
+  }
+
+  void connect_diagonals(std::vector<std::array<int, 3>>& diagonals) {
+    std::sort(diagonals.begin(), diagonals.end());
+    for (std::size_t i = 0; i + 1 < diagonals.size(); i += 2) {
+      neighbour(diagonals[i][2]) = diagonals[i + 1][2] / 3;
+      neighbour(diagonals[i + 1][2]) = diagonals[i][2] / 3;
     }
   }
 
   int& neighbour(int slot) { return surface_.neighbours[idx(slot / 3)][idx(slot % 3)]; }
+
+  // In the order of the triangles.
+  void number_vertices() {
+    std::vector<int> vertices(sector_corners_.size(), none);
+    vertex_sectors_.reserve(vertices.size());
+    for (std::size_t t = first_triangle_; t < surface_.triangles.size(); ++t) {
+      for (int& corner : surface_.triangles[t]) {
+        int& vertex = vertices[idx(corner)];
+        if (vertex == none) {
+          vertex = static_cast<int>(first_vertex_ + vertex_sectors_.size());
+          vertex_sectors_.push_back(corner);
+        }
+        corner = vertex;
+      }
+    }
+  }
+
+  // Moves the values of the sectors that became vertices to the end of `values`.
+  template <class Values>
+  void move_to_vertices(Values& of_sectors, Values& values) const {
+    const Values from = std::move(of_sectors);
+    values.resize(first_vertex_ + vertex_sectors_.size());
+    for_each(vertex_sectors_.size(), [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) {
+        values[first_vertex_ + idx(i)] = from[idx(vertex_sectors_[idx(i)])];
+      }
+    });
+  }
+
+  void add_vertices() {
+    SectorLimits& limits = object_.limits;
+    move_to_vertices(limits.positions, surface_.positions);
+    move_to_vertices(limits.normals, surface_.normals);
+    move_to_vertices(limits.curvature.k1, surface_.curvature.k1);
+    move_to_vertices(limits.curvature.k2, surface_.curvature.k2);
+    move_to_vertices(limits.curvature.w1, surface_.curvature.w1);
+    move_to_vertices(limits.curvature.w2, surface_.curvature.w2);
+    const std::size_t count = surface_.positions.size();
+    surface_.objects.resize(count, object_.object);
+    surface_.base_faces.resize(count, none);
+    surface_.base_uv.resize(count);
+    for_each(vertex_sectors_.size(), [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) set_base_place(first_vertex_ + idx(i), corner_of(i));
+    });
+  }
+
+  // The first drawn corner of the i-th vertex that is added.
+  int corner_of(int i) const { return sector_corners_[idx(vertex_sectors_[idx(i)])]; }
+
+  void set_base_place(std::size_t vertex, int corner) {
+    const BasePlace base = base_place(mesh_, corner);
+    if (base.ptex_face != none) {
+      surface_.base_faces[vertex] = base.ptex_face + object_.first_ptex_face;
+    }
+    surface_.base_uv[vertex] = base.uv;
+  }
+
+  void find_places(std::vector<int>& needs_jet) {
+    std::vector<int> first_at_place(mesh_.points.size(), none);
+    surface_.places.reserve(surface_.positions.size());
+    for (int i = 0; i < static_cast<int>(vertex_sectors_.size()); ++i) {
+      const int added = static_cast<int>(first_vertex_) + i,
+                key = place_key(mesh_.vertex(corner_of(i)));
+      if (idx(key) >= first_at_place.size()) first_at_place.resize(idx(key) + 1, none);
+      int& first = first_at_place[idx(key)];
+      if (first == none) first = added;
+      surface_.places.push_back(first);
+      if (object_.limits.needs_jet[idx(vertex_sectors_[idx(i)])]) needs_jet.push_back(added);
+    }
+  }
+
+  // The same for all vertices at one point, of both sheets.
+  int place_key(int mesh_vertex) const {
+    const int place = place_of(mesh_, mesh_vertex);
+    const int twin = mesh_.twin_vertices.empty() ? none : mesh_.twin_vertices[idx(mesh_vertex)];
+    return twin == none ? place : std::min(place, place_of(mesh_, twin));
+  }
 
   void connect_edge(int corner) {
     const int mate = mesh_.mate(corner);
@@ -179,23 +262,21 @@ class Assembler {
     }
   }
 
-  const RefinedObject& object_;
+  RefinedObject& object_;
   const RefinedMesh& mesh_;
+  int threads_;
   Surface& surface_;
-  std::vector<int>& needs_jet_;
-  std::vector<int> sector_corners_;  // a drawn corner of each sector
-  std::vector<int> vertices_;        // of the surface, for each sector
-  std::vector<int> first_at_place_;
-  std::vector<int> slots_;  // 3 * triangle + edge of each corner's half-edge
-  Points polygon_;
-  std::vector<Triangle> split_;
-  std::vector<std::array<int, 3>> diagonals_;  // corners, slot
+  std::size_t first_vertex_, first_triangle_ = 0;  // of the surface
+  std::vector<int> sector_corners_;                // the first drawn corner of each sector
+  std::vector<int> first_triangles_;               // of each face, none where it is not drawn
+  std::vector<int> vertex_sectors_;                // of each vertex that is added
+  std::vector<int> slots_;                         // 3 * triangle + edge of each corner's half-edge
 };
 
 }  // namespace
 
-void assemble(const RefinedObject& object, Surface& surface, std::vector<int>& needs_jet) {
-  Assembler(object, surface, needs_jet).run();
+void assemble(RefinedObject object, int threads, Surface& surface, std::vector<int>& needs_jet) {
+  Assembler(object, threads, surface).run(needs_jet);
 }
 
 }  // namespace illustrate

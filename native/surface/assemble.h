@@ -9,14 +9,14 @@ struct RefinedObject {
   const SoundMesh& base;
   const RefinedMesh& mesh;
   const std::vector<int>& corner_sectors;  // of `mesh`, into `limits`
-  const SectorLimits& limits;
+  SectorLimits limits;
   int object = 0;
   int first_ptex_face = 0;
 };
 
 // Faces that are holes or belong to the sheet of a double cover that is not kept are left out. Of
 // two vertices that lie on each other on both sheets, the one of the lower sector stays. Adds the
-// vertices that need a jet to `needs_jet`.
-void assemble(const RefinedObject& object, Surface& surface, std::vector<int>& needs_jet);
+// vertices that need a jet to `needs_jet`. threads: 0 = all cores.
+void assemble(RefinedObject object, int threads, Surface& surface, std::vector<int>& needs_jet);
 
 }  // namespace illustrate

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel.h"
 #include "core/tolerances.h"
 #include "surface/polygons.h"
 
@@ -35,39 +36,60 @@ int edge_towards(const Surface& surface, int triangle, int neighbour, const Tria
   return none;
 }
 
+bool agree(const Vec3& a, const Vec3& b) { return (a - b).norm() <= tolerance::flat_rad; }
+
 // The normal of a triangle that may be part of a flat area, else zero. A strip of a smooth cylinder
 // is flat, the cylinder is not: its normals turn across the strip.
 Vec3 flat_normal(const Surface& surface, int t) {
   const Triangle& triangle = surface.triangles[idx(t)];
+  const bool smooth = surface.object_is_smooth[idx(surface.triangle_objects[idx(t)])];
+  const auto own = [&](int k) -> Vec3 {
+    return surface.corner_sign(t, k) * surface.normals[idx(triangle[idx(k)])];
+  };
+  const auto turns = [&](int k) {
+    return (own(k) - own(0)).squaredNorm() > 9 * tolerance::flat_rad * tolerance::flat_rad;
+  };
+  if (smooth && (turns(1) || turns(2))) return Vec3::Zero();  // no normal is near to all three
   const Vec3 normal = triangle_normal(surface, triangle);
-  if (!surface.object_is_smooth[idx(surface.triangle_objects[idx(t)])]) return normal;
-  for (int k = 0; k < 3; ++k) {
-    const Vec3 own = surface.corner_sign(t, k) * surface.normals[idx(triangle[idx(k)])];
-    if ((own - normal).norm() > tolerance::flat_rad) return Vec3::Zero();
+  for (int k = 0; smooth && k < 3; ++k) {
+    if (!agree(own(k), normal)) return Vec3::Zero();
   }
   return normal;
 }
 
 class FlatAreas {
  public:
-  explicit FlatAreas(Surface& surface) : surface_(surface), areas_(surface.triangles.size(), none) {
-    for (int t = 0; t < static_cast<int>(areas_.size()); ++t) {
-      normals_.push_back(flat_normal(surface, t));
-    }
+  FlatAreas(Surface& surface, int threads)
+      : surface_(surface), threads_(threads), areas_(surface.triangles.size()) {
     covered_ =
         std::any_of(surface.flips.begin(), surface.flips.end(), [](int f) { return f != 0; });
   }
 
   void run() {
+    find_candidates();
+    bool any = false;
     for (int t = 0; t < static_cast<int>(areas_.size()); ++t) {
-      if (areas_[idx(t)] == none && !normals_[idx(t)].isZero()) grow(t);
+      if (areas_[idx(t)] == candidate) any |= grow(t);
     }
-    for (int t = 0; t < static_cast<int>(areas_.size()); ++t) {
+    if (!any) return;
+    for_each_triangle([&](int t) {
       for (int k = 0; k < 3; ++k) mark_if_outline(t, k);
-    }
+    });
   }
 
  private:
+  template <class Body>
+  void for_each_triangle(const Body& body) const {
+    parallel_for(surface_.triangles.size(), threads_, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t) body(static_cast<int>(t));
+    });
+  }
+
+  void find_candidates() {
+    for_each_triangle(
+        [&](int t) { areas_[idx(t)] = flat_normal(surface_, t).isZero() ? none : candidate; });
+  }
+
   // Two triangles of opposite sheets of a double cover run along their edge in the same direction.
   bool same_sheet(int t, int k, int neighbour) const {
     if (!covered_) return true;
@@ -77,38 +99,38 @@ class FlatAreas {
            surface_.places[idx(surface_.triangles[idx(neighbour)][idx(j)])];
   }
 
-  // An area too small to count gives its triangles back.
-  void grow(int seed) {
+  // False for an area too small to count, which gives its triangles back.
+  bool grow(int seed) {
+    const Vec3 normal = flat_normal(surface_, seed);
     area_.assign(1, {seed, 1.0});
     areas_[idx(seed)] = seed;
     for (std::size_t i = 0; i < area_.size(); ++i) {
       const auto [t, sign] = area_[i];
       for (int k = 0; k < 3; ++k) {
         const int n = surface_.neighbours[idx(t)][idx(k)];
-        if (n == none || areas_[idx(n)] != none || is_divided(t, k)) continue;
+        if (n == none || areas_[idx(n)] != candidate || is_divided(t, k)) continue;
         const double turned = same_sheet(t, k, n) ? sign : -sign;
-        if (!agree(normals_[idx(seed)], turned * normals_[idx(n)])) continue;
+        if (!agree(normal, turned * flat_normal(surface_, n))) continue;
         areas_[idx(n)] = seed;
         area_.push_back({n, turned});
       }
     }
-    if (area_.size() >= smallest_area) return;
-    for (const Member& member : area_) areas_[idx(member.triangle)] = none;
+    if (area_.size() >= smallest_area) return true;
+    for (const Member& member : area_) areas_[idx(member.triangle)] = candidate;
+    return false;
   }
+
+  int area(int t) const { return std::max(areas_[idx(t)], none); }
 
   bool is_divided(int t, int k) const {
     const EdgeKind kind = surface_.edge_kinds[idx(t)][idx(k)];
     return kind == EdgeKind::crease || kind == EdgeKind::boundary || kind == EdgeKind::seam;
   }
 
-  static bool agree(const Vec3& a, const Vec3& b) {
-    return !b.isZero() && (a - b).norm() <= tolerance::flat_rad;
-  }
-
   void mark_if_outline(int t, int k) {
     const int n = surface_.neighbours[idx(t)][idx(k)];
     EdgeKind& kind = surface_.edge_kinds[idx(t)][idx(k)];
-    if (n == none || kind != EdgeKind::smooth || areas_[idx(t)] == areas_[idx(n)]) return;
+    if (n == none || kind != EdgeKind::smooth || area(t) == area(n)) return;
     kind = EdgeKind::flat_outline;
   }
 
@@ -117,17 +139,18 @@ class FlatAreas {
     double sign;
   };
   static constexpr std::size_t smallest_area = 3;
+  static constexpr int candidate = -2;  // flat, in no area yet
 
   Surface& surface_;
-  Points normals_;
-  std::vector<int> areas_;  // first triangle of the area, `none` outside
+  int threads_;
+  std::vector<int> areas_;  // first triangle of the area; negative outside
   std::vector<Member> area_;
   bool covered_ = false;  // some sheets of a double cover meet
 };
 
 }  // namespace
 
-void mark_flat_outlines(Surface& surface) { FlatAreas(surface).run(); }
+void mark_flat_outlines(Surface& surface, int threads) { FlatAreas(surface, threads).run(); }
 
 void collect_feature_edges(Surface& surface) {
   for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {

@@ -7,8 +7,8 @@ namespace illustrate {
 
 // Turns smooth edges round flat areas into EdgeKind::flat_outline. A flat area is grown from its
 // first triangle: connected triangles, three at least, whose normals agree with that one's within
-// tolerance::flat_rad.
-void mark_flat_outlines(Surface& surface);
+// tolerance::flat_rad. threads: 0 = all cores.
+void mark_flat_outlines(Surface& surface, int threads);
 
 // Fills feature_edges and feature_kinds from edge_kinds.
 void collect_feature_edges(Surface& surface);

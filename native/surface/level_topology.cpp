@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/parallel.h"
 #include "surface/base_edges.h"
+#include "surface/child_corners.h"
+#include "surface/sharpness.h"
 
 namespace illustrate {
 namespace {
@@ -60,13 +63,14 @@ void place_seam_middles(const RefinedMesh& parent, const TopologyLevel& level,
     if (place != v) at(shared, place) = at(shared, v) = 1;
   }
   std::vector<PlacedEdge> edges;
-  for (int e = 0; e < level.GetNumEdges(); ++e) {
-    const auto ends = level.GetEdgeVertices(e);
-    if (!at(shared, ends[0]) || !at(shared, ends[1])) continue;
-    const int a = at(parent.places, ends[0]), b = at(parent.places, ends[1]);
+  for (int c = 0; c < static_cast<int>(parent.corner_count()); ++c) {
+    const int from = parent.vertex(c), to = parent.vertex(parent.next(c)), f = parent.face(c);
+    if (!at(shared, from) || !at(shared, to)) continue;
+    const int a = at(parent.places, from), b = at(parent.places, to);
+    const int edge = level.GetFaceEdges(f)[c - parent.first(f)];
     edges.push_back({{std::min(a, b), std::max(a, b)},
-                     level.GetEdgeChildVertex(e),
-                     at(parent.edge_kinds, e) == EdgeKind::seam});
+                     level.GetEdgeChildVertex(edge),
+                     parent.kind(c) == EdgeKind::seam});
   }
   std::sort(edges.begin(), edges.end());
   for (auto from = edges.begin(), to = from; from != edges.end(); from = to) {
@@ -87,38 +91,29 @@ std::vector<int> child_places(const RefinedMesh& parent, const TopologyLevel& le
   return places;
 }
 
-std::vector<EdgeKind> child_edge_kinds(const RefinedMesh& parent, const TopologyLevel& level,
-                                       int edges) {
-  std::vector<EdgeKind> kinds(static_cast<std::size_t>(edges), EdgeKind::smooth);
-  for (int e = 0; e < level.GetNumEdges(); ++e) {
-    if (at(parent.edge_kinds, e) == EdgeKind::smooth) continue;
-    for (const int child : level.GetEdgeChildEdges(e)) at(kinds, child) = at(parent.edge_kinds, e);
-  }
-  return kinds;
-}
-
 // Child k < 3 of a triangle, and of a quad any child, is the part at corner k.
 FaceDomain child_domain(const FaceDomain& parent, int size, int child) {
-  static const std::array<Vec2, 4> quad{Vec2(0, 0), Vec2(.5, 0), Vec2(.5, .5), Vec2(0, .5)};
-  static const std::array<Vec2, 4> triangle{Vec2(0, 0), Vec2(.5, 0), Vec2(0, .5), Vec2(.5, .5)};
-  const auto k = static_cast<std::size_t>(child);
-  const Vec2& offset = size == 3 ? triangle[k] : quad[k];
-  const double scale = size == 3 && child == 3 ? -.5 : .5;
-  return {parent.ptex_face, parent.origin + parent.size * offset, parent.size * scale};
+  const FaceDomain half{parent.ptex_face, parent.origin, parent.size / 2};
+  if (size == 3 && child == 3) return {half.ptex_face, place_on_domain(half, 4, 2), -half.size};
+  return {half.ptex_face, place_on_domain(half, size, child), half.size};
 }
 
-void inherit_faces(const RefinedMesh& parent, const TopologyLevel& level, RefinedMesh& child) {
-  for (int f = 0; f < level.GetNumFaces(); ++f) {
-    const int size = level.GetFaceVertices(f).size();
-    const auto children = level.GetFaceChildFaces(f);
-    const bool whole = size == 4 || parent.triangles_are_patches;
-    const FaceDomain& domain = at(parent.domains, f);
-    for (int k = 0; k < children.size(); ++k) {
-      at(child.base_faces, children[k]) = at(parent.base_faces, f);
-      at(child.domains, children[k]) =
-          whole ? child_domain(domain, size, k) : FaceDomain{domain.ptex_face + k, Vec2::Zero(), 1};
+void inherit_faces(const RefinedMesh& parent, int threads, RefinedMesh& child) {
+  child.base_faces.resize(child.face_count());
+  child.domains.resize(child.base_faces.size());
+  parallel_for(parent.face_count(), threads, [&](std::size_t begin, std::size_t end) {
+    for (int f = static_cast<int>(begin); f < static_cast<int>(end); ++f) {
+      const int size = parent.face_size(f);
+      const bool whole = size == 4 || parent.triangles_are_patches;
+      const int first = parent.triangles_are_patches ? 4 * f : parent.first(f);
+      const FaceDomain& domain = at(parent.domains, f);
+      for (int k = 0; k < (whole ? 4 : size); ++k) {
+        at(child.base_faces, first + k) = at(parent.base_faces, f);
+        at(child.domains, first + k) =
+            whole ? child_domain(domain, size, k) : FaceDomain{domain.ptex_face + k};
+      }
     }
-  }
+  });
 }
 
 void inherit_twin_vertices(const RefinedMesh& parent, const TopologyLevel& level,
@@ -155,6 +150,16 @@ void inherit_twin_faces(const RefinedMesh& parent, const TopologyLevel& level, R
   }
 }
 
+void read_corner_vertices(const TopologyLevel& level, int threads, RefinedMesh& mesh) {
+  mesh.corner_vertices.resize(mesh.mates.size());
+  parallel_for(mesh.face_count(), threads, [&](std::size_t begin, std::size_t end) {
+    for (int f = static_cast<int>(begin); f < static_cast<int>(end); ++f) {
+      const auto vertices = level.GetFaceVertices(f);
+      std::copy(vertices.begin(), vertices.end(), mesh.corner_vertices.begin() + mesh.first(f));
+    }
+  });
+}
+
 }  // namespace
 
 std::vector<int> ptex_faces(const SoundMesh& mesh, Scheme scheme) {
@@ -164,66 +169,33 @@ std::vector<int> ptex_faces(const SoundMesh& mesh, Scheme scheme) {
   return face_offsets(counts);
 }
 
-RefinedMesh base_level(const SoundMesh& mesh, const Far::TopologyRefiner& refiner, Scheme scheme) {
-  RefinedMesh result;
+RefinedMesh base_level(const SoundMesh& mesh, Scheme scheme, int threads) {
+  RefinedMesh result = polygonal_mesh(mesh, threads);
   result.triangles_are_patches = scheme == Scheme::loop;
-  const TopologyLevel& level = refiner.GetLevel(0);
-  const BaseEdgeKinds kinds(mesh);
-  for (int e = 0; e < level.GetNumEdges(); ++e) {
-    const auto ends = level.GetEdgeVertices(e), faces = level.GetEdgeFaces(e);
-    const int face_a = !faces.empty() ? faces[0] : none,
-              face_b = faces.size() > 1 ? faces[1] : none;
-    result.edge_kinds.push_back(kinds.kind(ends[0], ends[1], face_a, face_b));
-  }
   const std::vector<int> ptex = ptex_faces(mesh, scheme);
-  for (int f = 0; f < level.GetNumFaces(); ++f) {
-    result.base_faces.push_back(f);
-    result.domains.push_back({at(ptex, f), Vec2::Zero(), 1});
-  }
+  result.domains.resize(result.face_count());
+  for (std::size_t f = 0; f < result.domains.size(); ++f) result.domains[f].ptex_face = ptex[f];
   result.places = seam_places(mesh);
-  if (has_double_cover(mesh)) {
-    result.twin_faces = mesh.twin_faces;
-    result.twin_vertices = mesh.twin_vertices;
-  }
+  find_sharp_vertices(mesh, result);
   return result;
 }
 
-RefinedMesh next_level(const RefinedMesh& parent, const Far::TopologyRefiner& refiner,
-                       int level_number) {
-  const TopologyLevel& level = refiner.GetLevel(level_number - 1);
-  const TopologyLevel& next = refiner.GetLevel(level_number);
+RefinedMesh next_level(const RefinedMesh& parent, const TopologyLevel& level,
+                       const TopologyLevel& next, int threads) {
   RefinedMesh child;
   child.triangles_are_patches = parent.triangles_are_patches;
-  child.edge_kinds = child_edge_kinds(parent, level, next.GetNumEdges());
-  child.base_faces.resize(static_cast<std::size_t>(next.GetNumFaces()));
-  child.domains.resize(child.base_faces.size());
-  inherit_faces(parent, level, child);
+  divide_corners(parent, threads, child);
+  read_corner_vertices(next, threads, child);
+  inherit_faces(parent, threads, child);
   child.places = child_places(parent, level, next.GetNumVertices());
   if (!parent.twin_faces.empty()) {
-    child.twin_faces.assign(child.base_faces.size(), none);
-    child.twin_vertices.assign(static_cast<std::size_t>(next.GetNumVertices()), none);
+    child.twin_faces.assign(child.face_count(), none);
+    child.twin_vertices.assign(idx(next.GetNumVertices()), none);
     inherit_twin_vertices(parent, level, child);
     inherit_twin_faces(parent, level, child);
   }
+  inherit_sharp_vertices(parent, level, next, threads, child);
   return child;
-}
-
-void read_corners(RefinedMesh& mesh, const TopologyLevel& level) {
-  for (int f = 0; f < level.GetNumFaces(); ++f) {
-    const auto vertices = level.GetFaceVertices(f), edges = level.GetFaceEdges(f);
-    mesh.corner_vertices.insert(mesh.corner_vertices.end(), vertices.begin(), vertices.end());
-    mesh.corner_edges.insert(mesh.corner_edges.end(), edges.begin(), edges.end());
-    mesh.face_offsets.push_back(static_cast<int>(mesh.corner_vertices.size()));
-  }
-  connect(mesh);
-  for (int v = 0; v < level.GetNumVertices(); ++v) {
-    mesh.sharp_vertices.push_back(level.IsVertexInfSharp(v));
-    mesh.semi_sharp.push_back(level.IsVertexSemiSharp(v));
-  }
-  for (int e = 0; e < level.GetNumEdges(); ++e) {
-    if (!level.IsEdgeSemiSharp(e)) continue;
-    for (const int v : level.GetEdgeVertices(e)) at(mesh.semi_sharp, v) = 1;
-  }
 }
 
 }  // namespace illustrate

@@ -12,13 +12,11 @@ namespace illustrate {
 // number of corners than its scheme likes; then it has one a corner.
 std::vector<int> ptex_faces(const SoundMesh& mesh, Scheme scheme);
 
-// Kinds of edges, origins, domains, places and twins; no corners and no points yet.
-RefinedMesh base_level(const SoundMesh& mesh, const OpenSubdiv::Far::TopologyRefiner& refiner,
-                       Scheme scheme);
-RefinedMesh next_level(const RefinedMesh& parent, const OpenSubdiv::Far::TopologyRefiner& refiner,
-                       int level);
+// Level 0, with its points. threads: 0 = all cores.
+RefinedMesh base_level(const SoundMesh& mesh, Scheme scheme, int threads);
 
-// Corners, mates and sharpness of vertices.
-void read_corners(RefinedMesh& mesh, const OpenSubdiv::Far::TopologyLevel& level);
+// The level `next` after `level`, which `parent` is; without points.
+RefinedMesh next_level(const RefinedMesh& parent, const OpenSubdiv::Far::TopologyLevel& level,
+                       const OpenSubdiv::Far::TopologyLevel& next, int threads);
 
 }  // namespace illustrate

@@ -31,26 +31,38 @@ void set_curvature(std::size_t i, const LimitPoint& p, const Vec3& normal, Curva
 void resize(SectorLimits& result, std::size_t count) {
   result.positions.resize(count);
   result.normals.resize(count);
-  result.curvature.k1.assign(count, 0);
-  result.curvature.k2.assign(count, 0);
-  result.curvature.w1.assign(count, Vec3::Zero());
-  result.curvature.w2.assign(count, Vec3::Zero());
-  result.needs_jet.assign(count, 0);
+  result.curvature.k1.resize(count);
+  result.curvature.k2.resize(count);
+  result.curvature.w1.resize(count);
+  result.curvature.w2.resize(count);
+  result.needs_jet.resize(count);
+}
+
+void set_undefined(std::size_t i, SectorLimits& result) {
+  result.normals[i].setZero();
+  result.curvature.w1[i].setZero();
+  result.curvature.w2[i].setZero();
 }
 
 void limit_of_sector(const RefinedMesh& mesh, const Sectors& sectors, std::size_t s, Ring& ring,
                      SectorLimits& result) {
   if (!read_ring(mesh, sectors, static_cast<int>(s), ring)) {
     result.positions[s] = ring.centre;
+    set_undefined(s, result);
     return;
   }
   LimitPoint p;
   const bool fitted = fit_derivatives(ring, p);
   const bool smooth = ring.rule == VertexRule::smooth;
   result.positions[s] = smooth ? p.position : limit_position(ring);
-  result.normals[s] = fitted ? normal_of(p) : unit_or_zero(limit_normal(ring));
-  result.needs_jet[s] = !fitted;
-  if (fitted) set_curvature(s, p, result.normals[s], result.curvature);
+  if (fitted) {
+    result.normals[s] = normal_of(p);
+    set_curvature(s, p, result.normals[s], result.curvature);
+  } else {
+    set_undefined(s, result);
+    result.normals[s] = unit_or_zero(limit_normal(ring));
+    result.needs_jet[s] = 1;
+  }
 }
 
 // Where sharpness has not faded yet, and at the end of a sharp edge, the limit is several levels
@@ -58,7 +70,8 @@ void limit_of_sector(const RefinedMesh& mesh, const Sectors& sectors, std::size_
 void evaluate_patches(const Subdivision& subdivision, const RefinedMesh& mesh,
                       const Sectors& sectors, int threads, SectorLimits& result) {
   const auto beyond_masks = [&](int vertex) {
-    return mesh.semi_sharp[idx(vertex)] || sectors.sharp_edges[idx(vertex)] == 1;
+    const bool semi_sharp = !mesh.semi_sharp.empty() && mesh.semi_sharp[idx(vertex)];
+    return semi_sharp || sectors.sharp_edges[idx(vertex)] == 1;
   };
   int vertex = 0;
   const int vertices = static_cast<int>(mesh.points.size());
@@ -80,48 +93,55 @@ void evaluate_patches(const Subdivision& subdivision, const RefinedMesh& mesh,
   });
 }
 
+// For each vertex inside the surface that is extraordinary its sector, else `none`.
+std::vector<int> extraordinary_sectors(const RefinedMesh& mesh, const Sectors& sectors) {
+  const int regular = mesh.triangles_are_patches ? 6 : 4;
+  std::vector<int> found(mesh.points.size(), none);
+  for (std::size_t s = 0; s < sectors.count(); ++s) {
+    if (!sectors.closed[s] || sectors.sizes[s] == regular) continue;
+    found[idx(mesh.vertex(sectors.first_corners[s]))] = static_cast<int>(s);
+  }
+  return found;
+}
+
 // Around extraordinary vertices the ratio of curvatures that a ring shows drifts from level to
 // level (it converges to 0, 1 or infinity); appendix A wants that of the control mesh: the first
 // level on which the vertex exists and all faces around are patches.
-void inherit_extraordinary(const Subdivision& subdivision, const std::vector<int>& sector_of_vertex,
+void inherit_extraordinary(const Subdivision& subdivision, const std::vector<int>& extraordinary,
                            int birth, int level, SectorLimits& result) {
-  const RefinedMesh mesh = subdivision.level(birth);
-  const Sectors sectors = smooth_sectors(mesh);
+  const RefinedMesh& mesh = subdivision.level(birth);
+  const auto heir = [&](int vertex) {
+    return extraordinary[idx(subdivision.descendant(vertex, birth, level))];
+  };
+  std::vector<std::uint8_t> wanted(mesh.points.size());
+  for (std::size_t v = 0; v < wanted.size(); ++v) {
+    const bool semi_sharp = !mesh.semi_sharp.empty() && mesh.semi_sharp[v];
+    wanted[v] = !semi_sharp && heir(static_cast<int>(v)) != none;
+  }
+  const Sectors sectors = smooth_sectors(mesh, wanted);
   Ring ring;
   LimitPoint p;
   for (std::size_t s = 0; s < sectors.count(); ++s) {
-    const int vertex = mesh.vertex(sectors.first_corners[s]);
-    const int descendant = subdivision.descendant(vertex, birth, level);
-    const int sector = sector_of_vertex[static_cast<std::size_t>(descendant)];
-    if (sector == none || mesh.semi_sharp[static_cast<std::size_t>(vertex)]) continue;
-    if (!read_ring(mesh, sectors, static_cast<int>(s), ring) || is_regular(ring)) continue;
+    if (!read_ring(mesh, sectors, static_cast<int>(s), ring)) continue;
     if (ring.rule != VertexRule::smooth) continue;
     fit_derivatives(ring, p);
-    const auto target = static_cast<std::size_t>(sector);
+    const std::size_t target = idx(heir(mesh.vertex(sectors.first_corners[s])));
     set_curvature(target, p, result.normals[target], result.curvature);
   }
 }
 
-// The only sector of each vertex, `none` where there are several.
-std::vector<int> only_sectors(const RefinedMesh& mesh, const Sectors& sectors) {
-  std::vector<int> only(mesh.points.size(), none);
-  for (std::size_t s = 0; s < sectors.count(); ++s) {
-    if (!sectors.closed[s]) continue;
-    only[static_cast<std::size_t>(mesh.vertex(sectors.first_corners[s]))] = static_cast<int>(s);
-  }
-  return only;
-}
-
 // Normals that were mended move the tangent plane away from the directions found before.
-void turn_directions(SectorLimits& result) {
-  for (std::size_t s = 0; s < result.normals.size(); ++s) {
-    const Vec3& n = result.normals[s];
-    Vec3& w = result.curvature.w1[s];
-    if (std::abs(w.dot(n)) < 1e-9 && w.squaredNorm() > .5) continue;
-    const Vec3 turned = unit_or_zero(w - w.dot(n) * n);
-    w = turned.isZero() ? any_tangent(n) : turned;
-    result.curvature.w2[s] = n.cross(w);
-  }
+void turn_directions(int threads, SectorLimits& result) {
+  parallel_for(result.normals.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t s = begin; s < end; ++s) {
+      const Vec3& n = result.normals[s];
+      Vec3& w = result.curvature.w1[s];
+      if (std::abs(w.dot(n)) < 1e-9 && w.squaredNorm() > .5) continue;
+      const Vec3 turned = unit_or_zero(w - w.dot(n) * n);
+      w = turned.isZero() ? any_tangent(n) : turned;
+      result.curvature.w2[s] = n.cross(w);
+    }
+  });
 }
 
 }  // namespace
@@ -135,16 +155,16 @@ SectorLimits limits(const Subdivision& subdivision, const RefinedMesh& mesh, con
     for (std::size_t s = begin; s < end; ++s) limit_of_sector(mesh, sectors, s, ring, result);
   });
   progress.report(.5);
-  const std::vector<int> only = only_sectors(mesh, sectors);
+  const std::vector<int> extraordinary = extraordinary_sectors(mesh, sectors);
   // Faces that are no patches become patches on level 1; what was fitted on level 0 overrides.
   for (int birth = std::min(level, 2) - 1; birth >= 0; --birth) {
-    inherit_extraordinary(subdivision, only, birth, level, result);
+    inherit_extraordinary(subdivision, extraordinary, birth, level, result);
   }
   progress.report(.8);
   evaluate_patches(subdivision, mesh, sectors, threads, result);
   share_positions(mesh, sectors, result.positions);
-  mend_normals(mesh, sectors, result);
-  turn_directions(result);
+  mend_normals(mesh, sectors, threads, result);
+  turn_directions(threads, result);
   return result;
 }
 
@@ -152,11 +172,12 @@ SectorLimits polygonal_limits(const RefinedMesh& mesh, const Sectors& sectors, i
   SectorLimits result;
   resize(result, sectors.count());
   for (std::size_t s = 0; s < sectors.count(); ++s) {
+    set_undefined(s, result);
     result.positions[s] = mesh.point(sectors.first_corners[s]);
     result.needs_jet[s] = 1;
   }
   polygon_normals(mesh, sectors, threads, result.normals);
-  mend_normals(mesh, sectors, result);
+  mend_normals(mesh, sectors, threads, result);
   return result;
 }
 

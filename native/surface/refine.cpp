@@ -5,6 +5,7 @@
 
 #include "core/errors.h"
 #include "surface/assemble.h"
+#include "surface/child_corners.h"
 #include "surface/curvature.h"
 #include "surface/edges.h"
 #include "surface/jet.h"
@@ -15,11 +16,10 @@ namespace illustrate {
 namespace {
 
 // Sectors of the faces of level 0 that are no patches: those of the same corners on level 1.
-std::vector<int> sectors_of_parents(const Subdivision& subdivision, const RefinedMesh& parent,
-                                    const Sectors& sectors) {
-  std::vector<int> result;
-  for (int c = 0; c < static_cast<int>(parent.corner_vertices.size()); ++c) {
-    result.push_back(sectors.corner_sectors[idx(subdivision.child_corner(parent, c))]);
+std::vector<int> sectors_of_parents(const RefinedMesh& parent, const Sectors& sectors) {
+  std::vector<int> result(parent.corner_count());
+  for (std::size_t c = 0; c < result.size(); ++c) {
+    result[c] = sectors.corner_sectors[idx(child_corner(parent, static_cast<int>(c)))];
   }
   return result;
 }
@@ -45,13 +45,14 @@ class Refiner {
 
  private:
   void add_polygons(const SoundMesh& base, const Progress& progress) {
-    const RefinedMesh mesh = polygonal_mesh(base);
+    const RefinedMesh mesh = polygonal_mesh(base, options_.threads);
     progress.report(.3);
     const Sectors sectors = smooth_sectors(mesh);
-    const SectorLimits limits = polygonal_limits(mesh, sectors, options_.threads);
+    SectorLimits limits = polygonal_limits(mesh, sectors, options_.threads);
     progress.report(.6);
     surface_.object_is_smooth.push_back(0);
-    assemble({base, mesh, sectors.corner_sectors, limits, next_object_++, 0}, surface_, needs_jet_);
+    assemble({base, mesh, sectors.corner_sectors, std::move(limits), next_object_++, 0},
+             options_.threads, surface_, needs_jet_);
   }
 
   bool add_subdivided(ControlMesh& control, const Progress& progress) {
@@ -62,26 +63,25 @@ class Refiner {
         scheme == Scheme::loop || std::all_of(base.face_sizes.begin(), base.face_sizes.end(),
                                               [](int size) { return size == 4; });
     const int limit_level = level == 0 && !all_patches ? 1 : level;
-    const Subdivision subdivision(base, scheme, limit_level, progress.part(0, .4));
+    const Subdivision subdivision(base, scheme, limit_level, options_.threads,
+                                  progress.part(0, .55));
     if (!subdivision.is_valid()) return false;
-    progress.report(.4);
-    const RefinedMesh mesh = subdivision.level(limit_level);
+    const RefinedMesh& mesh = subdivision.level(limit_level);
     progress.report(.55);
-    const Sectors sectors = smooth_sectors(mesh);
+    Sectors sectors = smooth_sectors(mesh);
     progress.report(.6);
-    const SectorLimits vertices =
+    SectorLimits vertices =
         limits(subdivision, mesh, sectors, limit_level, options_.threads, progress.part(.6, .8));
     progress.report(.8);
     surface_.object_is_smooth.push_back(1);
     const int object = next_object_++, ptex = control.first_ptex_face;
     control.ptex_faces = subdivision.ptex_faces();
-    if (limit_level == level) {
-      assemble({base, mesh, sectors.corner_sectors, vertices, object, ptex}, surface_, needs_jet_);
-      return true;
-    }
-    const RefinedMesh coarse = subdivision.level(level);
-    const std::vector<int> corners = sectors_of_parents(subdivision, coarse, sectors);
-    assemble({base, coarse, corners, vertices, object, ptex}, surface_, needs_jet_);
+    const RefinedMesh& drawn = subdivision.level(level);
+    const std::vector<int> corner_sectors = limit_level == level
+                                                ? std::move(sectors.corner_sectors)
+                                                : sectors_of_parents(drawn, sectors);
+    assemble({base, drawn, corner_sectors, std::move(vertices), object, ptex}, options_.threads,
+             surface_, needs_jet_);
     return true;
   }
 
@@ -132,7 +132,7 @@ Surface refine(std::vector<SoundMesh> meshes, const SurfaceOptions& options, Cou
         schemes[i] != Scheme::polygons && !surface.object_is_smooth.back() ? 1 : 0;
   }
   progress.report(.9);
-  mark_flat_outlines(surface);
+  mark_flat_outlines(surface, options.threads);
   collect_feature_edges(surface);
   surface.diagonal = diagonal(surface.positions);
   fit_jets(surface, needs_jet, {JetOptions().rings, options.threads}, progress.part(.95, 1),

@@ -50,7 +50,8 @@ struct QuadMap {
 
 LimitPoint fit_quads(const Ring& ring) {
   const auto k = static_cast<double>(ring.edges.size());
-  const QuadMap map(k);
+  static const QuadMap regular(4);
+  const QuadMap map = k == 4 ? regular : QuadMap(k);
   const double r = map.face_radius, r2 = r * r;
   const Waves e(ring.edges, 1, 0, map.step_cos, map.step_sin);
   const Waves f(ring.faces, map.half_cos, map.half_sin, map.step_cos, map.step_sin);
@@ -74,17 +75,24 @@ LimitPoint fit_quads(const Ring& ring) {
   return p;
 }
 
-// Weight of the centre in the limit position, against 1 for every neighbour.
-double loop_centre_weight(double k) {
-  const double c = 3. / 8 + std::cos(2 * pi / k) / 4;
-  return 3 * k / (8 * (5. / 8 - c * c));
-}
+// The ring on the unit circle, and the weight of the centre in the limit position, against 1 for
+// every neighbour.
+struct TriangleMap {
+  double step_cos, step_sin, centre_weight;
+
+  explicit TriangleMap(double k) : step_cos(std::cos(2 * pi / k)), step_sin(std::sin(2 * pi / k)) {
+    const double c = 3. / 8 + step_cos / 4;
+    centre_weight = 3 * k / (8 * (5. / 8 - c * c));
+  }
+};
 
 LimitPoint fit_triangles(const Ring& ring) {
   const auto k = static_cast<double>(ring.edges.size());
-  const Waves e(ring.edges, 1, 0, std::cos(2 * pi / k), std::sin(2 * pi / k));
+  static const TriangleMap regular(6);
+  const TriangleMap map = k == 6 ? regular : TriangleMap(k);
+  const Waves e(ring.edges, 1, 0, map.step_cos, map.step_sin);
   LimitPoint p;
-  const double w = loop_centre_weight(k);
+  const double w = map.centre_weight;
   p.position = (w * ring.centre + e.sum) / (w + k);
   p.du = 2 / k * e.cos1;
   p.dv = 2 / k * e.sin1;
@@ -93,6 +101,10 @@ LimitPoint fit_triangles(const Ring& ring) {
   p.dvv = 2 * (a20 - a22);
   p.duv = 2 * a21;
   return p;
+}
+
+LimitPoint fit(const Ring& ring) {
+  return ring.faces.empty() ? fit_triangles(ring) : fit_quads(ring);
 }
 
 // Regular open rings are halves or quarters of a spline's ring: the rest is the reflection that
@@ -208,13 +220,13 @@ Vec3 limit_position(const Ring& ring) {
   if (ring.rule == VertexRule::crease) {
     return (4 * ring.centre + (ring.edges.front() + ring.edges.back())) / 6;
   }
-  return (ring.faces.empty() ? fit_triangles(ring) : fit_quads(ring)).position;
+  return fit(ring).position;
 }
 
 Vec3 limit_normal(const Ring& ring) {
   if (ring.rule == VertexRule::corner) return corner_normal(ring);
   if (ring.rule == VertexRule::crease) return crease_normal(ring);
-  const LimitPoint p = ring.faces.empty() ? fit_triangles(ring) : fit_quads(ring);
+  const LimitPoint p = fit(ring);
   return p.du.cross(p.dv);
 }
 
@@ -228,8 +240,7 @@ bool is_regular(const Ring& ring) {
 
 bool fit_derivatives(const Ring& ring, LimitPoint& point) {
   if (ring.rule != VertexRule::smooth && !is_regular(ring)) return false;
-  const Ring& whole = ring.rule == VertexRule::smooth ? ring : completed(ring);
-  point = whole.faces.empty() ? fit_triangles(whole) : fit_quads(whole);
+  point = ring.rule == VertexRule::smooth ? fit(ring) : fit(completed(ring));
   return true;
 }
 

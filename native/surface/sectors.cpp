@@ -19,13 +19,17 @@ class SectorWalker {
   SectorWalker(const RefinedMesh& mesh, Sectors& sectors) : mesh_(mesh), sectors_(sectors) {}
 
   void add(int corner) {
+    const int sharp = sectors_.sharp_edges[idx(mesh_.vertex(corner))];
+    passes_all_ = sharp == 0;
+    passes_creases_ = sharp <= 1;
     const int first = first_clockwise(corner);
     const int sector = static_cast<int>(sectors_.count());
     int size = 0, c = first;
     do {
-      sectors_.corner_sectors[static_cast<std::size_t>(c)] = sector;
+      sectors_.corner_sectors[idx(c)] = sector;
       ++size;
-      c = ends_at(mesh_.previous(c)) ? none : next_round_vertex(mesh_, c);
+      const int border = mesh_.previous(c);
+      c = ends_at(border) ? none : mesh_.mate(border);
     } while (c != none && c != first);
     sectors_.first_corners.push_back(first);
     sectors_.sizes.push_back(size);
@@ -35,14 +39,14 @@ class SectorWalker {
  private:
   // Whether a sector of the vertex at hand ends at this half-edge.
   bool ends_at(int half_edge) const {
+    if (passes_all_) return false;
     if (mesh_.mate(half_edge) == none) return true;
-    return !dart_ && mesh_.kind(half_edge) == EdgeKind::crease;
+    return !passes_creases_ && mesh_.kind(half_edge) == EdgeKind::crease;
   }
 
-  int first_clockwise(int corner) {
-    dart_ = sectors_.sharp_edges[static_cast<std::size_t>(mesh_.vertex(corner))] == 1;
+  int first_clockwise(int corner) const {
     int c = corner;
-    while (!ends_at(c)) {
+    while (!passes_all_ && !ends_at(c)) {
       c = mesh_.next(mesh_.mate(c));
       if (c == corner) break;
     }
@@ -51,18 +55,23 @@ class SectorWalker {
 
   const RefinedMesh& mesh_;
   Sectors& sectors_;
-  bool dart_ = false;
+  bool passes_all_ = false, passes_creases_ = false;  // at the vertex at hand
 };
 
 }  // namespace
 
-Sectors smooth_sectors(const RefinedMesh& mesh) {
+Sectors smooth_sectors(const RefinedMesh& mesh, const std::vector<std::uint8_t>& wanted) {
   Sectors sectors;
-  sectors.corner_sectors.assign(mesh.corner_vertices.size(), none);
+  sectors.corner_sectors.assign(mesh.corner_count(), none);
   sectors.sharp_edges = count_sharp_edges(mesh);
+  const auto most = wanted.empty() ? mesh.points.size() : idx(0);
+  sectors.first_corners.reserve(most);
+  sectors.sizes.reserve(most);
+  sectors.closed.reserve(most);
   SectorWalker walker(mesh, sectors);
-  for (int c = 0; c < static_cast<int>(mesh.corner_vertices.size()); ++c) {
-    if (sectors.corner_sectors[static_cast<std::size_t>(c)] == none) walker.add(c);
+  for (int c = 0; c < static_cast<int>(mesh.corner_count()); ++c) {
+    if (sectors.corner_sectors[idx(c)] != none) continue;
+    if (wanted.empty() || wanted[idx(mesh.vertex(c))]) walker.add(c);
   }
   return sectors;
 }

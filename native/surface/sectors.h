@@ -10,7 +10,7 @@
 namespace illustrate {
 
 struct Sectors {
-  std::vector<int> corner_sectors;   // (c)
+  std::vector<int> corner_sectors;   // (c) none: of a vertex that was not asked for
   std::vector<int> first_corners;    // (s) the others follow counter-clockwise
   std::vector<int> sizes;            // (s) number of corners
   std::vector<std::uint8_t> closed;  // (s) 1: goes all the way round
@@ -19,7 +19,8 @@ struct Sectors {
   std::size_t count() const { return sizes.size(); }
 };
 
-Sectors smooth_sectors(const RefinedMesh& mesh);
+// Numbered by their lowest corners. `wanted` (n): 0 leaves a vertex out; empty: all are wanted.
+Sectors smooth_sectors(const RefinedMesh& mesh, const std::vector<std::uint8_t>& wanted = {});
 
 // The corner after this one counter-clockwise round their vertex, `none` beyond an open edge.
 inline int next_round_vertex(const RefinedMesh& mesh, int corner) {

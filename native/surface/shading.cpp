@@ -66,18 +66,17 @@ Vec3 normal_around(const RefinedMesh& mesh, const Sectors& sectors, const Points
 
 // Sectors at seams, ordered by place.
 std::vector<std::array<int, 2>> sectors_at_seams(const RefinedMesh& mesh, const Sectors& sectors) {
+  const std::vector<EdgeKind>& kinds = mesh.corner_kinds;
+  if (std::find(kinds.begin(), kinds.end(), EdgeKind::seam) == kinds.end()) return {};
   int places = static_cast<int>(mesh.points.size());
   for (const int place : mesh.places) places = std::max(places, place + 1);
   std::vector<std::uint8_t> at_seam(static_cast<std::size_t>(places), 0);
-  bool any = false;
   for (int c = 0; c < static_cast<int>(mesh.mates.size()); ++c) {
     if (mesh.kind(c) != EdgeKind::seam) continue;
     at_seam[static_cast<std::size_t>(place_of(mesh, mesh.vertex(c)))] = 1;
     at_seam[static_cast<std::size_t>(place_of(mesh, mesh.vertex(mesh.next(c))))] = 1;
-    any = true;
   }
   std::vector<std::array<int, 2>> found;
-  if (!any) return found;
   for (std::size_t s = 0; s < sectors.count(); ++s) {
     const int place = place_of(mesh, mesh.vertex(sectors.first_corners[s]));
     if (at_seam[static_cast<std::size_t>(place)]) found.push_back({place, static_cast<int>(s)});
@@ -121,11 +120,14 @@ void polygon_normals(const RefinedMesh& mesh, const Sectors& sectors, int thread
   });
 }
 
-void mend_normals(const RefinedMesh& mesh, const Sectors& sectors, SectorLimits& limits) {
-  for (std::size_t s = 0; s < sectors.count(); ++s) {
-    if (!limits.normals[s].isZero()) continue;
-    limits.normals[s] = normal_around(mesh, sectors, limits.positions, s);
-  }
+void mend_normals(const RefinedMesh& mesh, const Sectors& sectors, int threads,
+                  SectorLimits& limits) {
+  parallel_for(sectors.count(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t s = begin; s < end; ++s) {
+      if (!limits.normals[s].isZero()) continue;
+      limits.normals[s] = normal_around(mesh, sectors, limits.positions, s);
+    }
+  });
   const std::vector<std::array<int, 2>> seams = sectors_at_seams(mesh, sectors);
   for (std::size_t from = 0, to = 0; from < seams.size(); from = to) {
     while (to < seams.size() && seams[to][0] == seams[from][0]) ++to;
@@ -140,6 +142,9 @@ int place_of(const RefinedMesh& mesh, int vertex) {
 }
 
 void share_positions(const RefinedMesh& mesh, const Sectors& sectors, Points& positions) {
+  const std::vector<std::uint8_t>& closed = sectors.closed;
+  const bool all_closed = std::find(closed.begin(), closed.end(), 0) == closed.end();
+  if (all_closed && mesh.places.empty()) return;  // a place has one sector
   std::vector<int> chosen(mesh.points.size(), none);
   const auto place = [&](std::size_t s) {
     return static_cast<std::size_t>(place_of(mesh, mesh.vertex(sectors.first_corners[s])));

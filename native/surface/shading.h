@@ -11,7 +11,8 @@ void polygon_normals(const RefinedMesh& mesh, const Sectors& sectors, int thread
 // Gives normals that are zero those of the refined faces around, else any; then sides that meet at
 // a seam, where they turn by less than 60 degrees, the mean of theirs, so that shading does not
 // crack.
-void mend_normals(const RefinedMesh& mesh, const Sectors& sectors, SectorLimits& limits);
+void mend_normals(const RefinedMesh& mesh, const Sectors& sectors, int threads,
+                  SectorLimits& limits);
 
 // The place that all sectors of a vertex, and all copies of a vertex split along a seam, share.
 int place_of(const RefinedMesh& mesh, int vertex);

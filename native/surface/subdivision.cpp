@@ -13,6 +13,7 @@ namespace {
 namespace Far = OpenSubdiv::Far;
 
 // Points as OpenSubdiv's refiner reads and writes them.
+template <class Array>
 struct PointBuffer {
   struct Target {
     Vec3& point;
@@ -20,23 +21,17 @@ struct PointBuffer {
     void AddWithWeight(const Vec3& source, double weight) { point += weight * source; }
     void AddWithWeight(const Target& source, double weight) { point += weight * source.point; }
   };
-  Points& points;
+  Array& points;
   Target operator[](int i) { return {points[static_cast<std::size_t>(i)]}; }
   const Vec3& operator[](int i) const { return points[static_cast<std::size_t>(i)]; }
 };
 
-std::vector<Points> points_of_levels(const Far::TopologyRefiner& refiner, const Points& base,
-                                     const Progress& progress) {
-  std::vector<Points> levels{base};
-  const Far::PrimvarRefinerReal<double> refine(refiner);
-  for (int l = 1; l <= refiner.GetMaxLevel(); ++l) {
-    progress.report(static_cast<double>(l) / (1 + refiner.GetMaxLevel()));
-    levels.emplace_back(static_cast<std::size_t>(refiner.GetLevel(l).GetNumVertices()));
-    const PointBuffer source{levels[static_cast<std::size_t>(l) - 1]};
-    PointBuffer target{levels.back()};
-    refine.Interpolate(l, source, target);
-  }
-  return levels;
+Points next_points(const Far::TopologyRefiner& refiner, const Points& points, int level) {
+  Points next(static_cast<std::size_t>(refiner.GetLevel(level).GetNumVertices()));
+  const PointBuffer<const Points> source{points};
+  PointBuffer<Points> target{next};
+  Far::PrimvarRefinerReal<double>(refiner).Interpolate(level, source, target);
+  return next;
 }
 
 }  // namespace
@@ -44,43 +39,45 @@ std::vector<Points> points_of_levels(const Far::TopologyRefiner& refiner, const 
 struct Subdivision::Data {
   const SoundMesh& mesh;
   Scheme scheme;
-  std::unique_ptr<Far::TopologyRefiner> refiner;
-  std::vector<Points> points;  // of each level
+  std::unique_ptr<Far::TopologyRefiner> refiner;  // null where there is only level 0
+  std::vector<RefinedMesh> levels;
+
+  void add_level(int threads) {
+    const RefinedMesh& parent = levels.back();
+    const int level = static_cast<int>(levels.size());
+    RefinedMesh next =
+        next_level(parent, refiner->GetLevel(level - 1), refiner->GetLevel(level), threads);
+    next.points = next_points(*refiner, parent.points, level);
+    levels.push_back(std::move(next));
+  }
 };
 
-Subdivision::Subdivision(const SoundMesh& mesh, Scheme scheme, int levels, const Progress& progress)
-    : data_(new Data{mesh, scheme, make_refiner(mesh, scheme), {}}) {
-  if (!is_valid()) return;
+Subdivision::Subdivision(const SoundMesh& mesh, Scheme scheme, int levels, int threads,
+                         const Progress& progress)
+    : data_(new Data{mesh, scheme, {}, {}}) {
+  if (!can_be_refined(mesh)) return;
   progress.report(0);
-  Far::TopologyRefiner::UniformOptions options(levels);
-  options.fullTopologyInLastLevel = true;
-  data_->refiner->RefineUniform(options);
-  data_->points = points_of_levels(*data_->refiner, mesh.positions, progress);
+  if (levels > 0) {
+    data_->refiner = make_refiner(mesh, scheme);
+    if (!data_->refiner) return;
+    data_->refiner->RefineUniform(Far::TopologyRefiner::UniformOptions(levels));
+  }
+  data_->levels.push_back(base_level(mesh, scheme, threads));
+  for (int l = 1; l <= levels; ++l) {
+    progress.report(static_cast<double>(l) / (1 + levels));
+    data_->add_level(threads);
+  }
 }
 
 Subdivision::~Subdivision() = default;
 
-bool Subdivision::is_valid() const { return data_->refiner != nullptr; }
+bool Subdivision::is_valid() const { return !data_->levels.empty(); }
 
-RefinedMesh Subdivision::level(int level) const {
-  RefinedMesh mesh = base_level(data_->mesh, *data_->refiner, data_->scheme);
-  for (int l = 1; l <= level; ++l) mesh = next_level(mesh, *data_->refiner, l);
-  mesh.points = data_->points[static_cast<std::size_t>(level)];
-  read_corners(mesh, data_->refiner->GetLevel(level));
-  return mesh;
-}
+const RefinedMesh& Subdivision::level(int level) const { return data_->levels[idx(level)]; }
 
 int Subdivision::descendant(int vertex, int from, int to) const {
   for (int l = from; l < to; ++l) vertex = data_->refiner->GetLevel(l).GetVertexChildVertex(vertex);
   return vertex;
-}
-
-int Subdivision::child_corner(const RefinedMesh& parent, int corner) const {
-  const int face = parent.face(corner), k = corner - parent.first(face);
-  const int child = data_->refiner->GetLevel(0).GetFaceChildFaces(face)[k];
-  const bool keeps_corners = parent.face_size(face) == 4 || parent.triangles_are_patches;
-  const int corners = parent.triangles_are_patches ? 3 : 4;
-  return corners * child + (keeps_corners ? k : 0);
 }
 
 const SoundMesh& Subdivision::base() const { return data_->mesh; }

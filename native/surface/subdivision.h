@@ -10,21 +10,20 @@ namespace illustrate {
 
 class Subdivision {
  public:
-  // scheme: catmull_clark, or loop for a mesh of triangles. Reports progress from level to level.
-  Subdivision(const SoundMesh& mesh, Scheme scheme, int levels, const Progress& progress = {});
+  // scheme: catmull_clark, or loop for a mesh of triangles. threads: 0 = all cores. Reports
+  // progress from level to level.
+  Subdivision(const SoundMesh& mesh, Scheme scheme, int levels, int threads,
+              const Progress& progress = {});
   ~Subdivision();
 
   // False where OpenSubdiv refuses the mesh: a vertex or a face with more than 65535 edges.
   bool is_valid() const;
 
   // Level 0 is the mesh itself.
-  RefinedMesh level(int level) const;
+  const RefinedMesh& level(int level) const;
 
   // The vertex that `vertex` of level `from` has become on level `to`.
   int descendant(int vertex, int from, int to) const;
-
-  // The corner on level 1 of a corner of level 0 (which `parent` is).
-  int child_corner(const RefinedMesh& parent, int corner) const;
 
   const SoundMesh& base() const;
   Scheme scheme() const;

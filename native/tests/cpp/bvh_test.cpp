@@ -68,6 +68,23 @@ TEST(Bvh, PairsAreThoseOfBruteForceEachOnce) {
   }
 }
 
+TEST(Bvh, IsTheSameForAnyNumberOfThreads) {
+  const Soup soup = random_soup(30000, .01, 5);
+  const Bvh one(soup.positions, soup.triangles, 1);
+  const std::vector<Pair> pairs = pairs_of(one);
+  EXPECT_FALSE(pairs.empty());
+  const Vec3 origin(-2, .01, .02);
+  const std::vector<RayHit> hits = hits_of(one, origin, {1, 0, 0});
+  EXPECT_FALSE(hits.empty());
+  for (const int threads : {2, 5}) {
+    const Bvh many(soup.positions, soup.triangles, threads);
+    EXPECT_EQ(pairs_of(many), pairs);
+    const std::vector<RayHit> again = hits_of(many, origin, {1, 0, 0});
+    ASSERT_EQ(again.size(), hits.size());
+    for (std::size_t i = 0; i < hits.size(); ++i) EXPECT_EQ(again[i].triangle, hits[i].triangle);
+  }
+}
+
 TEST(Bvh, BoxesThatOnlyTouchAreAPair) {
   const Soup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}, {1, 2, 0}},
                   {{0, 1, 2}, {3, 4, 5}}};
