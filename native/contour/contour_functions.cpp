@@ -44,13 +44,13 @@ double ContourFunctions::cusp_at_vertex(int vertex) const {
   return c.k1[idx(vertex)] * along1 * along1 + c.k2[idx(vertex)] * along2 * along2;
 }
 
-double ContourFunctions::cusp_function(int triangle, int corner, double fraction) const {
-  const int next = next_corner(corner);
-  const int a = surface_.triangles[idx(triangle)][idx(corner)];
-  const int b = surface_.triangles[idx(triangle)][idx(next)];
-  const double here = (1 - fraction) * cusp_at_vertex(a) * surface_.corner_sign(triangle, corner);
-  const double there = fraction * cusp_at_vertex(b) * surface_.corner_sign(triangle, next);
-  return a < b ? here + there : there + here;
+std::array<double, 3> ContourFunctions::cusp_functions(int triangle) const {
+  std::array<double, 3> values;
+  for (int k = 0; k < 3; ++k) {
+    values[idx(k)] = surface_.corner_sign(triangle, k) *
+                     cusp_at_vertex(surface_.triangles[idx(triangle)][idx(k)]);
+  }
+  return values;
 }
 
 Vec3 face_normal(const Surface& surface, int triangle) {

@@ -25,9 +25,8 @@ class ContourFunctions {
   // both sides of the edge.
   double zero_fraction(int triangle, int corner) const;
 
-  // C = k1 (v.w1)^2 + k2 (v.w2)^2, v towards the eye; at `fraction` of edge `corner`, the same
-  // value from both sides.
-  double cusp_function(int triangle, int corner, double fraction) const;
+  // C = k1 (v.w1)^2 + k2 (v.w2)^2, v towards the eye, at the corners of a triangle.
+  std::array<double, 3> cusp_functions(int triangle) const;
 
  private:
   double cusp_at_vertex(int vertex) const;

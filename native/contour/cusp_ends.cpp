@@ -33,145 +33,198 @@ class Walk {
   std::size_t steps_ = 0;
 };
 
-// Cusps, ends, and points on edges that may be curves.
-bool must_stay(const Surface& surface, bool closed, const std::vector<ExactPoint>& chain,
-               std::size_t i) {
-  const ChainPoint& p = chain[i].point;
-  const bool is_end = !closed && (i == 0 || i + 1 == chain.size());
-  if (is_end || chain[i].is_cusp()) return true;
-  return p.edge != none && surface.edge_kinds[idx(p.on.triangle)][idx(p.edge)] != EdgeKind::smooth;
-}
-
-// What happens on one side of a cusp: points to drop, and one to put behind point `behind` of the
-// chain.
-struct Clearing {
-  std::vector<std::size_t> dropped;
-  std::size_t behind = 0;
-  std::optional<ExactPoint> added;
-};
-
-class Thinner {
+// A polyline with its image.
+class Drawn {
  public:
-  Thinner(const Surface& surface, const Camera& camera, ExactSegment& segment, bool closed,
-          const std::vector<ExactPoint>& chain)
-      : surface_(surface), camera_(camera), segment_(segment), closed_(closed), chain_(chain) {}
+  Drawn(const Camera& camera, const ExactPolyline& line) : camera_(camera), line_(line) {}
 
-  std::vector<ExactPoint> run() {
-    std::vector<std::uint8_t> dropped(chain_.size(), 0);
-    std::vector<std::vector<ExactPoint>> added(chain_.size());
-    for (std::size_t i = 0; i < chain_.size(); ++i) {
-      if (!chain_[i].is_cusp()) continue;
-      for (const bool forward : {false, true}) {
-        Clearing clearing = clear(i, forward);
-        for (const std::size_t k : clearing.dropped) dropped[k] = 1;
-        if (clearing.added) added[clearing.behind].push_back(*clearing.added);
-      }
+  std::size_t size() const { return line_.points.size(); }
+  const ExactPoint& operator[](std::size_t i) const { return line_.points[i]; }
+  const ExactKnot* knot(std::size_t i) const {
+    const int k = line_.points[i].knot;
+    return k == none ? nullptr : &line_.knots[idx(k)];
+  }
+  Vec2 image(std::size_t i) const { return camera_.project(line_.points[i].position).xy; }
+  double distance(std::size_t i, std::size_t j) const { return (image(i) - image(j)).norm(); }
+  Walk walk(std::size_t from, bool forward) const { return {size(), line_.closed, from, forward}; }
+
+  // Cusps, ends, and points on edges that may be curves.
+  bool must_stay(const Surface& surface, std::size_t i) const {
+    const ExactPoint& p = line_.points[i];
+    const bool is_end = !line_.closed && (i == 0 || i + 1 == size());
+    if (is_end || p.is_cusp()) return true;
+    return p.edge != none &&
+           surface.edge_kinds[idx(p.on.triangle)][idx(p.edge)] != EdgeKind::smooth;
+  }
+
+  std::vector<std::size_t> cusps() const {
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < size(); ++i) {
+      if (line_.points[i].is_cusp()) result.push_back(i);
     }
-    return put_together(dropped, added);
+    return result;
   }
 
- private:
-  double distance(std::size_t cusp, const Vec2& image) const {
-    return (image - chain_[cusp].image).norm();
-  }
-
-  Clearing clear(std::size_t cusp, bool forward) {
-    Clearing result;
-    Walk walk(chain_.size(), closed_, cusp, forward);
-    std::size_t last = cusp;
-    while (walk.step()) {
-      const std::size_t at = walk.at();
-      const double reached = distance(cusp, chain_[at].image);
-      if (is_kept(at)) {
-        if (reached < farthest_px) return result;
-      } else if (reached < cusp_reach_px) {
-        result.dropped.push_back(at);
-        last = at;
-        continue;
-      }
-      if (reached > farthest_px)
-        add_between(cusp, forward ? last : at, forward ? at : last, result);
-      return result;
+  // The next cusp along the chain, nothing where there is no other.
+  std::optional<std::size_t> next_cusp(std::size_t from) const {
+    Walk steps = walk(from, true);
+    while (steps.step()) {
+      if (line_.points[steps.at()].is_cusp()) return steps.at();
     }
     return {};
   }
 
-  bool is_kept(std::size_t i) const { return must_stay(surface_, closed_, chain_, i); }
+ private:
+  const Camera& camera_;
+  const ExactPolyline& line_;
+};
+
+void erase(const std::vector<std::uint8_t>& dropped, ExactPolyline& line) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < dropped.size(); ++i) {
+    if (!dropped[i]) line.points[kept++] = line.points[i];
+  }
+  line.points.resize(kept);
+}
+
+class Thinner {
+ public:
+  Thinner(const Surface& surface, const Camera& camera, ExactSegment& segment, ExactPolyline& line)
+      : surface_(surface),
+        camera_(camera),
+        segment_(segment),
+        line_(line),
+        drawn_(camera, line),
+        dropped_(line.points.size(), 0) {}
+
+  void run(const std::vector<std::size_t>& cusps) {
+    for (const std::size_t cusp : cusps) {
+      clear(cusp, false);
+      clear(cusp, true);
+    }
+    put_together();
+  }
+
+ private:
+  // A point to put behind point `behind`.
+  struct Added {
+    std::size_t behind;
+    ExactPoint point;
+    std::optional<ContourKnot> knot;
+  };
+
+  void clear(std::size_t cusp, bool forward) {
+    Walk walk = drawn_.walk(cusp, forward);
+    std::vector<std::size_t> dropped;
+    std::size_t last = cusp;
+    while (walk.step()) {
+      const std::size_t at = walk.at();
+      const double reached = drawn_.distance(cusp, at);
+      if (drawn_.must_stay(surface_, at)) {
+        if (reached < farthest_px) break;
+      } else if (reached < cusp_reach_px) {
+        dropped.push_back(at);
+        last = at;
+        continue;
+      }
+      if (reached > farthest_px) add_between(cusp, forward ? last : at, forward ? at : last);
+      break;
+    }
+    for (const std::size_t i : dropped) dropped_[i] = 1;
+  }
 
   // A point of the segment from a to b (neighbours in the chain's order), at the right distance.
-  void add_between(std::size_t cusp, std::size_t a, std::size_t b, Clearing& clearing) {
-    const bool grows = distance(cusp, chain_[a].image) < distance(cusp, chain_[b].image);
+  void add_between(std::size_t cusp, std::size_t a, std::size_t b) {
+    const bool grows = drawn_.distance(cusp, a) < drawn_.distance(cusp, b);
+    const Vec2 centre = drawn_.image(cusp);
     double low = 0, high = 1;  // distances below and above what is wanted, or the other way round
     for (int i = 0; i < 24; ++i) {
       const double f = (low + high) / 2;
-      const std::optional<ExactPoint> p = point_between(chain_[a], chain_[b], f);
-      if (!p) return;
-      const double reached = distance(cusp, p->image);
+      std::optional<Added> added = between(a, b, f);
+      if (!added) return;
+      const double reached = (camera_.project(added->point.position).xy - centre).norm();
       if (reached >= cusp_reach_px && reached <= farthest_px) {
-        clearing.behind = a;
-        clearing.added = p;
+        added_.push_back(*added);
         return;
       }
       ((reached < cusp_reach_px) == grows ? low : high) = f;
     }
   }
 
-  std::optional<ExactPoint> point_between(const ExactPoint& a, const ExactPoint& b, double f) {
-    const int t = a.point.on.triangle;
-    ExactPoint result;
-    result.segment = a.segment;
-    if (a.knot && b.knot) {
+  std::optional<Added> between(std::size_t a, std::size_t b, double f) {
+    const int t = drawn_[a].on.triangle;
+    Added added{a, {}, {}};
+    added.point.segment = drawn_[a].segment;
+    const ExactKnot *from = drawn_.knot(a), *to = drawn_.knot(b);
+    if (from && to) {
       const PatchTriangle& patch = surface_.patches[idx(t)];
-      ContourKnot end = *b.knot;
-      end.uv = b.arrival;
-      const auto knot = segment_.between(patch.ptex_face, *a.knot, end, f);
-      if (!knot) return {};
-      result.knot = knot;
-      result.image = knot->image;
-      result.point.position = knot->sample.position;
-      result.point.on = on_triangle(patch, t, knot->uv);
-      return result;
+      added.knot = segment_.between(patch.ptex_face, from->leaving, to->arriving, f);
+      if (!added.knot) return {};
+      added.point.position = added.knot->sample.position;
+      added.point.on = on_triangle(patch, t, added.knot->uv);
+      return added;
     }
-    result.point.position = a.point.position + f * (b.point.position - a.point.position);
-    result.point.on = locate(surface_, t, result.point.position);
-    result.image = camera_.project(result.point.position).xy;
-    return result;
+    added.point.position = drawn_[a].position + f * (drawn_[b].position - drawn_[a].position);
+    added.point.on = locate(surface_, t, added.point.position);
+    return added;
   }
 
-  std::vector<ExactPoint> put_together(const std::vector<std::uint8_t>& dropped,
-                                       const std::vector<std::vector<ExactPoint>>& added) {
-    std::vector<ExactPoint> result;
-    for (std::size_t i = 0; i < chain_.size(); ++i) {
-      if (!dropped[i]) result.push_back(chain_[i]);
-      result.insert(result.end(), added[i].begin(), added[i].end());
+  void put_together() {
+    std::stable_sort(added_.begin(), added_.end(),
+                     [](const Added& a, const Added& b) { return a.behind < b.behind; });
+    std::vector<ExactPoint> points;
+    points.reserve(line_.points.size() + added_.size());
+    auto next = added_.begin();
+    for (std::size_t i = 0; i < line_.points.size(); ++i) {
+      if (!dropped_[i]) points.push_back(line_.points[i]);
+      for (; next != added_.end() && next->behind == i; ++next) {
+        if (next->knot) {
+          next->point.knot = static_cast<int>(line_.knots.size());
+          line_.knots.push_back({*next->knot, *next->knot});
+        }
+        points.push_back(next->point);
+      }
     }
-    return result;
+    line_.points = std::move(points);
   }
 
   const Surface& surface_;
   const Camera& camera_;
   ExactSegment& segment_;
-  bool closed_;
-  const std::vector<ExactPoint>& chain_;
+  ExactPolyline& line_;
+  Drawn drawn_;
+  std::vector<std::uint8_t> dropped_;
+  std::vector<Added> added_;
 };
 
-// The points of the strand that leaves a cusp in one direction, as long as they recede from it.
-std::vector<std::size_t> receding(bool closed, const std::vector<ExactPoint>& chain,
-                                  std::size_t cusp, bool forward) {
-  constexpr std::size_t longest = 100;
-  constexpr double farthest = 30;  // px
-  std::vector<std::size_t> result{cusp};
-  Walk walk(chain.size(), closed, cusp, forward);
-  double reached = 0;
-  while (result.size() < longest && walk.step()) {
-    const double distance = (chain[walk.at()].image - chain[cusp].image).norm();
-    if (distance < reached || distance > farthest) break;
-    reached = distance;
-    result.push_back(walk.at());
-    if (chain[walk.at()].is_cusp()) break;
+// The points of the strand that leaves a cusp in one direction, as long as they recede from it, and
+// their distances.
+struct Receding {
+  std::vector<std::size_t> points;
+  std::vector<Vec2> images;
+  std::vector<double> distances;
+
+  Receding(const Drawn& drawn, std::size_t cusp, bool forward) {
+    constexpr std::size_t longest = 100;
+    constexpr double farthest = 30;  // px
+    add(cusp, drawn.image(cusp), 0);
+    Walk walk = drawn.walk(cusp, forward);
+    while (points.size() < longest && walk.step()) {
+      const Vec2 image = drawn.image(walk.at());
+      const double distance = (image - images[0]).norm();
+      if (distance < distances.back() || distance > farthest) break;
+      add(walk.at(), image, distance);
+      if (drawn[walk.at()].is_cusp()) break;
+    }
   }
-  return result;
-}
+
+ private:
+  void add(std::size_t point, const Vec2& image, double distance) {
+    points.push_back(point);
+    images.push_back(image);
+    distances.push_back(distance);
+  }
+};
 
 bool cross_each_other(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   const auto turns_left = [](const Vec2& p, const Vec2& q, const Vec2& r) {
@@ -183,73 +236,60 @@ bool cross_each_other(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d
 // The two strands of one cusp.
 class Horn {
  public:
-  Horn(bool closed, const std::vector<ExactPoint>& chain, std::size_t cusp)
-      : chain_(chain),
-        strands_{receding(closed, chain, cusp, false), receding(closed, chain, cusp, true)} {}
+  Horn(const Drawn& drawn, std::size_t cusp)
+      : drawn_(drawn), backward_(drawn, cusp, false), forward_(drawn, cusp, true) {}
 
   void find(std::vector<CrossedSegment>& crossed) const {
-    const auto& [a, b] = strands_;
+    const Receding &a = backward_, &b = forward_;
     std::size_t from = 0;
-    for (std::size_t i = 0; i + 1 < a.size(); ++i) {
-      while (from + 1 < b.size() && distance(b[from + 1]) < distance(a[i])) ++from;
-      for (std::size_t j = from; j + 1 < b.size() && distance(b[j]) <= distance(a[i + 1]); ++j) {
-        const bool share_end = (i == 0 && j == 0) || a[i + 1] == b[j + 1];
+    for (std::size_t i = 0; i + 1 < a.points.size(); ++i) {
+      while (from + 1 < b.points.size() && b.distances[from + 1] < a.distances[i]) ++from;
+      for (std::size_t j = from; j + 1 < b.points.size() && b.distances[j] <= a.distances[i + 1];
+           ++j) {
+        const bool share_end = (i == 0 && j == 0) || a.points[i + 1] == b.points[j + 1];
         if (share_end ||
-            !cross_each_other(image(a[i]), image(a[i + 1]), image(b[j]), image(b[j + 1]))) {
+            !cross_each_other(a.images[i], a.images[i + 1], b.images[j], b.images[j + 1])) {
           continue;
         }
-        add(a, i, crossed);
-        add(b, j, crossed);
+        add(a, i, 1, crossed);
+        add(b, j, 0, crossed);
       }
     }
   }
 
  private:
-  const Vec2& image(std::size_t i) const { return chain_[i].image; }
-  double distance(std::size_t i) const { return (image(i) - image(strands_[0][0])).norm(); }
-
-  // The crossed segment and its neighbours.
-  void add(const std::vector<std::size_t>& strand, std::size_t at,
+  // The crossed segment and its neighbours; a segment is named by the one of its two points that
+  // comes first in the chain.
+  void add(const Receding& strand, std::size_t at, std::size_t first_in_chain,
            std::vector<CrossedSegment>& crossed) const {
-    const std::size_t first = at == 0 ? 0 : at - 1, last = std::min(at + 2, strand.size() - 1);
+    const std::size_t first = at == 0 ? 0 : at - 1;
+    const std::size_t last = std::min(at + 2, strand.points.size() - 1);
     for (std::size_t i = first; i < last; ++i) {
-      const double length = (image(strand[i + 1]) - image(strand[i])).norm();
-      // The segment between two points is that of the one that comes first in the chain.
-      const bool forward = strand == strands_[1];
-      crossed.push_back({chain_[forward ? strand[i] : strand[i + 1]].segment, length});
+      const double length = (strand.images[i + 1] - strand.images[i]).norm();
+      crossed.push_back({drawn_[strand.points[i + first_in_chain]].segment, length});
     }
   }
 
-  const std::vector<ExactPoint>& chain_;
-  std::array<std::vector<std::size_t>, 2> strands_;
+  const Drawn& drawn_;
+  Receding backward_, forward_;
 };
 
-// The next cusp along the chain, none where there is no other.
-std::optional<std::size_t> next_cusp(const std::vector<ExactPoint>& chain, bool closed,
-                                     std::size_t from) {
-  Walk walk(chain.size(), closed, from, true);
-  while (walk.step()) {
-    if (chain[walk.at()].is_cusp()) return walk.at();
-  }
-  return {};
-}
-
 // Whether everything from cusp a to cusp b stays near a.
-bool stays_near(const std::vector<ExactPoint>& chain, std::size_t a, std::size_t b, double reach) {
-  for (std::size_t i = a; i != b; i = (i + 1) % chain.size()) {
-    if ((chain[i].image - chain[a].image).norm() > reach) return false;
+bool stays_near(const Drawn& drawn, std::size_t a, std::size_t b, double reach) {
+  for (std::size_t i = a; i != b; i = (i + 1) % drawn.size()) {
+    if (drawn.distance(i, a) > reach) return false;
   }
   return true;
 }
 
 // Marks the plain points around point `middle` that lie within reach of it.
-void drop_around(const Surface& surface, const std::vector<ExactPoint>& chain, bool closed,
-                 std::size_t middle, double reach, std::vector<std::uint8_t>& dropped) {
+void drop_around(const Surface& surface, const Drawn& drawn, std::size_t middle, double reach,
+                 std::vector<std::uint8_t>& dropped) {
   for (const bool forward : {false, true}) {
-    Walk walk(chain.size(), closed, middle, forward);
+    Walk walk = drawn.walk(middle, forward);
     while (walk.step()) {
-      const double apart = (chain[walk.at()].image - chain[middle].image).norm();
-      if (apart > reach || must_stay(surface, closed, chain, walk.at())) break;
+      const bool is_near = drawn.distance(walk.at(), middle) <= reach;
+      if (!is_near || drawn.must_stay(surface, walk.at())) break;
       dropped[walk.at()] = 1;
     }
   }
@@ -257,41 +297,39 @@ void drop_around(const Surface& surface, const std::vector<ExactPoint>& chain, b
 
 }  // namespace
 
-void thin_at_cusps(const Surface& surface, const Camera& camera, ExactSegment& segment, bool closed,
-                   std::vector<ExactPoint>& chain) {
-  chain = Thinner(surface, camera, segment, closed, chain).run();
+void thin_at_cusps(const Surface& surface, const Camera& camera, ExactSegment& segment,
+                   ExactPolyline& line) {
+  const std::vector<std::size_t> cusps = Drawn(camera, line).cusps();
+  if (!cusps.empty()) Thinner(surface, camera, segment, line).run(cusps);
 }
 
-std::vector<CrossedSegment> crossed_at_cusps(bool closed, const std::vector<ExactPoint>& chain) {
+std::vector<CrossedSegment> crossed_at_cusps(const Camera& camera, const ExactPolyline& line) {
+  const Drawn drawn(camera, line);
   std::vector<CrossedSegment> crossed;
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    if (chain[i].is_cusp()) Horn(closed, chain, i).find(crossed);
-  }
+  for (const std::size_t cusp : drawn.cusps()) Horn(drawn, cusp).find(crossed);
   return crossed;
 }
 
-int collapse_swallowtails(const Surface& surface, bool closed, std::vector<ExactPoint>& chain) {
+int collapse_swallowtails(const Surface& surface, const Camera& camera, ExactPolyline& line) {
+  const Drawn drawn(camera, line);
   int collapsed = 0;
-  std::vector<std::uint8_t> dropped(chain.size(), 0);
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    if (!chain[i].is_cusp()) continue;
-    const std::optional<std::size_t> j = next_cusp(chain, closed, i);
-    if (!j || chain[*j].point.cusp_jump != chain[i].point.cusp_jump) continue;
-    const double apart = (chain[*j].image - chain[i].image).norm();
-    if (apart > swallowtail_px || !stays_near(chain, i, *j, 2 * apart)) continue;
+  std::vector<std::uint8_t> dropped;
+  for (const std::size_t i : drawn.cusps()) {
+    if (!line.points[i].is_cusp()) continue;
+    const std::optional<std::size_t> j = drawn.next_cusp(i);
+    if (!j || line.points[*j].cusp_jump != line.points[i].cusp_jump) continue;
+    const double apart = drawn.distance(i, *j);
+    if (apart > swallowtail_px || !stays_near(drawn, i, *j, 2 * apart)) continue;
     for (const std::size_t cusp : {i, *j}) {
-      chain[cusp].point.cusp_jump = 0;
-      chain[cusp].knot.reset();
+      line.points[cusp].cusp_jump = 0;
+      line.points[cusp].knot = none;
     }
-    drop_around(surface, chain, closed, i, std::max(3 * apart, swallowtail_px), dropped);
+    dropped.resize(drawn.size(), 0);
+    drop_around(surface, drawn, i, std::max(3 * apart, swallowtail_px), dropped);
     dropped[i] = 0;
     ++collapsed;
   }
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    if (!dropped[i]) chain[kept++] = chain[i];
-  }
-  chain.resize(kept);
+  if (collapsed > 0) erase(dropped, line);
   return collapsed;
 }
 

@@ -19,13 +19,18 @@ constexpr double most_dilation_px = 3;
 // degrees.
 constexpr double troubled_cos = 0.643;
 
-int sign(double x) { return x < 0 ? -1 : 1; }
-
-}  // namespace
-
 Vec2 patch_uv(const PatchTriangle& patch, int corner, double fraction) {
   return (1 - fraction) * patch.uv(corner) + fraction * patch.uv(next_corner(corner));
 }
+
+// The same point of the contour on the other sheet of a double cover.
+void turn_over(ContourSample& sample) {
+  sample.g = -sample.g;
+  sample.across = -sample.across;
+  sample.kappa = -sample.kappa;
+}
+
+}  // namespace
 
 SurfacePoint on_triangle(const PatchTriangle& patch, int triangle, const Vec2& uv) {
   const Vec2 a = patch.uv(1) - patch.uv(0), b = patch.uv(2) - patch.uv(0), p = uv - patch.uv(0);
@@ -35,87 +40,45 @@ SurfacePoint on_triangle(const PatchTriangle& patch, int triangle, const Vec2& u
   return {triangle, b1, b2};
 }
 
-void ExactChain::solve(Span<const ChainPoint> linear, bool closed, bool everywhere) {
+void ExactChain::solve(Span<const EdgePoint> linear, bool closed, bool everywhere) {
   closed_ = closed;
-  read(linear);
+  samples_.clear();
+  stations_.clear();
+  for (const EdgePoint& p : linear) stations_.push_back({p});
+  for (std::size_t i = 0; i < segments(); ++i) {
+    stations_[i].turns_over = turns_over(stations_[i], stations_[after(i)]);
+  }
   if (everywhere) {
     for (std::size_t i = 0; i < stations_.size(); ++i) solve_station(i);
-  } else {
-    for (const std::size_t i : near_suspects()) solve_station(i);
-    spread();
+    return;
   }
+  for (const std::size_t i : near_suspects()) solve_station(i);
+  spread();
 }
 
-void ExactChain::make_finer(int segment, double longest_px) {
-  double& longest = stations_[idx(segment)].longest_px;
-  longest = std::min(longest, longest_px);
-  solve_station(idx(segment));
-  solve_station((idx(segment) + 1) % stations_.size());
-}
-
-std::vector<int> ExactChain::troubled() const {
-  std::vector<int> triangles;
-  for (std::size_t i = 0; i < segments(); ++i) {
-    const Station &a = stations_[i], &b = stations_[(i + 1) % stations_.size()];
-    if (!a.sample || !b.sample) continue;
-    const Vec3 chord = (b.sample->position - a.sample->position).normalized();
-    const double least = std::min(chord.dot(a.sample->tangent), chord.dot(b.sample->tangent));
-    if (least < troubled_cos) triangles.push_back(a.point.on.triangle);
-  }
-  return triangles;
-}
-
-std::vector<ExactPoint> ExactChain::points() {
-  std::vector<ExactPoint> result;
-  Vec2 arrival = Vec2::Zero();
-  for (std::size_t i = 0; i < segments(); ++i) {
-    result.push_back(station_point(stations_[i]));
-    result.back().arrival = arrival;
-    const std::size_t first = result.size() - 1;
-    arrival = emit(i, result);
-    for (std::size_t k = first; k < result.size(); ++k) result[k].segment = static_cast<int>(i);
-  }
-  if (!closed_) result.push_back(station_point(stations_.back()));
-  (closed_ ? result.front() : result.back()).arrival = arrival;
-  return result;
-}
-
-void ExactChain::read(Span<const ChainPoint> linear) {
-  stations_.clear();
-  for (const ChainPoint& p : linear) {
-    if (p.edge == none) continue;
-    Station s;
-    s.point = p;
-    s.sign = -sign(functions_.cusp_function(p.on.triangle, p.edge, p.fraction));
-    stations_.push_back(s);
-  }
-  for (std::size_t i = 0; i < segments(); ++i) link(stations_[i], next(i));
-}
-
-// Where `to` lies on the far edge of the triangle that `from` enters.
-void ExactChain::link(Station& from, const Station& to) const {
-  const int t = from.point.on.triangle;
-  for (int k = 0; k < 3; ++k) {
-    const bool crossed = functions_.front(t, k) != functions_.front(t, next_corner(k));
-    if (k != from.point.edge && crossed) from.out = k;
-  }
+// Triangles of one sheet run along their edge in opposite directions.
+bool ExactChain::turns_over(const Station& from, const Station& to) const {
   const auto place = [&](int triangle, int corner) {
     return surface_.places[idx(surface_.triangles[idx(triangle)][idx(corner)])];
   };
-  const bool same_way =
-      from.out != none && place(t, from.out) == place(to.point.on.triangle, to.point.edge);
-  from.next_fraction = same_way ? to.point.fraction : 1 - to.point.fraction;
+  const int t = from.point.on.triangle, u = to.point.on.triangle;
+  return t != u && place(t, from.point.out) == place(u, to.point.edge);
 }
 
-bool ExactChain::has_both_signs(int triangle) const {
-  int positive = 0;
-  for (int k = 0; k < 3; ++k) positive += functions_.cusp_function(triangle, k, 0) >= 0;
-  return positive == 1 || positive == 2;
+int ExactChain::sign(const Station& station) const {
+  const double convex =
+      station.sample == none ? -station.point.cusp_function : samples_[idx(station.sample)].kappa;
+  return convex < 0 ? -1 : 1;
 }
 
-bool ExactChain::is_suspect(std::size_t i) {
+int ExactChain::sign_at_end(std::size_t i) const {
+  const int at_end = sign(stations_[after(i)]);
+  return stations_[i].turns_over ? -at_end : at_end;
+}
+
+bool ExactChain::is_suspect(std::size_t i) const {
   if (!closed_ && (i == 0 || i + 1 == segments())) return true;
-  return stations_[i].sign != next(i).sign || has_both_signs(stations_[i].point.on.triangle);
+  return stations_[i].point.has_both_signs || sign(stations_[i]) != sign_at_end(i);
 }
 
 double ExactChain::dilation_reach(const Station& station) const {
@@ -134,18 +97,20 @@ void ExactChain::want_around(std::size_t i, bool forward, std::vector<std::uint8
   for (std::size_t step = 1; step < count; ++step) {
     if (!closed_ && i == (forward ? count - 1 : 0)) return;
     i = forward ? (i + 1) % count : (i + count - 1) % count;
-    const Vec2 image = camera_.project(stations_[i].point.position).xy;
-    if (step > dilation && !((image - centre).norm() < reach)) return;
+    if (step > dilation) {
+      const Vec2 image = camera_.project(stations_[i].point.position).xy;
+      if (!((image - centre).norm() < reach)) return;
+    }
     wanted[i] = 1;
   }
 }
 
-std::vector<std::size_t> ExactChain::near_suspects() {
+std::vector<std::size_t> ExactChain::near_suspects() const {
   std::vector<std::uint8_t> wanted(stations_.size(), 0);
   for (std::size_t i = 0; i < segments(); ++i) {
     if (!is_suspect(i)) continue;
     want_around(i, false, wanted);
-    want_around((i + 1) % stations_.size(), true, wanted);
+    want_around(after(i), true, wanted);
   }
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
@@ -158,44 +123,49 @@ void ExactChain::solve_station(std::size_t i) {
   Station& station = stations_[i];
   if (station.is_tried) return;
   station.is_tried = true;
-  const PatchTriangle& patch = surface_.patches[idx(station.point.on.triangle)];
-  if (patch.ptex_face == none || !(camera_.near_distance(station.point.position) > 0)) return;
-  const SolvedEdge& found = solved_edge(station);
+  EdgePoint& p = station.point;
+  const int t = p.on.triangle;
+  if (surface_.patches[idx(t)].ptex_face == none) return;
+  if (!(camera_.near_distance(p.position) > 0)) return;
+  const SolvedEdge& found = solved_edge(p);
   if (!found.sample) return;
-  station.sample = found.sample;
-  station.point.position = found.sample->position;
-  const int t = station.point.on.triangle, k = station.point.edge;
-  station.point.fraction = ascends(t, k) ? found.fraction : 1 - found.fraction;
-  station.point.on = on_edge(t, k, station.point.fraction);
-  if (i == 0 && !closed_) return;
-  link(stations_[(i + stations_.size() - 1) % stations_.size()], station);
+  station.sample = static_cast<int>(samples_.size());
+  samples_.push_back(*found.sample);
+  if (found.sheet != sheet_of(p)) turn_over(samples_.back());
+  p.position = found.sample->position;
+  p.fraction = ascends(p) ? found.fraction : 1 - found.fraction;
+  p.on = on_edge(t, p.edge, p.fraction);
 }
 
-bool ExactChain::ascends(int triangle, int corner) const {
-  const Triangle& t = surface_.triangles[idx(triangle)];
-  return t[idx(corner)] < t[idx(next_corner(corner))];
+// Whether the point's edge runs from its lower vertex to the higher one.
+bool ExactChain::ascends(const EdgePoint& p) const {
+  const Triangle& t = surface_.triangles[idx(p.on.triangle)];
+  return t[idx(p.edge)] < t[idx(next_corner(p.edge))];
 }
 
-const SolvedEdge& ExactChain::solved_edge(const Station& station) {
-  const Triangle& t = surface_.triangles[idx(station.point.on.triangle)];
-  const auto [low, high] =
-      std::minmax(t[idx(station.point.edge)], t[idx(next_corner(station.point.edge))]);
+double ExactChain::sheet_of(const EdgePoint& p) const {
+  return surface_.corner_sign(p.on.triangle, ascends(p) ? p.edge : next_corner(p.edge));
+}
+
+const SolvedEdge& ExactChain::solved_edge(const EdgePoint& p) {
+  const Triangle& t = surface_.triangles[idx(p.on.triangle)];
+  const auto [low, high] = std::minmax(t[idx(p.edge)], t[idx(next_corner(p.edge))]);
   const std::uint64_t key =
       static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint32_t>(high);
   const auto [found, is_new] = solved_.try_emplace(key);
-  if (is_new) found->second = solve_edge(station);
+  if (is_new) found->second = solve_edge(p);
   return found->second;
 }
 
 // Newton's method along the edge, kept between the last points found on either side of the zero.
-SolvedEdge ExactChain::solve_edge(const Station& station) {
+SolvedEdge ExactChain::solve_edge(const EdgePoint& p) {
   constexpr int most_steps = 30;
   constexpr double end = 1e-5, flat = 1e-3;
-  const int t = station.point.on.triangle, k = station.point.edge;
+  const int t = p.on.triangle, k = p.edge;
   const PatchTriangle& patch = surface_.patches[idx(t)];
   const Vec2 along = patch.uv(next_corner(k)) - patch.uv(k);
   const bool low_front = functions_.front(t, k);
-  double low = end, high = 1 - end, f = station.point.fraction;
+  double low = end, high = 1 - end, f = p.fraction;
   std::optional<ContourSample> sample;
   for (int i = 0; i < most_steps; ++i) {
     sample = contour_.at({patch.ptex_face, patch_uv(patch, k, f)});
@@ -206,7 +176,7 @@ SolvedEdge ExactChain::solve_edge(const Station& station) {
     if (!(f > low && f < high)) f = (low + high) / 2;
   }
   if (std::abs(sample->g) > flat || sample->tangent.isZero()) return {};
-  return {ascends(t, k) ? f : 1 - f, sample};
+  return {ascends(p) ? f : 1 - f, sheet_of(p), sample};
 }
 
 // Where an exact point and a linear one beside it disagree, the linear one must become exact too.
@@ -214,71 +184,114 @@ void ExactChain::spread() {
   for (bool again = true; again;) {
     again = false;
     for (std::size_t i = 0; i < segments(); ++i) {
-      Station &a = stations_[i], &b = next(i);
-      if (a.is_tried == b.is_tried || a.exact_sign() == b.exact_sign()) continue;
-      const std::size_t linear = a.is_tried ? (i + 1) % stations_.size() : i;
-      solve_station(linear);
+      const Station &a = stations_[i], &b = stations_[after(i)];
+      if (a.is_tried == b.is_tried || sign(a) == sign_at_end(i)) continue;
+      solve_station(a.is_tried ? after(i) : i);
       again = true;
     }
   }
 }
 
-ExactPoint ExactChain::station_point(const Station& station) const {
-  ExactPoint result{station.point, camera_.project(station.point.position).xy, {}};
-  if (station.sample) {
-    const PatchTriangle& patch = surface_.patches[idx(station.point.on.triangle)];
-    const Vec2 uv = patch_uv(patch, station.point.edge, station.point.fraction);
-    result.knot = segment_.knot(uv, *station.sample);
+std::vector<int> ExactChain::troubled() const {
+  std::vector<int> triangles;
+  for (std::size_t i = 0; i < segments(); ++i) {
+    const Station &a = stations_[i], &b = stations_[after(i)];
+    if (a.sample == none || b.sample == none) continue;
+    const ContourSample &from = samples_[idx(a.sample)], &to = samples_[idx(b.sample)];
+    const Vec3 chord = (to.position - from.position).normalized();
+    const double least = std::min(chord.dot(from.tangent), chord.dot(to.tangent));
+    if (least < troubled_cos) triangles.push_back(a.point.on.triangle);
   }
-  return result;
+  return triangles;
 }
 
-Vec2 ExactChain::emit(std::size_t i, std::vector<ExactPoint>& result) {
-  const Station &from = stations_[i], &to = next(i);
-  const PatchTriangle& patch = surface_.patches[idx(from.point.on.triangle)];
-  const bool on_patch = from.out != none && patch.ptex_face != none;
-  const Vec2 end = on_patch ? patch_uv(patch, from.out, from.next_fraction) : Vec2(0, 0);
-  if (on_patch && from.sample && to.sample)
-    emit_exact(from, to, end, result);
-  else
-    emit_linear(from, to, result);
-  return end;
+void ExactChain::make_finer(int segment, double longest_px) {
+  double& longest = stations_[idx(segment)].longest_px;
+  longest = std::min(longest, longest_px);
+  solve_station(idx(segment));
+  solve_station(after(idx(segment)));
 }
 
-void ExactChain::emit_linear(const Station& from, const Station& to,
-                             std::vector<ExactPoint>& result) {
-  if (from.exact_sign() == to.exact_sign()) return;
-  const int t = from.point.on.triangle;
-  const double c0 = functions_.cusp_function(t, from.point.edge, from.point.fraction);
-  const double c1 =
-      from.out == none ? -c0 : functions_.cusp_function(t, from.out, from.next_fraction);
-  const double f = (c0 >= 0) != (c1 >= 0) ? c0 / (c0 - c1) : .5;
-  const Vec3 step = to.point.position - from.point.position;
-  ExactPoint cusp;
-  cusp.point.position = from.point.position + f * step;
-  cusp.point.on = locate(surface_, t, cusp.point.position);
-  cusp.point.cusp_jump = step.dot(camera_.to_eye(cusp.point.position)) < 0 ? 1 : -1;
-  cusp.image = camera_.project(cusp.point.position).xy;
-  result.push_back(cusp);
+ExactPolyline ExactChain::polyline() {
+  ExactPolyline line;
+  line.closed = closed_;
+  line.points.reserve(stations_.size() + samples_.size());
+  for (std::size_t i = 0; i < segments(); ++i) {
+    add_station(i, line);
+    add_between(i, line);
+  }
+  if (!closed_) add_station(stations_.size() - 1, line);
+  return line;
 }
 
-void ExactChain::emit_exact(const Station& from, const Station& to, const Vec2& end,
-                            std::vector<ExactPoint>& result) {
+// Where the next station lies on the patch of a segment's triangle.
+Vec2 ExactChain::uv_at_end(std::size_t i) const {
+  const EdgePoint &from = stations_[i].point, &to = stations_[after(i)].point;
+  const bool is_tip = from.on.triangle == to.on.triangle;
+  const bool same_way = is_tip || stations_[i].turns_over;
+  return patch_uv(surface_.patches[idx(from.on.triangle)], from.out,
+                  same_way ? to.fraction : 1 - to.fraction);
+}
+
+ExactKnot ExactChain::knot_of(std::size_t i) const {
+  const EdgePoint& p = stations_[i].point;
+  const PatchTriangle& patch = surface_.patches[idx(p.on.triangle)];
+  const ContourSample& sample = samples_[idx(stations_[i].sample)];
+  ExactKnot knot;
+  knot.leaving = segment_.knot(patch_uv(patch, p.edge, p.fraction), sample);
+  if (i == 0 && !closed_) return knot;
+  const std::size_t before = (i + stations_.size() - 1) % stations_.size();
+  ContourSample seen = sample;
+  if (stations_[before].turns_over) turn_over(seen);
+  knot.arriving = segment_.knot(uv_at_end(before), seen);
+  return knot;
+}
+
+void ExactChain::add_station(std::size_t i, ExactPolyline& line) const {
+  ExactPoint point{stations_[i].point, none, static_cast<int>(i)};
+  if (stations_[i].sample != none) {
+    point.knot = static_cast<int>(line.knots.size());
+    line.knots.push_back(knot_of(i));
+  }
+  line.points.push_back(point);
+}
+
+void ExactChain::add_between(std::size_t i, ExactPolyline& line) {
+  const Station &from = stations_[i], &to = stations_[after(i)];
+  if (from.sample == none || to.sample == none) {
+    if (sign(from) != sign_at_end(i)) add_linear_cusp(i, line);
+    return;
+  }
   const int t = from.point.on.triangle;
   const PatchTriangle& patch = surface_.patches[idx(t)];
-  std::vector<ContourKnot> knots;
-  segment_.refine(patch.ptex_face, *result.back().knot, segment_.knot(end, *to.sample),
-                  from.longest_px, knots);
-  for (const ContourKnot& knot : knots) {
+  std::vector<ContourKnot> between;
+  segment_.refine(patch.ptex_face, line.knots.back().leaving, knot_of(after(i)).arriving,
+                  from.longest_px, between);
+  for (const ContourKnot& knot : between) {
     ExactPoint inside;
-    inside.point.position = knot.sample.position;
-    inside.point.on = on_triangle(patch, t, knot.uv);
-    inside.point.cusp_jump = knot.cusp_jump();
-    inside.image = knot.image;
-    inside.knot = knot;
-    inside.arrival = knot.uv;
-    result.push_back(inside);
+    inside.position = knot.sample.position;
+    inside.on = on_triangle(patch, t, knot.uv);
+    inside.cusp_jump = knot.cusp_jump();
+    inside.segment = static_cast<int>(i);
+    inside.knot = static_cast<int>(line.knots.size());
+    line.knots.push_back({knot, knot});
+    line.points.push_back(inside);
   }
+}
+
+void ExactChain::add_linear_cusp(std::size_t i, ExactPolyline& line) const {
+  const EdgePoint &from = stations_[i].point, &to = stations_[after(i)].point;
+  const double at_end = stations_[i].turns_over ? -to.cusp_function : to.cusp_function;
+  const double span = from.cusp_function - at_end;
+  const bool changes = (from.cusp_function >= 0) != (at_end >= 0);
+  const double fraction = changes ? from.cusp_function / span : .5;
+  const Vec3 step = to.position - from.position;
+  ExactPoint cusp;
+  cusp.position = from.position + fraction * step;
+  cusp.on = locate(surface_, from.on.triangle, cusp.position);
+  cusp.cusp_jump = step.dot(camera_.to_eye(cusp.position)) < 0 ? 1 : -1;
+  cusp.segment = static_cast<int>(i);
+  line.points.push_back(cusp);
 }
 
 }  // namespace illustrate

@@ -1,6 +1,7 @@
 // One silhouette chain made exact where it matters (exact_silhouettes.h).
 #pragma once
 
+#include <limits>
 #include <unordered_map>
 
 #include "contour/exact_segment.h"
@@ -8,22 +9,30 @@
 
 namespace illustrate {
 
-// A point of the chain that is being made.
-struct ExactPoint {
-  ChainPoint point;
-  Vec2 image;
-  // The point's place on the patch of on.triangle, where it is exact.
-  std::optional<ContourKnot> knot;
-  Vec2 arrival = Vec2::Zero();  // its place on the patch of the triangle before it
-  int segment = none;           // of the linear chain, that the point starts or lies on
+// A point of a chain that is being made.
+struct ExactPoint : ChainPoint {
+  int knot = none;     // where it is exact
+  int segment = none;  // of the linear chain, that the point starts or lies on
 
-  bool is_cusp() const { return point.cusp_jump != 0; }
+  bool is_cusp() const { return cusp_jump != 0; }
 };
 
-// What was found on the edges of a surface, by their lower and higher vertices; `fraction` runs
-// from the lower one. Stays true as long as the vertices keep their numbers.
+// A knot as the segments before and after it see it, each on the patch of its own triangle.
+struct ExactKnot {
+  ContourKnot arriving, leaving;
+};
+
+struct ExactPolyline {
+  bool closed = false;
+  std::vector<ExactPoint> points;
+  std::vector<ExactKnot> knots;
+};
+
+// What was found on the edges of a surface, by their lower and higher vertices. Stays true as long
+// as the vertices keep their numbers.
 struct SolvedEdge {
-  double fraction = 0;
+  double fraction = 0;  // from the lower vertex
+  double sheet = 1;     // sign of the lower vertex's normal on the sheet of the sample
   std::optional<ContourSample> sample;
 };
 using SolvedEdges = std::unordered_map<std::uint64_t, SolvedEdge>;
@@ -32,63 +41,62 @@ class ExactChain {
  public:
   // `solved` is read and filled.
   ExactChain(const Surface& surface, LimitContour& contour, const ContourFunctions& functions,
-             const Camera& camera, SolvedEdges& solved)
+             SolvedEdges& solved)
       : surface_(surface),
         contour_(contour),
         functions_(functions),
-        camera_(camera),
+        camera_(functions.camera()),
         solved_(solved),
-        segment_(contour, camera) {}
+        segment_(contour, functions.camera()) {}
 
-  // Finds the exact points of a chain of silhouettes.h; everywhere: all of them.
-  void solve(Span<const ChainPoint> linear, bool closed, bool everywhere);
+  // Finds the exact points of a linear chain; everywhere: all of them.
+  void solve(Span<const EdgePoint> linear, bool closed, bool everywhere);
 
   // Triangles whose segment runs far from the contour's direction at an end: they hold more of the
   // contour than the signs at their corners tell.
   std::vector<int> troubled() const;
 
   // The chain that was solved, with what lies within its triangles.
-  std::vector<ExactPoint> points();
+  ExactPolyline polyline();
 
   // Makes a segment exact, and its points no farther apart than that.
   void make_finer(int segment, double longest_px);
 
  private:
-  // A point of the chain on an edge.
   struct Station {
-    ChainPoint point;
-    int sign = 0;           // of the interpolated kappa
+    EdgePoint point;
+    // Beyond this point's segment: the sheet is the other one of a double cover.
+    bool turns_over = false;
     bool is_tried = false;  // whether it was asked to be exact
-    std::optional<ContourSample> sample;
-    double next_fraction = 0;  // of the next station on the edge where this one's triangle ends
-    int out = none;            // that edge
+    int sample = none;
     double longest_px = std::numeric_limits<double>::infinity();  // between points up to the next
-
-    int exact_sign() const { return !sample ? sign : sample->kappa < 0 ? -1 : 1; }
   };
 
-  void read(Span<const ChainPoint> linear);
-  void link(Station& from, const Station& to) const;
   std::size_t segments() const { return stations_.size() - (closed_ ? 0 : 1); }
-  Station& next(std::size_t i) { return stations_[(i + 1) % stations_.size()]; }
+  std::size_t after(std::size_t station) const { return (station + 1) % stations_.size(); }
+  bool turns_over(const Station& from, const Station& to) const;
 
-  bool is_suspect(std::size_t segment);
-  bool has_both_signs(int triangle) const;
+  // Of kappa, as seen from the station's own triangle, and at the end of a segment.
+  int sign(const Station& station) const;
+  int sign_at_end(std::size_t segment) const;
+
+  bool is_suspect(std::size_t segment) const;
   double dilation_reach(const Station& station) const;
   void want_around(std::size_t station, bool forward, std::vector<std::uint8_t>& wanted) const;
-  std::vector<std::size_t> near_suspects();
+  std::vector<std::size_t> near_suspects() const;
+
   void solve_station(std::size_t station);
-  bool ascends(int triangle, int corner) const;
-  SolvedEdge solve_edge(const Station& station);
-  const SolvedEdge& solved_edge(const Station& station);
+  const SolvedEdge& solved_edge(const EdgePoint& point);
+  SolvedEdge solve_edge(const EdgePoint& point);
+  bool ascends(const EdgePoint& point) const;
+  double sheet_of(const EdgePoint& point) const;
   void spread();
 
-  // Returns where the segment arrives on its patch.
-  Vec2 emit(std::size_t segment, std::vector<ExactPoint>& result);
-  void emit_linear(const Station& from, const Station& to, std::vector<ExactPoint>& result);
-  void emit_exact(const Station& from, const Station& to, const Vec2& end,
-                  std::vector<ExactPoint>& result);
-  ExactPoint station_point(const Station& station) const;
+  Vec2 uv_at_end(std::size_t segment) const;
+  ExactKnot knot_of(std::size_t station) const;
+  void add_station(std::size_t station, ExactPolyline& line) const;
+  void add_between(std::size_t segment, ExactPolyline& line);
+  void add_linear_cusp(std::size_t segment, ExactPolyline& line) const;
 
   const Surface& surface_;
   LimitContour& contour_;
@@ -98,10 +106,10 @@ class ExactChain {
   ExactSegment segment_;
   bool closed_ = false;
   std::vector<Station> stations_;
+  std::vector<ContourSample> samples_;
 };
 
-// The place of a triangle's edge point on its patch, and back from a place to the triangle.
-Vec2 patch_uv(const PatchTriangle& patch, int corner, double fraction);
+// From a place on a patch to its triangle.
 SurfacePoint on_triangle(const PatchTriangle& patch, int triangle, const Vec2& uv);
 
 }  // namespace illustrate

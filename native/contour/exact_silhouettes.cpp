@@ -17,8 +17,7 @@ constexpr double finest_px = 0.03;  // below, the image grid would twist strands
 
 // One for each linear chain; empty where it is too small to be drawn.
 struct ExactChains {
-  std::vector<std::vector<ExactPoint>> chains;
-  std::vector<std::uint8_t> closed;
+  std::vector<ExactPolyline> chains;
   std::vector<int> swallowtails;  // in each chain
   std::vector<int> troubled;      // triangles, ascending
 };
@@ -29,8 +28,8 @@ class Drawer {
       : contour_(contour), camera_(camera), segment_(contour, camera), everywhere_(everywhere) {}
 
   std::vector<int> troubled(const Surface& surface, const ContourFunctions& functions,
-                            const Silhouettes& linear, SolvedEdges& solved) {
-    ExactChain exact(surface, contour_, functions, camera_, solved);
+                            const LinearSilhouettes& linear, SolvedEdges& solved) {
+    ExactChain exact(surface, contour_, functions, solved);
     std::vector<int> result;
     for (std::size_t c = 0; c < linear.chains.size(); ++c) {
       exact.solve(linear.chains[c], linear.closed[c], everywhere_);
@@ -43,47 +42,45 @@ class Drawer {
 
   // Chains with troubled triangles stay empty, unless all are wanted.
   ExactChains draw(const Surface& surface, const ContourFunctions& functions,
-                   const Silhouettes& linear, SolvedEdges& solved, bool all) {
-    ExactChain exact(surface, contour_, functions, camera_, solved);
+                   const LinearSilhouettes& linear, SolvedEdges& solved, bool all) {
+    ExactChain exact(surface, contour_, functions, solved);
     ExactChains result;
     for (std::size_t c = 0; c < linear.chains.size(); ++c) {
-      const bool closed = linear.closed[c];
-      exact.solve(linear.chains[c], closed, everywhere_);
+      exact.solve(linear.chains[c], linear.closed[c], everywhere_);
       const std::vector<int> troubled = exact.troubled();
       result.troubled.insert(result.troubled.end(), troubled.begin(), troubled.end());
       result.chains.emplace_back();
-      result.closed.push_back(closed);
       result.swallowtails.push_back(0);
       if (!all && !troubled.empty()) continue;
-      result.swallowtails.back() = draw_chain(surface, closed, exact, result.chains.back());
+      result.swallowtails.back() = draw_chain(surface, exact, result.chains.back());
     }
     std::sort(result.troubled.begin(), result.troubled.end());
     return result;
   }
 
  private:
-  int draw_chain(const Surface& surface, bool closed, ExactChain& exact,
-                 std::vector<ExactPoint>& chain) {
-    chain = exact.points();
-    int swallowtails = tidy(surface, closed, chain);
-    for (int round = 0; round < most_rounds && untangle(closed, chain, exact); ++round) {
-      chain = exact.points();
-      swallowtails = tidy(surface, closed, chain);
+  // Returns the number of swallowtails.
+  int draw_chain(const Surface& surface, ExactChain& exact, ExactPolyline& line) {
+    line = exact.polyline();
+    int swallowtails = tidy(surface, line);
+    for (int round = 0; round < most_rounds && untangle(line, exact); ++round) {
+      line = exact.polyline();
+      swallowtails = tidy(surface, line);
     }
-    if (closed && chain.size() < smallest_loop) chain.clear();
+    if (line.closed && line.points.size() < smallest_loop) line.points.clear();
     return swallowtails;
   }
 
-  int tidy(const Surface& surface, bool closed, std::vector<ExactPoint>& chain) {
-    const int swallowtails = collapse_swallowtails(surface, closed, chain);
-    thin_at_cusps(surface, camera_, segment_, closed, chain);
+  int tidy(const Surface& surface, ExactPolyline& line) {
+    const int swallowtails = collapse_swallowtails(surface, camera_, line);
+    thin_at_cusps(surface, camera_, segment_, line);
     return swallowtails;
   }
 
   // Asks for finer segments where strands of a cusp cross; whether there are any.
-  static bool untangle(bool closed, const std::vector<ExactPoint>& chain, ExactChain& exact) {
+  bool untangle(const ExactPolyline& line, ExactChain& exact) const {
     bool any = false;
-    for (const CrossedSegment& s : crossed_at_cusps(closed, chain)) {
+    for (const CrossedSegment& s : crossed_at_cusps(camera_, line)) {
       if (s.length_px / 2 < finest_px) continue;
       exact.make_finer(s.segment, s.length_px / 2);
       any = true;
@@ -99,12 +96,12 @@ class Drawer {
 
 // Back from the patchwork to the whole surface.
 void restore(const Patchwork& patchwork, ExactChains& drawn) {
-  for (std::vector<ExactPoint>& chain : drawn.chains) {
-    for (ExactPoint& p : chain) {
-      const Patchwork::Place place = patchwork.on_whole(p.point.on, p.point.edge);
-      p.point.on = place.on;
-      p.point.edge = place.edge;
-      p.point.fraction = place.fraction;
+  for (ExactPolyline& line : drawn.chains) {
+    for (ExactPoint& p : line.points) {
+      const Patchwork::Place place = patchwork.on_whole(p.on, p.edge);
+      p.on = place.on;
+      p.edge = place.edge;
+      p.fraction = place.fraction;
     }
   }
 }
@@ -113,10 +110,10 @@ void restore(const Patchwork& patchwork, ExactChains& drawn) {
 // through a triangle beside them are redrawn with them.
 class Finer {
  public:
-  Finer(const Surface& surface, const LimitSurface& limit, const Silhouettes& linear)
+  Finer(const Surface& surface, const LimitSurface& limit, const LinearSilhouettes& linear)
       : patchwork_(surface, limit), linear_(linear), is_redrawn_(linear.chains.size(), 0) {
     for (std::size_t c = 0; c < linear.chains.size(); ++c) {
-      for (const ChainPoint& p : linear.chains[c]) chain_of_[p.on.triangle] = c;
+      for (const EdgePoint& p : linear.chains[c]) chain_of_[p.on.triangle] = c;
     }
   }
 
@@ -132,7 +129,7 @@ class Finer {
       include(patchwork_.take_added());
       const Surface& surface = patchwork_.surface();
       const ContourFunctions functions(surface, camera);
-      const Silhouettes traced = silhouettes(surface, functions, camera);
+      const LinearSilhouettes traced = linear_silhouettes(surface, functions);
       wanted.clear();
       if (!is_last) wanted = drawer.troubled(surface, functions, traced, solved);
       if (wanted.empty()) finer = drawer.draw(surface, functions, traced, solved, true);
@@ -148,7 +145,7 @@ class Finer {
       if (chain == chain_of_.end() || is_redrawn_[chain->second]) continue;
       is_redrawn_[chain->second] = 1;
       std::vector<int> along;
-      for (const ChainPoint& p : linear_.chains[chain->second]) along.push_back(p.on.triangle);
+      for (const EdgePoint& p : linear_.chains[chain->second]) along.push_back(p.on.triangle);
       patchwork_.add(along);
     }
   }
@@ -158,7 +155,6 @@ class Finer {
     for (std::size_t c = 0; c < drawn.chains.size(); ++c) {
       if (is_redrawn_[c]) continue;
       if (kept != c) drawn.chains[kept] = std::move(drawn.chains[c]);
-      drawn.closed[kept] = drawn.closed[c];
       drawn.swallowtails[kept++] = drawn.swallowtails[c];
     }
     const auto keep_and_add = [kept](auto& values, auto& more) {
@@ -166,12 +162,11 @@ class Finer {
       std::move(more.begin(), more.end(), std::back_inserter(values));
     };
     keep_and_add(drawn.chains, finer.chains);
-    keep_and_add(drawn.closed, finer.closed);
     keep_and_add(drawn.swallowtails, finer.swallowtails);
   }
 
   Patchwork patchwork_;
-  const Silhouettes& linear_;
+  const LinearSilhouettes& linear_;
   std::vector<std::uint8_t> is_redrawn_;           // (chains)
   std::unordered_map<int, std::size_t> chain_of_;  // of each triangle with a segment
 };
@@ -180,7 +175,7 @@ class Finer {
 
 Silhouettes exact_silhouettes(const Surface& surface, const LimitSurface& limit,
                               const ContourFunctions& functions, const Camera& camera,
-                              const Silhouettes& linear, bool everywhere, Counts& counts) {
+                              const LinearSilhouettes& linear, bool everywhere, Counts& counts) {
   LimitContour contour(limit, camera);
   Drawer drawer(contour, camera, everywhere);
   SolvedEdges solved;
@@ -188,17 +183,16 @@ Silhouettes exact_silhouettes(const Surface& surface, const LimitSurface& limit,
   counts["troubled_triangles"] += static_cast<std::int64_t>(drawn.troubled.size());
   if (!drawn.troubled.empty()) Finer(surface, limit, linear).redraw(camera, drawer, drawn);
   Silhouettes result;
-  result.triangles = linear.triangles;
-  result.triangles_visited = linear.triangles_visited;
   for (std::size_t c = 0; c < drawn.chains.size(); ++c) {
     counts["swallowtails"] += drawn.swallowtails[c];
-    if (drawn.chains[c].empty()) continue;
-    for (const ExactPoint& p : drawn.chains[c]) {
-      result.chains.push(p.point);
+    const ExactPolyline& line = drawn.chains[c];
+    if (line.points.empty()) continue;
+    for (const ExactPoint& p : line.points) {
+      result.chains.push(p);
       result.cusps += p.is_cusp();
     }
     result.chains.close_list();
-    result.closed.push_back(drawn.closed[c]);
+    result.closed.push_back(line.closed);
   }
   counts["evaluations"] += contour.evaluations();
   return result;

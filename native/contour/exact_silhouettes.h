@@ -10,13 +10,21 @@
 
 namespace illustrate {
 
-// Chains as before, but: points near cusps and ends lie on the limit surface; linear cusps give way
-// to exact ones; points are added within triangles (edge none) where the curve turns, and taken
+// Chains run with the front on their left. Segment i of a chain lies in the triangle
+// points[i].on.triangle.
+struct Silhouettes {
+  Ragged<ChainPoint> chains;
+  std::vector<std::uint8_t> closed;
+  std::int64_t cusps = 0;
+};
+
+// The linear chains, but: points near cusps and ends lie on the limit surface; linear cusps give
+// way to exact ones; points are added within triangles (edge none) where the curve turns, and taken
 // away nearer to a cusp than the image can show. Pairs of cusps less than a quarter pixel apart
 // that undo each other's turn (a swallowtail) become one plain point. `everywhere`: all points
-// become exact. Adds "evaluations", "swallowtails" to `counts`, and replaces `silhouettes.cusps`.
+// become exact. Adds "evaluations", "swallowtails", "troubled_triangles" to `counts`.
 Silhouettes exact_silhouettes(const Surface& surface, const LimitSurface& limit,
                               const ContourFunctions& functions, const Camera& camera,
-                              const Silhouettes& linear, bool everywhere, Counts& counts);
+                              const LinearSilhouettes& linear, bool everywhere, Counts& counts);
 
 }  // namespace illustrate

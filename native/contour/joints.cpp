@@ -26,7 +26,7 @@ class JointFinder {
   Joints run() {
     index_features();
     for (std::size_t c = 0; c < silhouettes_.chains.size(); ++c) cut_chain(static_cast<int>(c));
-    index_segments();
+    if (intersections_.curves.size() > 0) index_segments();
     for (std::size_t c = 0; c < intersections_.curves.size(); ++c) {
       cut_intersection(static_cast<int>(c));
     }
@@ -77,6 +77,7 @@ class JointFinder {
 
   // The node where a point of a curve lies on a feature edge, none where the edge is no feature.
   int cut_feature(int triangle, int corner, double fraction, const Vec3& position) {
+    if (surface_.edge_kinds[idx(triangle)][idx(corner)] == EdgeKind::smooth) return none;
     const auto found = feature_of_side_.find(side_key(triangle, corner));
     if (found == feature_of_side_.end()) return none;
     const int node = add_node(NodeKind::joint, position);

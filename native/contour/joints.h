@@ -4,9 +4,9 @@
 
 #include "contour/contour_functions.h"
 #include "contour/curve_network.h"
+#include "contour/exact_silhouettes.h"
 #include "contour/feature_edges.h"
 #include "contour/intersections.h"
-#include "contour/silhouettes.h"
 
 namespace illustrate {
 

@@ -39,7 +39,7 @@ CurveNetwork build_network(const Surface& surface, const LimitSurface& limit,
                            const DualSurface* dual) {
   const std::vector<FeatureEdge> features = wanted_features(all_features, options);
   const ContourFunctions functions(surface, camera);
-  const Silhouettes linear = silhouettes(surface, functions, camera, dual);
+  const LinearSilhouettes linear = linear_silhouettes(surface, functions, dual);
   const Silhouettes found =
       exact_silhouettes(surface, limit, functions, camera, linear, false, counts);
   const PolygonSilhouettes folds = polygon_silhouettes(surface, camera, dual);
@@ -51,8 +51,8 @@ CurveNetwork build_network(const Surface& surface, const LimitSurface& limit,
   add_intersection_strands(surface, intersections, joints, network);
   add_feature_strands(surface, features, folds.edges, functions, camera, joints, network);
   CurveNetwork clipped = clip_near(surface, network, camera);
-  counts["triangles_visited"] += found.triangles_visited;
-  counts["silhouette_triangles"] += static_cast<std::int64_t>(found.triangles.size());
+  counts["triangles_visited"] += linear.triangles_visited;
+  counts["silhouette_triangles"] += static_cast<std::int64_t>(linear.triangles.size());
   counts["edges_visited"] += folds.edges_visited;
   counts["silhouette_edges"] += static_cast<std::int64_t>(folds.edges.size());
   counts["cusps"] += found.cusps;

@@ -52,11 +52,9 @@ class TriangleIndex {
 // Follows the segments of triangles from one to the next.
 class Tracer {
  public:
-  Tracer(const Surface& surface, const ContourFunctions& functions, const Camera& camera,
-         Silhouettes& result)
+  Tracer(const Surface& surface, const ContourFunctions& functions, LinearSilhouettes& result)
       : surface_(surface),
         functions_(functions),
-        camera_(camera),
         triangles_(result.triangles),
         index_(triangles_),
         traced_(triangles_.size(), 0),
@@ -105,7 +103,9 @@ class Tracer {
       if (i == none || traced_[idx(i)]) break;
     }
     if (!closed) {
-      result_.chains.push(edge_point(triangles_[idx(last)], segments_[idx(last)].out));
+      const int triangle = triangles_[idx(last)];
+      result_.chains.push(
+          edge_point(triangle, segments_[idx(last)].out, functions_.cusp_functions(triangle)));
     }
     result_.chains.close_list();
     result_.closed.push_back(closed);
@@ -113,49 +113,38 @@ class Tracer {
 
   void push_segment(int i) {
     const int triangle = triangles_[idx(i)];
-    const ChainPoint start = edge_point(triangle, segments_[idx(i)].in);
-    const ChainPoint end = edge_point(triangle, segments_[idx(i)].out);
-    result_.chains.push(start);
-    const double c_start = cusp_value(triangle, start), c_end = cusp_value(triangle, end);
-    if ((c_start >= 0) == (c_end >= 0)) return;
-    result_.chains.push(cusp_point(start, end, c_start / (c_start - c_end)));
-    ++result_.cusps;
+    const std::array<double, 3> values = functions_.cusp_functions(triangle);
+    EdgePoint p = edge_point(triangle, segments_[idx(i)].in, values);
+    p.out = segments_[idx(i)].out;
+    const int positive = (values[0] >= 0) + (values[1] >= 0) + (values[2] >= 0);
+    p.has_both_signs = positive == 1 || positive == 2;
+    result_.chains.push(p);
   }
 
-  ChainPoint edge_point(int triangle, int corner) const {
+  EdgePoint edge_point(int triangle, int corner, const std::array<double, 3>& values) const {
     const double fraction = functions_.zero_fraction(triangle, corner);
     const Triangle& corners = surface_.triangles[idx(triangle)];
     const Vec3& a = surface_.positions[idx(corners[idx(corner)])];
     const Vec3& b = surface_.positions[idx(corners[idx(next_corner(corner))])];
     // Both triangles of an edge compute the same bits: from its lower vertex to its higher one.
     const bool ascending = corners[idx(corner)] < corners[idx(next_corner(corner))];
-    const Vec3 position =
-        ascending ? Vec3(a + fraction * (b - a)) : Vec3(b + (1 - fraction) * (a - b));
-    return {position, on_edge(triangle, corner, fraction), corner, fraction, 0};
-  }
-
-  double cusp_value(int triangle, const ChainPoint& point) const {
-    return functions_.cusp_function(triangle, point.edge, point.fraction);
-  }
-
-  ChainPoint cusp_point(const ChainPoint& start, const ChainPoint& end, double fraction) const {
-    ChainPoint cusp;
-    cusp.position = start.position + fraction * (end.position - start.position);
-    cusp.on = {start.on.triangle, start.on.b1 + fraction * (end.on.b1 - start.on.b1),
-               start.on.b2 + fraction * (end.on.b2 - start.on.b2)};
-    const double approach = (end.position - start.position).dot(camera_.to_eye(cusp.position));
-    cusp.cusp_jump = approach < 0 ? 1 : -1;
-    return cusp;
+    EdgePoint p;
+    p.position = ascending ? Vec3(a + fraction * (b - a)) : Vec3(b + (1 - fraction) * (a - b));
+    p.on = on_edge(triangle, corner, fraction);
+    p.fraction = fraction;
+    p.edge = corner;
+    p.cusp_function =
+        (1 - fraction) * values[idx(corner)] + fraction * values[idx(next_corner(corner))];
+    return p;
   }
 
   const Surface& surface_;
   const ContourFunctions& functions_;
-  const Camera& camera_;
   const std::vector<int>& triangles_;
   std::vector<Segment> segments_;  // of these triangles
   TriangleIndex index_;
   std::vector<std::uint8_t> traced_;
-  Silhouettes& result_;
+  LinearSilhouettes& result_;
 };
 
 SilhouetteSearch search(const ContourFunctions& functions, const DualSurface& dual) {
@@ -192,13 +181,13 @@ SilhouetteSearch find_silhouette_triangles(const Surface& surface,
   return dual ? search(functions, *dual) : scan(surface, functions);
 }
 
-Silhouettes silhouettes(const Surface& surface, const ContourFunctions& functions,
-                        const Camera& camera, const DualSurface* dual) {
+LinearSilhouettes linear_silhouettes(const Surface& surface, const ContourFunctions& functions,
+                                     const DualSurface* dual) {
   SilhouetteSearch found = find_silhouette_triangles(surface, functions, dual);
-  Silhouettes result;
+  LinearSilhouettes result;
   result.triangles = std::move(found.triangles);
   result.triangles_visited = found.visited;
-  Tracer(surface, functions, camera, result).run();
+  Tracer(surface, functions, result).run();
   return result;
 }
 

@@ -2,10 +2,10 @@
 // that front is positive).
 //
 // g is linear on each triangle; g = 0 counts as front, so each triangle carries at most one segment
-// and chains are closed or end on edges without a smooth neighbour. Cusps are where the cusp
-// function C = k1 (v.w1)^2 + k2 (v.w2)^2, linear too, changes sign along a segment. Objects of
-// scheme none have no g: their silhouettes are mesh edges between a front and a back face, found by
-// `polygon_silhouettes`.
+// and chains are closed or end on edges without a smooth neighbour. Their cusps are found by
+// `exact_silhouettes`, from what the cusp function C = k1 (v.w1)^2 + k2 (v.w2)^2 suggests. Objects
+// of scheme none have no g: their silhouettes are mesh edges between a front and a back face, found
+// by `polygon_silhouettes`.
 #pragma once
 
 #include "contour/contour_functions.h"
@@ -14,25 +14,31 @@
 
 namespace illustrate {
 
-// A point of a chain: on edge `edge` of `triangle`, at `fraction` from that edge's first corner,
+// A point of a chain: on edge `edge` of its triangle, at `fraction` from that edge's first corner,
 // or, when edge is none, inside the triangle.
 struct ChainPoint {
   Vec3 position;
   SurfacePoint
       on;  // in the triangle of the segment that starts here (of the last segment, at an open end)
-  int edge = none;  // edge of on.triangle the point lies on, none for cusps
   double fraction = 0;
+  int edge = none;
   int cusp_jump = 0;  // cusps: +1 where the chain recedes from the viewer, -1 elsewhere; 0: no cusp
 };
 
-// Chains run with the front on their left. Segment i of a chain lies in the triangle
-// points[i].on.triangle.
-struct Silhouettes {
-  Ragged<ChainPoint> chains;
+// A point where a chain enters a triangle over one of its edges (or leaves the last one).
+struct EdgePoint : ChainPoint {
+  double cusp_function = 0;     // of the triangle's sheet, interpolated
+  bool has_both_signs = false;  // C at the triangle's corners
+  int out = none;               // edge over which the chain leaves the triangle
+};
+
+// Chains of edge points, which run with the front on their left; segment i of a chain lies in the
+// triangle points[i].on.triangle.
+struct LinearSilhouettes {
+  Ragged<EdgePoint> chains;
   std::vector<std::uint8_t> closed;
   std::vector<int> triangles;  // that carry a segment, ascending
   std::int64_t triangles_visited = 0;
-  std::int64_t cusps = 0;
 };
 
 // What a view looked at to find the triangles that carry a segment.
@@ -48,7 +54,7 @@ SilhouetteSearch find_silhouette_triangles(const Surface& surface,
                                            const DualSurface* dual);
 
 // Finds the triangles likewise, and follows the chains.
-Silhouettes silhouettes(const Surface& surface, const ContourFunctions& functions,
-                        const Camera& camera, const DualSurface* dual = nullptr);
+LinearSilhouettes linear_silhouettes(const Surface& surface, const ContourFunctions& functions,
+                                     const DualSurface* dual = nullptr);
 
 }  // namespace illustrate

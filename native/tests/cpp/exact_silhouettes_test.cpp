@@ -13,7 +13,8 @@ namespace {
 using namespace surface_checks;
 
 struct Drawn {
-  Silhouettes linear, exact;
+  LinearSilhouettes linear;
+  Silhouettes exact;
   Counts counts;
 };
 
@@ -21,7 +22,7 @@ Drawn draw(const Surface& surface, const Camera& camera, bool everywhere = false
   const LimitSurface limit(surface);
   const ContourFunctions functions(surface, camera);
   Drawn drawn;
-  drawn.linear = silhouettes(surface, functions, camera);
+  drawn.linear = linear_silhouettes(surface, functions);
   drawn.exact =
       exact_silhouettes(surface, limit, functions, camera, drawn.linear, everywhere, drawn.counts);
   return drawn;
