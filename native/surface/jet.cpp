@@ -190,8 +190,7 @@ PrincipalCurvature JetFitter::fit(int vertex, Workspace& work) const {
   const Vec3 plane =
       exact_normal ? normal : Vec3(fitted.x() * x + fitted.y() * y + fitted.z() * normal);
   const Vec3 direction = k.w1.x() * x + k.w1.y() * y + k.w1.z() * normal;
-  k.w1 = unit_or_zero(direction - direction.dot(plane) * plane);
-  if (k.w1.isZero()) k.w1 = any_tangent(plane);
+  k.w1 = tangent_towards(direction, plane);
   k.w2 = plane.cross(k.w1);
   return k;
 }

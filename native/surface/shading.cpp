@@ -141,8 +141,11 @@ int place_of(const RefinedMesh& mesh, int vertex) {
 
 void share_positions(const RefinedMesh& mesh, const Sectors& sectors, Points& positions) {
   std::vector<int> chosen(mesh.points.size(), none);
+  // The sheets of a double cover lie on each other.
   const auto place = [&](std::size_t s) {
-    return static_cast<std::size_t>(place_of(mesh, mesh.vertex(sectors.first_corners[s])));
+    const int vertex = mesh.vertex(sectors.first_corners[s]), own = place_of(mesh, vertex);
+    const int twin = mesh.twin_vertices.empty() ? none : mesh.twin_vertices[idx(vertex)];
+    return idx(twin == none ? own : std::min(own, place_of(mesh, twin)));
   };
   for (std::size_t s = 0; s < sectors.count(); ++s) {
     int& sector = chosen[place(s)];
