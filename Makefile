@@ -1,5 +1,5 @@
 # Each target sets up what it needs and can be run first; what is already there is not done again.
-.PHONY: build demo test bench lint
+.PHONY: build demo test bench sanitize lint
 
 build:
 	tools/build.sh
@@ -12,6 +12,9 @@ test:
 
 bench:
 	tools/bench.sh
+
+sanitize:
+	tools/sanitize.sh
 
 lint:
 	tools/lint.sh

@@ -14,6 +14,10 @@ elseif(MSVC)
   target_compile_options(illustrate_compiler INTERFACE /W4 /permissive- /fp:precise)
 endif()
 
+# Build type Sanitize: ends at the first memory error or undefined behaviour.
+set(CMAKE_CXX_FLAGS_SANITIZE "-O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined \
+-fno-sanitize-recover=all -D_GLIBCXX_ASSERTIONS")
+
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env

@@ -3,54 +3,78 @@
 #include <algorithm>
 #include <numeric>
 
+#include "mesh/split_polygon.h"
+
 namespace illustrate {
 namespace {
 
+// So many looks at corners are spent on the faces of a mesh that come to a vertex twice: about a
+// second, a thousand holes.
+constexpr std::size_t max_looks = 20'000'000;
+
 bool is_usable(const Vec3& position) { return (position.array().abs() <= max_coordinate).all(); }
 
-// Adds a face without corners that repeat the one before; says whether any vertex comes twice even
-// so.
+// Adds faces without corners that repeat the one before, in parts where a vertex comes twice even
+// so. What has fewer than three or too many corners is not added.
 class FaceCleaner {
  public:
-  FaceCleaner(std::size_t vertex_count, Counts& report)
-      : last_seen_(vertex_count, none), report_(report) {}
+  FaceCleaner(const Points& positions, Counts& report)
+      : positions_(positions), last_seen_(positions.size(), none), report_(report) {}
 
   void add(Span<const int> corners, int source, Faces& faces) {
-    const std::size_t first = faces.corners.size();
-    for (const int vertex : corners)
-      if (faces.corners.size() == first || faces.corners.back() != vertex)
-        faces.push_corner(vertex);
-    while (faces.corners.size() > first + 1 && faces.corners.back() == faces.corners[first])
-      faces.corners.pop_back();
-    const std::size_t size = faces.corners.size() - first;
-    if (size < 3 || has_repeated_vertex(faces, first)) {
-      ++report_["degenerate_faces"];
-      faces.drop_face();
-    } else if (size > max_valence) {
-      ++report_["huge_faces"];
-      faces.drop_face();
+    const int faces_before = faces.size();
+    set_distinct(corners);
+    if (!has_repeated_vertex()) {
+      add_sound({distinct_.data(), distinct_.size()}, source, faces);
     } else {
-      if (size < corners.size())
-        report_["repeated_corners"] += static_cast<std::int64_t>(corners.size() - size);
-      faces.close_face(source);
+      const Ragged<int> parts =
+          split_polygon({distinct_.data(), distinct_.size()}, positions_, looks_);
+      for (std::size_t i = 0; i < parts.size(); ++i) add_sound(parts[i], source, faces);
+      report_["split_faces"] += faces.size() > faces_before;
     }
+    if (faces.size() > faces_before && distinct_.size() < corners.size())
+      report_["repeated_corners"] += static_cast<std::int64_t>(corners.size() - distinct_.size());
   }
 
  private:
-  bool has_repeated_vertex(const Faces& faces, std::size_t first) {
+  void set_distinct(Span<const int> corners) {
+    distinct_.clear();
+    for (const int vertex : corners)
+      if (distinct_.empty() || distinct_.back() != vertex) distinct_.push_back(vertex);
+    while (distinct_.size() > 1 && distinct_.back() == distinct_.front()) distinct_.pop_back();
+  }
+
+  bool has_repeated_vertex() {
     ++stamp_;
-    for (std::size_t c = first; c < faces.corners.size(); ++c) {
-      int& seen = last_seen_[faces.corners[c]];
+    for (const int vertex : distinct_) {
+      int& seen = last_seen_[vertex];
       if (seen == stamp_) return true;
       seen = stamp_;
     }
     return false;
   }
 
+  static void add_sound(Span<const int> corners, int source, Faces& faces) {
+    if (corners.size() < 3 || corners.size() > max_valence) return;
+    faces.corners.insert(faces.corners.end(), corners.begin(), corners.end());
+    faces.close_face(source);
+  }
+
+  const Points& positions_;
+  std::vector<int> distinct_;  // corners of the face at hand
   std::vector<int> last_seen_;
   int stamp_ = 0;
+  std::size_t looks_ = max_looks;
   Counts& report_;
 };
+
+// Faces of the input that are there, also in parts.
+std::int64_t count_sources(const Faces& faces) {
+  std::int64_t count = 0;
+  for (int f = 0; f < faces.size(); ++f)
+    count += f == 0 || faces.sources[f] != faces.sources[f - 1];
+  return count;
+}
 
 // Reads faces from their lowest vertex towards its lower neighbour, so that equal polygons read the
 // same.
@@ -110,15 +134,14 @@ std::vector<std::uint8_t> find_duplicates(const Faces& faces, std::size_t vertex
 
 Faces without_duplicates(const Faces& faces, std::size_t vertex_count, Counts& report) {
   const std::vector<std::uint8_t> is_duplicate = find_duplicates(faces, vertex_count);
-  const auto count = std::count(is_duplicate.begin(), is_duplicate.end(), 1);
-  if (count == 0) return faces;
-  report["duplicate_faces"] += count;
+  if (std::count(is_duplicate.begin(), is_duplicate.end(), 1) == 0) return faces;
   Faces unique;
   for (int f = 0; f < faces.size(); ++f) {
     if (is_duplicate[f]) continue;
     for (const int vertex : faces[f]) unique.push_corner(vertex);
     unique.close_face(faces.sources[f]);
   }
+  report["duplicate_faces"] += count_sources(faces) - count_sources(unique);
   return unique;
 }
 
@@ -161,15 +184,19 @@ Faces clean_faces(const PolygonMesh& mesh, Counts& report) {
   report["nan_vertices"] += std::count(usable.begin(), usable.end(), 0);
 
   Faces faces;
-  FaceCleaner cleaner(mesh.positions.size(), report);
+  FaceCleaner cleaner(mesh.positions, report);
   const int* corner = mesh.corner_vertices.data();
   for (std::size_t f = 0; f < mesh.face_sizes.size(); ++f) {
     const Span<const int> face{corner, static_cast<std::size_t>(mesh.face_sizes[f])};
     corner += face.size();
-    if (std::all_of(face.begin(), face.end(), [&](int v) { return usable[v] != 0; }))
-      cleaner.add(face, static_cast<int>(f), faces);
-    else
+    if (!std::all_of(face.begin(), face.end(), [&](int v) { return usable[v] != 0; })) {
       ++report["nan_faces"];
+      continue;
+    }
+    const int before = faces.size();
+    cleaner.add(face, static_cast<int>(f), faces);
+    if (faces.size() == before)
+      ++report[face.size() > max_valence ? "huge_faces" : "degenerate_faces"];
   }
   faces = without_duplicates(faces, mesh.positions.size(), report);
   count_isolated(faces, usable, report);
@@ -191,8 +218,9 @@ std::vector<int> weld_open_edges(Faces& faces, const Points& positions, Counts& 
 
   for (int& vertex : faces.corners) vertex = numbers[vertex];
   Faces cleaned;
-  FaceCleaner cleaner(positions.size(), report);
+  FaceCleaner cleaner(positions, report);
   for (int f = 0; f < faces.size(); ++f) cleaner.add(faces[f], faces.sources[f], cleaned);
+  report["degenerate_faces"] += count_sources(faces) - count_sources(cleaned);
   faces = without_duplicates(cleaned, positions.size(), report);
   return numbers;
 }

@@ -13,9 +13,10 @@ constexpr int max_valence = 65535;
 // Coordinates beyond this magnitude count as not finite: a product of two of them overflows.
 constexpr double max_coordinate = 1e150;
 
-// The faces with at least three corners, all finite and different. Counts "nan_vertices",
-// "nan_faces", "repeated_corners", "degenerate_faces", "huge_faces", "duplicate_faces",
-// "isolated_vertices".
+// The faces with at least three corners, all finite and different; faces that come to a vertex
+// twice in parts (split_polygon). Counts "nan_vertices", "nan_faces", "repeated_corners",
+// "split_faces", "degenerate_faces", "huge_faces", "duplicate_faces", "isolated_vertices": faces
+// where nothing of them is left.
 Faces clean_faces(const PolygonMesh& mesh, Counts& report);
 
 // Gives vertices of open edges that lie at the same position the same number, the lowest; cleans

@@ -72,9 +72,13 @@ Tags mark_tags(const PolygonMesh& mesh, const std::vector<int>& numbers) {
 // Edges whose faces' normals turn more than an angle.
 class CreaseAngle {
  public:
-  CreaseAngle(const Faces& faces, const Points& positions, double angle_deg) : faces_(faces) {
+  // Twins have their partner's normal, turned: both sheets are told the same.
+  CreaseAngle(const Faces& faces, const SoundMesh& sound, double angle_deg) : faces_(faces) {
     angle_rad_ = angle_deg * pi / 180;
-    if (angle_deg < 180) normals_ = unit_normals(faces, positions);
+    if (angle_deg >= 180) return;
+    normals_ = unit_normals(faces, sound.positions);
+    for (std::size_t f = 0; f < normals_.size(); ++f)
+      if (sound.kept[f] == 0) normals_[f] = -normals_[sound.twin_faces[f]];
   }
 
   bool is_exceeded(Span<const int> edge) const {
@@ -110,8 +114,9 @@ void carry_edges(const PolygonMesh& mesh, const Faces& faces,
                  const std::vector<std::uint8_t>& is_cut, const std::vector<int>& numbers,
                  SoundMesh& sound, Counts& report) {
   Tags creases = sharpness_tags(mesh, numbers, report), marks = mark_tags(mesh, numbers);
-  const CreaseAngle angle(faces, sound.positions, mesh.crease_angle_deg);
+  const CreaseAngle angle(faces, sound, mesh.crease_angle_deg);
   const Ragged<int> edges = half_edges_by_edge(faces, sound.positions.size());
+  std::int64_t open_edges = 0;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const int h = edges[e][0], a = faces.corners[h], b = faces.head(h);
     const int source_a = sound.source_vertices[a], source_b = sound.source_vertices[b];
@@ -125,8 +130,13 @@ void carry_edges(const PolygonMesh& mesh, const Faces& faces,
       sound.edge_sharpness.push_back(sharpness);
     }
     if (marks.take(source_a, source_b) > 0) sound.marked_edges.push_back({a, b});
-    if (edges[e].size() == 1 && is_cut[h]) sound.seams.push_back({a, b});
+    if (edges[e].size() > 1) continue;
+    if (is_cut[h])
+      sound.seams.push_back({a, b});
+    else
+      open_edges += sound.kept[faces.corner_faces[h]];
   }
+  report["open_edges"] += open_edges;
   report["ignored_creases"] += creases.count_unused();
   report["ignored_marks"] += marks.count_unused();
   carry_vertex_sharpness(mesh, numbers, sound, report);

@@ -8,8 +8,8 @@
 namespace illustrate {
 
 // Fills edge_vertices, edge_sharpness, vertex_sharpness, marked_edges and seams of `sound`, whose
-// positions and source_vertices stand. faces: its faces; is_cut: Joints'; numbers:
-// weld_open_edges'. Of several sharpnesses on one edge the largest counts. Counts
+// positions, source_vertices, twins and kept stand. faces: its faces; is_cut: Joints'; numbers:
+// weld_open_edges'. Of several sharpnesses on one edge the largest counts. Counts "open_edges",
 // "ignored_creases", "ignored_marks", "angle_creases".
 void carry_edges(const PolygonMesh& mesh, const Faces& faces,
                  const std::vector<std::uint8_t>& is_cut, const std::vector<int>& numbers,

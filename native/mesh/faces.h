@@ -12,7 +12,7 @@ struct Faces {
   std::vector<int> offsets{0};    // (f+1) corners of face f: offsets[f] .. offsets[f+1]
   std::vector<int> corners;       // (c) vertex of each corner
   std::vector<int> corner_faces;  // (c) face of each corner
-  std::vector<int> sources;       // (f) face of the input
+  std::vector<int> sources;       // (f) face of the input; parts of one face stand side by side
 
   int size() const { return static_cast<int>(sources.size()); }
   int corner_count() const { return static_cast<int>(corners.size()); }
@@ -40,8 +40,6 @@ struct Faces {
   void push_corner(int vertex) { corners.push_back(vertex); }
   // Ends the face whose corners were pushed.
   void close_face(int source);
-  // Forgets the corners pushed since the last face.
-  void drop_face() { corners.resize(static_cast<std::size_t>(offsets.back())); }
 };
 
 // What joins the faces. Two half-edges of one edge name each other.

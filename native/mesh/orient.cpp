@@ -111,6 +111,7 @@ std::vector<std::uint8_t> orient(Faces& faces, Joints& joints, const Points& pos
   for (int f = 0; f < faces.size(); ++f) {
     if (flood.is_reached(f)) continue;
     const Part part = flood.fill(f);
+    ++report["parts"];
     if (!part.is_orientable) {
       for (const int face : part.faces) is_unorientable[face] = 1;
       ++report["covered_parts"];

@@ -9,7 +9,7 @@ namespace illustrate {
 // Reverses faces so that joined faces run along their edge in opposite directions. Per connected
 // part the winding of most faces wins; a closed part of negative volume is turned outward. In parts
 // that cannot be oriented some joints still disagree; their winding is the flood fill's. Counts
-// "flipped_faces", "turned_parts", "covered_parts".
+// "parts", "flipped_faces", "turned_parts", "covered_parts".
 // Returns 1 for each face of a part that cannot be oriented.
 std::vector<std::uint8_t> orient(Faces& faces, Joints& joints, const Points& positions,
                                  Counts& report);

@@ -12,10 +12,13 @@ namespace illustrate {
 namespace {
 
 void name_counts(Counts& report) {
-  for (const char* name : {"nan_vertices", "nan_faces", "repeated_corners", "degenerate_faces",
-                           "huge_faces", "duplicate_faces", "isolated_vertices", "welded_vertices",
-                           "split_edges", "split_vertices", "flipped_faces", "turned_parts",
-                           "covered_parts", "ignored_creases", "ignored_marks", "angle_creases"})
+  for (const char* name :
+       {"input_faces",     "kept_faces",      "nan_faces",         "degenerate_faces",
+        "huge_faces",      "duplicate_faces", "nan_vertices",      "repeated_corners",
+        "split_faces",     "welded_vertices", "isolated_vertices", "split_edges",
+        "split_vertices",  "flipped_faces",   "turned_parts",      "covered_parts",
+        "ignored_creases", "ignored_marks",   "angle_creases",     "empty_meshes",
+        "parts",           "polygons",        "open_edges"})
     report[name] += 0;
 }
 
@@ -52,6 +55,21 @@ void set_twins(const Faces& faces, std::vector<int> twins, SoundMesh& sound) {
   }
 }
 
+// What is left, on one sheet.
+void count_faces(const SoundMesh& sound, Counts& report) {
+  std::int64_t kept = 0, polygons = 0;
+  int last_source = none;
+  for (std::size_t f = 0; f < sound.face_sizes.size(); ++f) {
+    if (sound.kept[f] == 0) continue;
+    kept += sound.source_faces[f] != last_source;
+    polygons += sound.face_sizes[f] > 4;
+    last_source = sound.source_faces[f];
+  }
+  report["kept_faces"] += kept;
+  report["polygons"] += polygons;
+  report["empty_meshes"] += sound.face_sizes.empty();
+}
+
 // Copies beyond one for each vertex, on one sheet.
 std::int64_t count_split(const SoundMesh& sound) {
   std::int64_t copies = 0;
@@ -68,6 +86,7 @@ std::int64_t count_split(const SoundMesh& sound) {
 SoundMesh sanitize(const PolygonMesh& mesh, Counts& report) {
   validate(mesh);
   name_counts(report);
+  report["input_faces"] += static_cast<std::int64_t>(mesh.face_sizes.size());
   Faces faces = clean_faces(mesh, report);
   const std::vector<int> numbers = weld_open_edges(faces, mesh.positions, report);
   Joints joints = join_faces(faces, mesh.positions, report);
@@ -78,6 +97,7 @@ SoundMesh sanitize(const PolygonMesh& mesh, Counts& report) {
   set_vertices(mesh, split_vertices(faces, joints, mesh.positions.size()), sound);
   set_faces(mesh, faces, sound);
   set_twins(faces, std::move(twins), sound);
+  count_faces(sound, report);
   report["split_vertices"] += count_split(sound);
   carry_edges(mesh, faces, joints.is_cut, numbers, sound, report);
   sound.boundary = mesh.boundary;

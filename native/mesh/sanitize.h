@@ -5,9 +5,9 @@
 // run along it in opposite directions, positions are finite, no face repeats a vertex. Nothing is
 // thrown for a bad mesh; each repair is counted.
 //
-// Order: vertices that are not finite are dropped with their faces; repeated corners and faces with
-// fewer than three corners or with a vertex that comes twice go; duplicate faces go (the first
-// stays, whatever the winding); bit-identical positions on open edges are welded;
+// Order: vertices that are not finite are dropped with their faces; repeated corners go, faces that
+// come to a vertex twice are taken apart, faces with fewer than three corners go; duplicate faces
+// go (the first stays, whatever the winding); bit-identical positions on open edges are welded;
 // edges with more than two faces and vertices with more than one fan are split (the new open edges
 // are `seams`: never drawn, smooth across); winding is made consistent by flood fill; closed parts
 // of negative volume are turned outward; parts that cannot be oriented become their orientation
@@ -23,7 +23,7 @@ struct SoundMesh {
   Points positions;             // (n)
   std::vector<int> face_sizes;  // (f) all >= 3
   std::vector<int> corner_vertices;
-  std::vector<int> source_faces;       // (f) face of the input
+  std::vector<int> source_faces;       // (f) face of the input; its parts share it
   std::vector<int> source_vertices;    // (n) vertex of the input; copies of a split vertex share it
   std::vector<Edge> edge_vertices;     // (e) sharp edges, the crease angle's included
   std::vector<double> edge_sharpness;  // (e) > 0
@@ -44,14 +44,17 @@ struct SoundMesh {
   std::string name;
 };
 
-// Counts of every repair are added to `report` under plain names, all present, most of them 0:
-//   nan_vertices, nan_faces (with such a vertex), repeated_corners, degenerate_faces, huge_faces
-//   (more than 65535 corners), duplicate_faces, isolated_vertices, welded_vertices, split_edges,
-//   split_vertices (copies made), flipped_faces (against the majority of their part), turned_parts,
-//   covered_parts, ignored_creases (sharpness that is not a number or of no edge), ignored_marks
-//   (of no edge), angle_creases (edges that became sharp).
-// Every face of the input is in the result (with its twin where covered) or in nan_faces,
-// degenerate_faces, huge_faces or duplicate_faces. Throws InvalidInput as `validate` does.
+// Counts of every repair are added to `report` under plain names, all present, most of them 0.
+// Every face of the input is kept or dropped for one reason:
+//   input_faces = kept_faces + nan_faces (at a vertex that is not finite) + degenerate_faces (no
+//   three different corners) + huge_faces (more than 65535 corners) + duplicate_faces.
+// Mended: nan_vertices, repeated_corners, split_faces (kept in parts), welded_vertices,
+//   isolated_vertices, split_edges, split_vertices (copies made), flipped_faces (against the
+//   majority of their part), turned_parts, covered_parts, ignored_creases (sharpness that is not a
+//   number or of no edge), ignored_marks (of no edge), empty_meshes (without a face left).
+// Found, not mended: parts, polygons (faces of more than four corners), open_edges (boundaries,
+//   not seams). Made on request: angle_creases (edges that became sharp).
+// Throws InvalidInput as `validate` does.
 SoundMesh sanitize(const PolygonMesh& mesh, Counts& report);
 
 }  // namespace illustrate

@@ -135,11 +135,11 @@ void turn_directions(int threads, SectorLimits& result) {
   parallel_for(result.normals.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s) {
       const Vec3& n = result.normals[s];
-      Vec3& w = result.curvature.w1[s];
-      if (std::abs(w.dot(n)) < 1e-9 && w.squaredNorm() > .5) continue;
-      const Vec3 turned = unit_or_zero(w - w.dot(n) * n);
-      w = turned.isZero() ? any_tangent(n) : turned;
-      result.curvature.w2[s] = n.cross(w);
+      Vec3 &w1 = result.curvature.w1[s], &w2 = result.curvature.w2[s];
+      const bool is_tangent = std::abs(w1.dot(n)) < 1e-9 && std::abs(w2.dot(n)) < 1e-9;
+      if (is_tangent && w1.squaredNorm() > .5) continue;
+      w1 = tangent_towards(w1, n);
+      w2 = n.cross(w1);
     }
   });
 }

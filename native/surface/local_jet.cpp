@@ -124,8 +124,7 @@ PrincipalCurvature LocalJet::fit(int most_degree, bool exact_normal, double fall
   const Vec3 plane =
       exact_normal ? normal_ : Vec3(fitted.x() * x_ + fitted.y() * y_ + fitted.z() * normal_);
   const Vec3 direction = k.w1.x() * x_ + k.w1.y() * y_ + k.w1.z() * normal_;
-  k.w1 = unit_or_zero(direction - direction.dot(plane) * plane);
-  if (k.w1.isZero()) k.w1 = any_tangent(plane);
+  k.w1 = tangent_towards(direction, plane);
   k.w2 = plane.cross(k.w1);
   return k;
 }

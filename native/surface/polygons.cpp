@@ -131,6 +131,13 @@ Vec3 any_tangent(const Vec3& v) {
   return v.cross(Vec3::Unit(smallest)).normalized();
 }
 
+Vec3 tangent_towards(const Vec3& wanted, const Vec3& v) {
+  const Vec3 rough = unit_or_zero(wanted - wanted.dot(v) * v);
+  // Once more: where little was left, it is rounding along v as well.
+  const Vec3 tangent = unit_or_zero(rough - rough.dot(v) * v);
+  return tangent.isZero() || std::abs(tangent.dot(v)) > 1e-9 ? any_tangent(v) : tangent;
+}
+
 Vec3 newell_normal(Span<const Vec3> polygon) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {

@@ -12,6 +12,10 @@ Vec3 unit_or_zero(const Vec3& v);
 // Some unit vector across `v` (unit).
 Vec3 any_tangent(const Vec3& v);
 
+// The unit vector at right angles to the unit vector v that is nearest to `wanted`; any where
+// `wanted` runs along v.
+Vec3 tangent_towards(const Vec3& wanted, const Vec3& v);
+
 // Newell's normal: twice the area vector of the polygon. Any length, zero for a degenerate polygon.
 Vec3 newell_normal(Span<const Vec3> polygon);
 

@@ -146,8 +146,11 @@ void share_positions(const RefinedMesh& mesh, const Sectors& sectors, Points& po
   const bool all_closed = std::find(closed.begin(), closed.end(), 0) == closed.end();
   if (all_closed && mesh.places.empty()) return;  // a place has one sector
   std::vector<int> chosen(mesh.points.size(), none);
+  // The sheets of a double cover lie on each other.
   const auto place = [&](std::size_t s) {
-    return static_cast<std::size_t>(place_of(mesh, mesh.vertex(sectors.first_corners[s])));
+    const int vertex = mesh.vertex(sectors.first_corners[s]), own = place_of(mesh, vertex);
+    const int twin = mesh.twin_vertices.empty() ? none : mesh.twin_vertices[idx(vertex)];
+    return idx(twin == none ? own : std::min(own, place_of(mesh, twin)));
   };
   for (std::size_t s = 0; s < sectors.count(); ++s) {
     int& sector = chosen[place(s)];

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <utility>
@@ -73,6 +74,25 @@ inline void check_edge_lists(const SoundMesh& mesh, const std::map<Edge, int>& h
   for (const auto& [a, b] : mesh.seams) EXPECT_TRUE(has(a, b) && !has(b, a));
 }
 
+// What lies on edges of one sheet lies on those of the other.
+inline void check_twin_edges(const SoundMesh& mesh) {
+  const auto ordered = [](int a, int b) { return Edge{std::min(a, b), std::max(a, b)}; };
+  const auto expect_twin = [&](const std::map<Edge, double>& found) {
+    for (const auto& [edge, value] : found) {
+      const int a = mesh.twin_vertices[edge[0]], b = mesh.twin_vertices[edge[1]];
+      if (a == none || b == none) continue;
+      const auto twin = found.find(ordered(a, b));
+      EXPECT_TRUE(twin != found.end() && twin->second == value) << edge[0] << " " << edge[1];
+    }
+  };
+  std::map<Edge, double> creases, marks, seams;
+  for (std::size_t e = 0; e < mesh.edge_vertices.size(); ++e)
+    creases[ordered(mesh.edge_vertices[e][0], mesh.edge_vertices[e][1])] = mesh.edge_sharpness[e];
+  for (const auto& [a, b] : mesh.marked_edges) marks[ordered(a, b)] = 1;
+  for (const auto& [a, b] : mesh.seams) seams[ordered(a, b)] = 1;
+  for (const auto* found : {&creases, &marks, &seams}) expect_twin(*found);
+}
+
 // The two sheets mirror each other, and one of them is kept.
 inline void check_twins(const SoundMesh& mesh, const std::map<Edge, int>& half_edges) {
   for (std::size_t f = 0; f < mesh.face_sizes.size(); ++f) {
@@ -99,6 +119,7 @@ inline void check_twins(const SoundMesh& mesh, const std::map<Edge, int>& half_e
     ASSERT_NE(found, half_edges.end());
     EXPECT_EQ(found->second, mesh.twin_faces[face]);
   }
+  check_twin_edges(mesh);
 }
 
 inline void check_sound(const SoundMesh& mesh) {
@@ -120,12 +141,43 @@ inline void check_sound(const SoundMesh& mesh) {
   check_twins(mesh, half_edges);
 }
 
-// Every face of the input is kept, once or with its twin, or counted as dropped.
+// Where the faces of the input start in corner_vertices.
+inline std::vector<int> face_starts(const PolygonMesh& input) {
+  std::vector<int> starts{0};
+  for (const int size : input.face_sizes) starts.push_back(starts.back() + size);
+  return starts;
+}
+
+// Every corner of a face lies where a corner of the input's face lies.
+inline void check_sources(const PolygonMesh& input, const SoundMesh& mesh) {
+  const std::vector<int> starts = face_starts(input);
+  const int* corner = mesh.corner_vertices.data();
+  for (std::size_t f = 0; f < mesh.face_sizes.size(); ++f) {
+    const int source = mesh.source_faces[f];
+    ASSERT_GE(source, 0);
+    ASSERT_LT(source, static_cast<int>(input.face_sizes.size()));
+    std::set<std::array<double, 3>> corners;
+    for (int c = starts[source]; c < starts[source + 1]; ++c) {
+      const Vec3& p = input.positions[input.corner_vertices[c]];
+      corners.insert({p.x(), p.y(), p.z()});
+    }
+    for (int k = 0; k < mesh.face_sizes[f]; ++k, ++corner) {
+      const Vec3& p = mesh.positions[*corner];
+      EXPECT_TRUE(corners.count({p.x(), p.y(), p.z()})) << "face " << f << " of " << source;
+    }
+  }
+}
+
+// Every face of the input is kept, whole or in parts, once or with its twin, or counted as dropped.
 inline void check_faces_accounted(const PolygonMesh& input, const SoundMesh& mesh, Counts report) {
-  const auto kept = std::count(mesh.kept.begin(), mesh.kept.end(), 1);
-  EXPECT_EQ(kept + report["nan_faces"] + report["degenerate_faces"] + report["huge_faces"] +
-                report["duplicate_faces"],
-            static_cast<std::int64_t>(input.face_sizes.size()));
+  const std::set<int> kept(mesh.source_faces.begin(), mesh.source_faces.end());
+  EXPECT_EQ(report["kept_faces"], static_cast<std::int64_t>(kept.size()));
+  EXPECT_EQ(report["input_faces"], static_cast<std::int64_t>(input.face_sizes.size()));
+  EXPECT_EQ(report["input_faces"], report["kept_faces"] + report["nan_faces"] +
+                                       report["degenerate_faces"] + report["huge_faces"] +
+                                       report["duplicate_faces"]);
+  for (const auto& [name, count] : report) EXPECT_GE(count, 0) << name;
+  check_sources(input, mesh);
 }
 
 struct Mended {
