@@ -33,7 +33,8 @@ std::vector<FeatureEdge> wanted_features(const std::vector<FeatureEdge>& feature
 
 CurveNetwork build_network(const Surface& surface, const LimitSurface& limit,
                            const std::vector<FeatureEdge>& all_features,
-                           const IntersectionCurves& intersections, const Camera& camera,
+                           const IntersectionCurves& intersections,
+                           const CurvatureDerivative* derivative, const Camera& camera,
                            const NetworkOptions& options, Counts& counts,
                            const Progress& progress) {
   const std::vector<FeatureEdge> features = wanted_features(all_features, options);
@@ -42,12 +43,15 @@ CurveNetwork build_network(const Surface& surface, const LimitSurface& limit,
   const Silhouettes found =
       exact_silhouettes(surface, limit, functions, camera, linear, false, counts);
   progress.report(0.5);
-  const Joints joints = find_joints(surface, features, found, intersections);
+  CurvatureCurves lines;
+  if (derivative) lines = curvature_curves(surface, *derivative, camera, options.curvature_curves);
+  const Joints joints = find_joints(surface, features, found, intersections, lines);
   CurveNetwork network;
   network.nodes = joints.nodes;
   add_silhouette_strands(surface, found, joints, network);
   add_intersection_strands(surface, intersections, joints, network);
   add_feature_strands(surface, features, functions, camera, joints, network);
+  add_curvature_strands(surface, lines, options.curvature_curves, joints, network);
   CurveNetwork clipped = clip_near(surface, network, camera);
   counts["triangles_visited"] += found.triangles_visited;
   counts["silhouette_triangles"] += static_cast<std::int64_t>(found.triangles.size());

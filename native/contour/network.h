@@ -7,6 +7,7 @@
 // vertex, since anything may change there. Strands are clipped at the near plane.
 #pragma once
 
+#include "contour/curvature_curves.h"
 #include "contour/curve_network.h"
 #include "contour/feature_edges.h"
 #include "contour/intersections.h"
@@ -21,13 +22,16 @@ struct NetworkOptions {
   bool marks = false;          // user-marked edges become curves
   bool materials = false;      // borders between materials
   bool flat_outlines = false;  // outlines of flat areas
+  CurvatureCurveOptions curvature_curves;
 };
 
-// `limit` is the limit surface of `surface`. Adds "triangles_visited", "silhouette_triangles",
+// `limit` is the limit surface of `surface`; `derivative`, of its vertices, is only needed for
+// curvature curves. Adds "triangles_visited", "silhouette_triangles",
 // "cusps", "swallowtails", "evaluations", "strands" to `counts`.
 CurveNetwork build_network(const Surface& surface, const LimitSurface& limit,
                            const std::vector<FeatureEdge>& features,
-                           const IntersectionCurves& intersections, const Camera& camera,
+                           const IntersectionCurves& intersections,
+                           const CurvatureDerivative* derivative, const Camera& camera,
                            const NetworkOptions& options, Counts& counts,
                            const Progress& progress = {});
 

@@ -1,4 +1,4 @@
-// Silhouette and self-intersection strands: polylines cut at joints.
+// Silhouette, self-intersection and curvature strands: polylines cut at joints.
 #include <algorithm>
 
 #include "contour/strands.h"
@@ -101,16 +101,46 @@ std::vector<int> add_polyline(const Surface& surface, const Polyline& line,
 // Strands first .. first + count follow each other; where the chain itself says what happens
 // between two of them they are tied.
 void add_ties(Span<const ChainPoint> chain, bool closed, int first, const std::vector<int>& sources,
-              CurveNetwork& network) {
+              int first_line_node, CurveNetwork& network) {
   const int count = static_cast<int>(sources.size());
   for (int i = closed ? 0 : 1; i < count; ++i) {
     const int strand = first + i, previous = first + (i + count - 1) % count;
     const int node = network.strands[idx(strand)].start_node;
     const Vec3& position = network.nodes[idx(node)].position;
     const ChainPoint& p = chain[idx(sources[idx(i)])];
-    if (p.position != position) continue;  // a joint inside a segment: a self-intersection
-    network.ties.push_back({node, previous, strand, p.cusp_jump});
+    if (p.position == position) {
+      network.ties.push_back({node, previous, strand, p.cusp_jump});
+    } else if (node >= first_line_node) {
+      network.ties.push_back({node, previous, strand, 0});
+    }  // else inside a segment: a self-intersection, which may change anything
   }
+}
+
+// What most of the points between two cuts of a line are; the cuts are told by the points that they
+// stand at or behind.
+bool is_ridge(Span<const ZeroPoint> line, int from, int to) {
+  const int count = static_cast<int>(line.size());
+  int votes = 0;
+  for (int i = from + 1; i <= to; ++i) votes += line[idx(i % count)].flag ? 1 : -1;
+  return votes != 0 ? votes > 0 : line[idx(from % count)].flag;
+}
+
+// The kinds of the strands that a line is cut into at these points; of all of it where uncut.
+std::vector<Kind> strand_kinds(Span<const ZeroPoint> line, bool closed, bool suggestive,
+                               const std::vector<int>& sources) {
+  const int count = static_cast<int>(line.size());
+  const std::size_t strands = std::max<std::size_t>(sources.size(), 1);
+  std::vector<Kind> kinds(strands, Kind::suggestive);
+  for (std::size_t s = 0; !suggestive && s < strands; ++s) {
+    const int from = sources.empty() ? 0 : sources[s];
+    int to = closed ? from + count : count - 1;
+    if (s + 1 < sources.size())
+      to = sources[s + 1];
+    else if (closed && !sources.empty())
+      to = sources[0] + count;
+    kinds[s] = is_ridge(line, from, to) ? Kind::ridge : Kind::valley;
+  }
+  return kinds;
 }
 
 Polyline polyline_of(Span<const ChainPoint> chain, bool closed) {
@@ -133,7 +163,7 @@ void add_silhouette_strands(const Surface& surface, const Silhouettes& silhouett
     const std::vector<int> sources =
         add_polyline(surface, polyline_of(chain, closed),
                      cuts_of(joints.chains, static_cast<int>(c)), strand, network);
-    add_ties(chain, closed, first, sources, network);
+    add_ties(chain, closed, first, sources, joints.first_line_node, network);
   }
 }
 
@@ -148,6 +178,33 @@ void add_intersection_strands(const Surface& surface, const IntersectionCurves& 
     }
     add_polyline(surface, line, cuts_of(joints.intersections, static_cast<int>(c)), strand,
                  network);
+  }
+}
+
+void add_curvature_strands(const Surface& surface, const CurvatureCurves& curves,
+                           const CurvatureCurveOptions& options, const Joints& joints,
+                           CurveNetwork& network) {
+  Strand strand;
+  strand.left_layers = strand.right_layers = 1;
+  CurveNetwork all;
+  all.nodes = network.nodes;
+  std::vector<Kind> kinds;
+  for (std::size_t c = 0; c < curves.lines.curves.size(); ++c) {
+    const Span<const ZeroPoint> line = curves.lines.curves[c];
+    const bool closed = curves.lines.closed[c];
+    Polyline polyline{{}, closed};
+    for (const ZeroPoint& p : line) polyline.points.push_back({p.position, p.on});
+    const std::vector<int> sources =
+        add_polyline(surface, polyline, cuts_of(joints.lines, static_cast<int>(c)), strand, all);
+    for (const Kind kind : strand_kinds(line, closed, curves.suggestive[c], sources)) {
+      kinds.push_back(kind);
+    }
+  }
+  for (std::size_t s = 0; s < all.strands.size(); ++s) {
+    if (!options.wants(kinds[s])) continue;
+    all.strands[s].kind = kinds[s];
+    network.points.add(all.points[s]);
+    network.strands.push_back(all.strands[s]);
   }
 }
 
