@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contour/back_sides.h"
 #include "core/errors.h"
 
 namespace illustrate {
@@ -54,16 +55,29 @@ double zero_between(double low, double high) {
   return std::clamp(sum > 0 ? std::abs(low) / sum : 0.5, least_fraction, 1 - least_fraction);
 }
 
-// n . v for the unit direction v to the eye.
-std::vector<double> facing_of(const Surface& surface, const Camera& camera) {
-  std::vector<double> facing;
-  for (std::size_t v = 0; v < surface.positions.size(); ++v) {
-    const Vec3 view = camera.to_eye(surface.positions[v]);
-    const double length = view.norm();
-    facing.push_back(length > 0 ? surface.normals[v].dot(view) / length : 1);
+// The surface as it is looked at.
+struct SeenSurface {
+  SeenSurface(const Surface& whole, const IntersectionCurves& intersections, const Camera& camera)
+      : surface(whole),
+        sizes(object_sizes(whole)),
+        shows_back(illustrate::shows_back(whole, intersections, camera)) {
+    for (std::size_t v = 0; v < surface.positions.size(); ++v) {
+      const Vec3 view = camera.to_eye(surface.positions[v]);
+      const double length = view.norm();
+      to_eye.push_back(length > 0 ? Vec3(view / length) : surface.normals[v]);
+      facing.push_back(surface.normals[v].dot(to_eye[v]));
+    }
   }
-  return facing;
-}
+
+  std::size_t object(int triangle) const { return idx(surface.triangle_objects[idx(triangle)]); }
+  bool is_unseen(int triangle, bool front) const { return !front && !shows_back[object(triangle)]; }
+
+  const Surface& surface;
+  std::vector<double> sizes;             // (objects)
+  std::vector<std::uint8_t> shows_back;  // (objects)
+  Points to_eye;                         // (n) unit
+  std::vector<double> facing;            // (n) normal . to_eye
+};
 
 // Visits every triangle of the smooth objects.
 template <class Visit>
@@ -75,15 +89,14 @@ void each_smooth_triangle(const Surface& surface, const Visit& visit) {
 
 class SuggestiveContours {
  public:
-  SuggestiveContours(const Surface& surface, const CurvatureDerivative& derivative,
-                     const Camera& camera, double threshold)
-      : surface_(surface),
-        sizes_(object_sizes(surface)),
-        facing_(facing_of(surface, camera)),
-        radial_(surface.positions.size()),
-        growth_(surface.positions.size()),
+  SuggestiveContours(const SeenSurface& seen, const CurvatureDerivative& derivative,
+                     double threshold)
+      : seen_(seen),
+        surface_(seen.surface),
+        radial_(surface_.positions.size()),
+        growth_(surface_.positions.size()),
         threshold_(threshold) {
-    for (std::size_t v = 0; v < radial_.size(); ++v) set_functions(derivative, camera, v);
+    for (std::size_t v = 0; v < radial_.size(); ++v) set_functions(derivative, v);
   }
 
   std::vector<ZeroSegment> segments() {
@@ -94,15 +107,15 @@ class SuggestiveContours {
  private:
   // On the side of the normal. Curvature counts as positive where the surface bulges here, so its
   // sign is turned.
-  void set_functions(const CurvatureDerivative& d, const Camera& camera, std::size_t v) {
+  void set_functions(const CurvatureDerivative& d, std::size_t v) {
     const Curvature& c = d.curvature;
-    const Vec3 view = camera.to_eye(surface_.positions[v]).normalized();
+    const Vec3& view = seen_.to_eye[v];
     const double x = view.dot(c.w1[v]), y = view.dot(c.w2[v]), square = x * x + y * y;
     radial_[v] = -(c.k1[v] * x * x + c.k2[v] * y * y);
     if (!(square > 0)) return;
     const double sine = std::sqrt(square), torsion = (c.k2[v] - c.k1[v]) * x * y / square;
     growth_[v] =
-        -along(d.cubics[v], x / sine, y / sine) - 2 * torsion * torsion * facing_[v] / sine;
+        -along(d.cubics[v], x / sine, y / sine) - 2 * torsion * torsion * seen_.facing[v] / sine;
   }
 
   bool bulges(int triangle, int corner) const {
@@ -116,25 +129,25 @@ class SuggestiveContours {
       if (bulges(triangle, k) != bulges(triangle, next_corner(k))) edges.push_back(k);
     }
     if (edges.empty()) return;
-    const double size = sizes_[idx(surface_.triangle_objects[idx(triangle)])];
+    const double size = seen_.sizes[seen_.object(triangle)];
     std::array<ZeroPoint, 2> points;
     std::array<double, 2> facing, growth;
     for (std::size_t i = 0; i < 2; ++i) {
       const DirectedEdge edge(surface_, triangle, edges[i]);
       const double zero = zero_between(radial_[idx(edge.low)], radial_[idx(edge.high)]);
       points[i] = point_on_edge(surface_, triangle, edges[i], zero);
-      facing[i] = edge.odd(facing_, zero);
+      facing[i] = edge.odd(seen_.facing, zero);
       growth[i] = edge.odd(growth_, zero) * size * size;
       points[i].strength = strength(growth[i], facing[i], facing[i] >= 0);
     }
-    add(points, facing, growth);
+    cut_by_facing(points, facing, growth);
   }
 
-  // Cut in two where it passes from the side that is seen to the other.
-  void add(const ZeroSegment& segment, const std::array<double, 2>& facing,
-           const std::array<double, 2>& growth) {
+  // In two where it passes from the front to the back.
+  void cut_by_facing(const ZeroSegment& segment, const std::array<double, 2>& facing,
+                     const std::array<double, 2>& growth) {
     if ((facing[0] >= 0) == (facing[1] >= 0)) {
-      segments_.push_back(segment);
+      add(segment, facing[0] >= 0);
       return;
     }
     const double turn = facing[0] / (facing[0] - facing[1]);
@@ -144,8 +157,12 @@ class SuggestiveContours {
       middle.strength = strength(there, 0, facing[i] >= 0);
       ZeroSegment half = segment;
       half[1 - i] = middle;
-      segments_.push_back(half);
+      add(half, facing[i] >= 0);
     }
+  }
+
+  void add(const ZeroSegment& segment, bool front) {
+    if (!seen_.is_unseen(segment[0].on.triangle, front)) segments_.push_back(segment);
   }
 
   double strength(double growth, double facing, bool front) const {
@@ -154,9 +171,8 @@ class SuggestiveContours {
     return std::min(seen / threshold_, sine / least_sine);
   }
 
+  const SeenSurface& seen_;
   const Surface& surface_;
-  std::vector<double> sizes_;
-  std::vector<double> facing_;
   std::vector<double> radial_;  // (n) times |w|^2
   std::vector<double> growth_;  // (n) of the radial curvature along w
   double threshold_;
@@ -165,12 +181,11 @@ class SuggestiveContours {
 
 class RidgesAndValleys {
  public:
-  RidgesAndValleys(const Surface& surface, const CurvatureDerivative& derivative,
-                   const Camera& camera, double ridge_threshold, double valley_threshold)
-      : surface_(surface),
+  RidgesAndValleys(const SeenSurface& seen, const CurvatureDerivative& derivative,
+                   double ridge_threshold, double valley_threshold)
+      : seen_(seen),
+        surface_(seen.surface),
         derivative_(derivative),
-        sizes_(object_sizes(surface)),
-        facing_(facing_of(surface, camera)),
         ridge_threshold_(ridge_threshold),
         valley_threshold_(valley_threshold) {}
 
@@ -192,27 +207,27 @@ class RidgesAndValleys {
   }
 
   // Directions have no sign: that of the higher vertex is turned to agree with the lower one's.
-  bool add_zero(int triangle, int corner, std::vector<ZeroPoint>& zeros) const {
+  void add_zero(int triangle, int corner, std::vector<ZeroPoint>& zeros) const {
     const DirectedEdge edge(surface_, triangle, corner);
     const Curvature& c = derivative_.curvature;
     const double agreement = c.w1[idx(edge.low)].dot(c.w1[idx(edge.high)]);
     const double k_low = edge.low_sign * c.k1[idx(edge.low)];
     const double k_high = edge.high_sign * c.k1[idx(edge.high)];
-    if (std::abs(agreement) < least_agreement || (k_low < 0) != (k_high < 0)) return false;
+    if (std::abs(agreement) < least_agreement || (k_low < 0) != (k_high < 0)) return;
     const double low = slope(edge.low);
     const double high = agreement < 0 ? -slope(edge.high) : slope(edge.high);
-    if ((low >= 0) == (high >= 0)) return true;
+    if ((low >= 0) == (high >= 0)) return;
     const double zero = zero_between(low, high);
     ZeroPoint point = point_on_edge(surface_, triangle, corner, zero);
-    const double facing = edge.odd(facing_, zero);
-    point.flag = (facing >= 0) == (k_low < 0);
+    const bool front = edge.odd(seen_.facing, zero) >= 0;
+    point.ridge = front == (k_low < 0);
+    point.unseen = seen_.is_unseen(triangle, front);
     const double bend = edge.even(std::abs(k_low), std::abs(k_high), zero);
     const double fall = -edge.even(second(edge.low), second(edge.high), zero);
-    const double size = sizes_[idx(surface_.triangle_objects[idx(triangle)])];
-    const double threshold = point.flag ? ridge_threshold_ : valley_threshold_;
+    const double size = seen_.sizes[seen_.object(triangle)];
+    const double threshold = point.ridge ? ridge_threshold_ : valley_threshold_;
     point.strength = strength(bend, fall, size, threshold);
     zeros.push_back(point);
-    return true;
   }
 
   static double strength(double bend, double fall, double size, double threshold) {
@@ -227,20 +242,25 @@ class RidgesAndValleys {
     if (zeros.size() == 2) segments_.push_back({zeros[0], zeros[1]});
   }
 
+  const SeenSurface& seen_;
   const Surface& surface_;
   const CurvatureDerivative& derivative_;
-  std::vector<double> sizes_;
-  std::vector<double> facing_;
   double ridge_threshold_;
   double valley_threshold_;
   std::vector<ZeroSegment> segments_;
 };
 
-void append(CurvatureCurves& curves, const ZeroCurves& found, bool suggestive) {
+void append_seen(const ZeroCurves& found, bool suggestive, const CurvatureCurveOptions& options,
+                 CurvatureCurves& result) {
+  const auto is_seen = [&](const ZeroPoint& p) {
+    return !p.unseen && (suggestive || options.wants(p.ridge ? Kind::ridge : Kind::valley));
+  };
   for (std::size_t c = 0; c < found.curves.size(); ++c) {
-    curves.lines.curves.add(found.curves[c]);
-    curves.lines.closed.push_back(found.closed[c]);
-    curves.suggestive.push_back(suggestive);
+    const Span<const ZeroPoint> line = found.curves[c];
+    if (std::none_of(line.begin(), line.end(), is_seen)) continue;
+    result.lines.curves.add(line);
+    result.lines.closed.push_back(found.closed[c]);
+    result.suggestive.push_back(suggestive);
   }
 }
 
@@ -259,19 +279,22 @@ void validate(const CurvatureCurveOptions& options) {
 }
 
 CurvatureCurves curvature_curves(const Surface& surface, const CurvatureDerivative& derivative,
-                                 const Camera& camera, const CurvatureCurveOptions& options) {
+                                 const IntersectionCurves& intersections, const Camera& camera,
+                                 const CurvatureCurveOptions& options) {
   CurvatureCurves result;
-  ZeroLimits limits{hysteresis, 1, object_sizes(surface)};
+  if (!options.any()) return result;
+  const SeenSurface seen(surface, intersections, camera);
+  ZeroLimits limits{hysteresis, 1, seen.sizes};
   for (double& length : limits.shortest) length *= least_length;
   if (options.suggestive_contours) {
-    SuggestiveContours finder(surface, derivative, camera, options.suggestive_threshold);
-    append(result, link_segments(surface, finder.segments(), limits), true);
+    SuggestiveContours finder(seen, derivative, options.suggestive_threshold);
+    append_seen(link_segments(surface, finder.segments(), limits), true, options, result);
   }
   if (options.ridges || options.valleys) {
     const double ridge = options.ridges ? options.ridge_threshold : options.valley_threshold;
     const double valley = options.valleys ? options.valley_threshold : options.ridge_threshold;
-    RidgesAndValleys finder(surface, derivative, camera, ridge, valley);
-    append(result, link_segments(surface, finder.segments(), limits), false);
+    RidgesAndValleys finder(seen, derivative, ridge, valley);
+    append_seen(link_segments(surface, finder.segments(), limits), false, options, result);
   }
   return result;
 }

@@ -6,6 +6,7 @@
 // is left out and lines end freely. Polygon objects have none.
 #pragma once
 
+#include "contour/intersections.h"
 #include "contour/zero_curves.h"
 #include "surface/curvature_derivative.h"
 #include "view/camera.h"
@@ -32,15 +33,17 @@ struct CurvatureCurveOptions {
 void validate(const CurvatureCurveOptions& options);  // throws InvalidInput naming the field
 
 struct CurvatureCurves {
-  ZeroCurves lines;  // the flag of ridges and valleys: the surface bulges towards the viewer
-  std::vector<std::uint8_t> suggestive;  // (lines) 0: ridge or valley, point by point
+  ZeroCurves lines;
+  std::vector<std::uint8_t> suggestive;  // (lines) 0: ridge or valley, as its points say
 };
 
 // Suggestive contours: the radial curvature is 0 and grows towards the eye, on the side of the
 // surface that is seen. Ridges and valleys: the larger principal curvature is largest along its own
 // direction; what is a ridge from one side is a valley from the other, so the lines of both are
-// found together when either is wanted. `derivative`: of the surface's vertices.
+// found together when either is wanted, and told apart point by point. Backs that cannot be seen
+// have none. `derivative`: of the surface's vertices.
 CurvatureCurves curvature_curves(const Surface& surface, const CurvatureDerivative& derivative,
-                                 const Camera& camera, const CurvatureCurveOptions& options);
+                                 const IntersectionCurves& intersections, const Camera& camera,
+                                 const CurvatureCurveOptions& options);
 
 }  // namespace illustrate

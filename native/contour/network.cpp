@@ -44,7 +44,8 @@ CurveNetwork build_network(const Surface& surface, const LimitSurface& limit,
       exact_silhouettes(surface, limit, functions, camera, linear, false, counts);
   progress.report(0.5);
   CurvatureCurves lines;
-  if (derivative) lines = curvature_curves(surface, *derivative, camera, options.curvature_curves);
+  if (derivative)
+    lines = curvature_curves(surface, *derivative, intersections, camera, options.curvature_curves);
   const Joints joints = find_joints(surface, features, found, intersections, lines);
   CurveNetwork network;
   network.nodes = joints.nodes;

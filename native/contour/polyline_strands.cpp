@@ -7,6 +7,10 @@
 namespace illustrate {
 namespace {
 
+// What a curvature line may stick out beyond its meeting with another curve is as long as this
+// share of its object's diagonal: about an edge of the triangles, a fifth of the shortest line.
+constexpr double longest_stub = 0.004;
+
 struct Polyline {
   std::vector<CurvePoint> points;
   bool closed;
@@ -116,31 +120,53 @@ void add_ties(Span<const ChainPoint> chain, bool closed, int first, const std::v
   }
 }
 
-// What most of the points between two cuts of a line are; the cuts are told by the points that they
-// stand at or behind.
-bool is_ridge(Span<const ZeroPoint> line, int from, int to) {
+// Whether most of the points between two cuts of a line are; the cuts are told by the points that
+// they stand at or behind.
+bool most_are(Span<const ZeroPoint> line, int from, int to, bool ZeroPoint::*is) {
   const int count = static_cast<int>(line.size());
   int votes = 0;
-  for (int i = from + 1; i <= to; ++i) votes += line[idx(i % count)].flag ? 1 : -1;
-  return votes != 0 ? votes > 0 : line[idx(from % count)].flag;
+  for (int i = from + 1; i <= to; ++i) votes += line[idx(i % count)].*is ? 1 : -1;
+  return votes != 0 ? votes > 0 : line[idx(from % count)].*is;
 }
 
-// The kinds of the strands that a line is cut into at these points; of all of it where uncut.
-std::vector<Kind> strand_kinds(Span<const ZeroPoint> line, bool closed, bool suggestive,
+// Where and as what a line between two cuts is drawn, if at all.
+struct Stretch {
+  Kind kind;
+  bool unseen;
+};
+
+// Whether a strand is what sticks out of a line beyond its meeting with another curve.
+bool is_stub(const CurveNetwork& network, std::size_t s, double shortest) {
+  const Strand& strand = network.strands[s];
+  if (strand.closed()) return false;
+  const NodeKind start = network.nodes[idx(strand.start_node)].kind;
+  const NodeKind end = network.nodes[idx(strand.end_node)].kind;
+  if ((start == NodeKind::end) == (end == NodeKind::end)) return false;
+  const Span<const CurvePoint> points = network.points[s];
+  double length = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    length += (points[i].position - points[i - 1].position).norm();
+  }
+  return length < shortest;
+}
+
+// Of the strands that a line is cut into at these points; one where it is not cut.
+std::vector<Stretch> stretches(Span<const ZeroPoint> line, bool closed, bool suggestive,
                                const std::vector<int>& sources) {
   const int count = static_cast<int>(line.size());
-  const std::size_t strands = std::max<std::size_t>(sources.size(), 1);
-  std::vector<Kind> kinds(strands, Kind::suggestive);
-  for (std::size_t s = 0; !suggestive && s < strands; ++s) {
+  std::vector<Stretch> result;
+  for (std::size_t s = 0; s < std::max<std::size_t>(sources.size(), 1); ++s) {
     const int from = sources.empty() ? 0 : sources[s];
     int to = closed ? from + count : count - 1;
     if (s + 1 < sources.size())
       to = sources[s + 1];
     else if (closed && !sources.empty())
       to = sources[0] + count;
-    kinds[s] = is_ridge(line, from, to) ? Kind::ridge : Kind::valley;
+    const bool ridge = most_are(line, from, to, &ZeroPoint::ridge);
+    const bool unseen = most_are(line, from, to, &ZeroPoint::unseen);
+    result.push_back({suggestive ? Kind::suggestive : ridge ? Kind::ridge : Kind::valley, unseen});
   }
-  return kinds;
+  return result;
 }
 
 Polyline polyline_of(Span<const ChainPoint> chain, bool closed) {
@@ -188,7 +214,8 @@ void add_curvature_strands(const Surface& surface, const CurvatureCurves& curves
   strand.left_layers = strand.right_layers = 1;
   CurveNetwork all;
   all.nodes = network.nodes;
-  std::vector<Kind> kinds;
+  const std::vector<double> sizes = object_sizes(surface);
+  std::vector<Stretch> found;
   for (std::size_t c = 0; c < curves.lines.curves.size(); ++c) {
     const Span<const ZeroPoint> line = curves.lines.curves[c];
     const bool closed = curves.lines.closed[c];
@@ -196,13 +223,15 @@ void add_curvature_strands(const Surface& surface, const CurvatureCurves& curves
     for (const ZeroPoint& p : line) polyline.points.push_back({p.position, p.on});
     const std::vector<int> sources =
         add_polyline(surface, polyline, cuts_of(joints.lines, static_cast<int>(c)), strand, all);
-    for (const Kind kind : strand_kinds(line, closed, curves.suggestive[c], sources)) {
-      kinds.push_back(kind);
+    for (const Stretch& s : stretches(line, closed, curves.suggestive[c], sources)) {
+      found.push_back(s);
     }
   }
   for (std::size_t s = 0; s < all.strands.size(); ++s) {
-    if (!options.wants(kinds[s])) continue;
-    all.strands[s].kind = kinds[s];
+    const double size = sizes[idx(all.strands[s].object)];
+    if (found[s].unseen || !options.wants(found[s].kind)) continue;
+    if (is_stub(all, s, longest_stub * size)) continue;
+    all.strands[s].kind = found[s].kind;
     network.points.add(all.points[s]);
     network.strands.push_back(all.strands[s]);
   }

@@ -131,7 +131,8 @@ ZeroPoint between(const ZeroPoint& a, const ZeroPoint& b, double fraction) {
   p.on = {a.on.triangle, a.on.b1 + fraction * (b.on.b1 - a.on.b1),
           a.on.b2 + fraction * (b.on.b2 - a.on.b2)};
   p.strength = a.strength + fraction * (b.strength - a.strength);
-  p.flag = a.flag;
+  p.ridge = a.ridge;
+  p.unseen = a.unseen;
   return p;
 }
 

@@ -15,7 +15,8 @@ struct ZeroPoint {
   int edge = none;
   double fraction = 0;
   double strength = 0;
-  bool flag = false;  // whatever the maker of the segments wants to know of it later
+  bool ridge = false;   // the surface bulges towards the viewer here
+  bool unseen = false;  // on a back that cannot be seen
 };
 
 // At most two segments of one call meet on an edge.
