@@ -2,8 +2,9 @@
 // (DeCarlo et al. 2003), ridges and valleys (Ohtake et al. 2004). Beyond the paper.
 //
 // Each function is known at the vertices and linear along edges, so every triangle carries at most
-// one segment of each family. Lines hide nothing and bound nothing: what is weaker than a threshold
-// is left out and lines end freely. Polygon objects have none.
+// one segment of each family. The lines hide nothing and bound nothing: what is weaker than a
+// threshold is left out and lines end freely, with hysteresis, and short ones are left out. Polygon
+// objects have none.
 #pragma once
 
 #include "contour/intersections.h"

@@ -33,10 +33,9 @@ std::vector<FeatureEdge> wanted_features(const std::vector<FeatureEdge>& feature
 
 CurveNetwork build_network(const Surface& surface, const LimitSurface& limit,
                            const std::vector<FeatureEdge>& all_features,
-                           const IntersectionCurves& intersections,
-                           const CurvatureDerivative* derivative, const Camera& camera,
-                           const NetworkOptions& options, Counts& counts,
-                           const Progress& progress) {
+                           const IntersectionCurves& intersections, const Camera& camera,
+                           const NetworkOptions& options, Counts& counts, const Progress& progress,
+                           const CurvatureDerivative* derivative) {
   const std::vector<FeatureEdge> features = wanted_features(all_features, options);
   const ContourFunctions functions(surface, camera);
   const Silhouettes linear = silhouettes(surface, functions, camera);

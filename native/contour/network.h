@@ -25,14 +25,14 @@ struct NetworkOptions {
   CurvatureCurveOptions curvature_curves;
 };
 
-// `limit` is the limit surface of `surface`; `derivative`, of its vertices, is only needed for
+// `limit` is the limit surface of `surface`; `derivative`, of its vertices; null: without
 // curvature curves. Adds "triangles_visited", "silhouette_triangles",
 // "cusps", "swallowtails", "evaluations", "strands" to `counts`.
 CurveNetwork build_network(const Surface& surface, const LimitSurface& limit,
                            const std::vector<FeatureEdge>& features,
-                           const IntersectionCurves& intersections,
-                           const CurvatureDerivative* derivative, const Camera& camera,
+                           const IntersectionCurves& intersections, const Camera& camera,
                            const NetworkOptions& options, Counts& counts,
-                           const Progress& progress = {});
+                           const Progress& progress = {},
+                           const CurvatureDerivative* derivative = nullptr);
 
 }  // namespace illustrate

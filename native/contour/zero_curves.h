@@ -28,13 +28,13 @@ struct ZeroCurves {
   std::vector<std::uint8_t> closed;  // closed ones do not repeat their first point
 };
 
-// The parts of segments with a strength of at least `weak`, linked where they meet on edges inside
-// one smooth side; curves that nowhere reach `strong` are left out (hysteresis), and such as are
-// shorter than `shortest` says of their object.
 struct ZeroLimits {
-  double weak, strong;
-  std::vector<double> shortest;  // (objects) world units
+  double weak;                   // what has less strength is cut off
+  double strong;                 // curves that nowhere reach it are left out (hysteresis)
+  std::vector<double> shortest;  // (objects) length of a curve, world units
 };
+
+// Segments linked where they meet on edges inside one smooth side.
 ZeroCurves link_segments(const Surface& surface, const std::vector<ZeroSegment>& segments,
                          const ZeroLimits& limits);
 

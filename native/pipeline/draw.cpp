@@ -73,8 +73,8 @@ class View {
         options_.curvature_curves.any() ? &scene_.curvature_derivative() : nullptr;
     const CurveNetwork network = timed(result_.timings["contour"], [&] {
       return build_network(scene_.surface(), scene_.limit_surface(), scene_.features(),
-                           scene_.intersections(), derivative, camera_, network_options,
-                           result_.counts, progress.part(0, 0.5, "contour"));
+                           scene_.intersections(), camera_, network_options, result_.counts,
+                           progress.part(0, 0.5, "contour"), derivative);
     });
     result_.graph = timed(result_.timings["visibility"], [&] {
       return label_network(network, scene_.surface(), scene_.bvh(), camera_, result_.counts,

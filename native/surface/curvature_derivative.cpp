@@ -29,10 +29,11 @@ using Form = Eigen::Vector3d;
 struct Neighbour {
   int vertex;
   double sign;  // -1 where its normal belongs to the other sheet
-  // The other one's first direction, turned into the tangent plane here, in the frame here.
+  // The first direction of the one that looks, turned into the neighbour's tangent plane, in the
+  // neighbour's frame.
   double cosine, sine;
 
-  // A form given in the frame here, as it is in the other one's frame and sheet.
+  // A form of the neighbour, in the frame and on the sheet of the one that looks.
   Form seen(const Form& f) const {
     const double cc = cosine * cosine, ss = sine * sine, cs = cosine * sine;
     const double across = cs * (f[2] - f[0]) + (cc - ss) * f[1];

@@ -26,9 +26,10 @@ struct CurvatureDerivative {
   std::vector<double> second;     // (n) derivative of C(w1, w1, w1) along w1, world units ^ -3
 };
 
-// Least squares over the neighbours of each vertex, II brought into the vertex's own tangent plane;
-// one-sided at creases and boundaries, of the vertex's own sheet on surfaces that cannot be
-// oriented. Where `curvature` was noisy it is averaged with the neighbours' first.
+// The curvature is smoothed first, by diffusion of II over .009 of each object's diagonal, since
+// the derivative of noise is noise. Then least squares over the neighbours of each vertex, II
+// brought into the vertex's own tangent plane; one-sided at creases and boundaries, on the vertex's
+// own sheet where a surface cannot be oriented.
 CurvatureDerivative curvature_derivative(const Surface& surface, const Curvature& curvature,
                                          int threads, const Progress& progress = {});
 
