@@ -55,7 +55,19 @@ class ILLUSTRATE_PT_lines(_Fields, bpy.types.Panel):
 
     bl_idname = "ILLUSTRATE_PT_lines"
     bl_label = "Lines"
-    fields = ("feature_width_px", "marks", "materials", "hidden", "hidden_layers")
+    fields = (
+        "feature_width_px",
+        "marks",
+        "materials",
+        "suggestive_contours",
+        "suggestive_threshold",
+        "ridges",
+        "ridge_threshold",
+        "valleys",
+        "valley_threshold",
+        "hidden",
+        "hidden_layers",
+    )
 
 
 class ILLUSTRATE_PT_hatching(_Fields, bpy.types.Panel):

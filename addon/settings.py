@@ -23,6 +23,18 @@ LIGHTINGS = [
 ]
 
 
+def _threshold(name: str, lines: str, default: float) -> Any:
+    return FloatProperty(
+        name=f"{name} Threshold",
+        default=default,
+        min=0.01,
+        max=100_000.0,
+        soft_min=1.0,
+        soft_max=100.0,
+        description=f"Leave out weaker {lines}, measured against the size of the object",
+    )
+
+
 class ILLUSTRATE_PG_settings(bpy.types.PropertyGroup):
     """How the illustration of a scene is made."""
 
@@ -55,7 +67,7 @@ class ILLUSTRATE_PG_settings(bpy.types.PropertyGroup):
         max=100.0,
         soft_max=10.0,
         subtype="PIXEL",
-        description="Width of creases, intersections and marked edges, pixels of the render",
+        description="Width of all other lines but hatches, pixels of the render",
     )
     marks: BoolProperty(
         name="Marked Edges", default=False, description="Draw edges with a Freestyle mark"
@@ -63,6 +75,20 @@ class ILLUSTRATE_PG_settings(bpy.types.PropertyGroup):
     materials: BoolProperty(
         name="Material Borders", default=False, description="Draw lines between materials"
     )
+    suggestive_contours: BoolProperty(
+        name="Suggestive Contours",
+        default=False,
+        description="Draw where a smooth surface nearly turns away from the camera",
+    )
+    suggestive_threshold: _threshold("Suggestive", "suggestive contours", 20.0)
+    ridges: BoolProperty(
+        name="Ridges", default=False, description="Draw where a smooth surface bulges most"
+    )
+    ridge_threshold: _threshold("Ridge", "ridges", 15.0)
+    valleys: BoolProperty(
+        name="Valleys", default=False, description="Draw where a smooth surface caves in most"
+    )
+    valley_threshold: _threshold("Valley", "valleys", 15.0)
     hidden: BoolProperty(
         name="Hidden Lines",
         default=False,
@@ -158,6 +184,12 @@ def draw_options(settings: Any) -> Any:
         "feature_width_px",
         "marks",
         "materials",
+        "suggestive_contours",
+        "suggestive_threshold",
+        "ridges",
+        "ridge_threshold",
+        "valleys",
+        "valley_threshold",
         "hatching",
         "spacing_px",
         "hatch_width_px",

@@ -25,6 +25,9 @@ void bind_enumerations(py::module_& m) {
       .value("MATERIAL", Kind::material)
       .value("FLAT_OUTLINE", Kind::flat_outline)
       .value("SEAM", Kind::seam)
+      .value("SUGGESTIVE", Kind::suggestive)
+      .value("RIDGE", Kind::ridge)
+      .value("VALLEY", Kind::valley)
       .finalize();
   py::native_enum<NodeKind>(m, "Node", "enum.IntEnum", "What a node of the curve network is.")
       .value("CUSP", NodeKind::cusp)

@@ -99,6 +99,19 @@ void bind_stroke_options(Class& bound) {
   OPTION("flat_outlines", values.stroke.flat_outlines, "Draw outlines of flat areas");
 }
 
+template <class Class>
+void bind_curvature_curve_options(Class& bound) {
+  OPTION("suggestive_contours", values.curvature_curves.suggestive_contours,
+         "Draw where contours would appear in near views");
+  OPTION("ridges", values.curvature_curves.ridges, "Draw ridges of smooth surfaces");
+  OPTION("valleys", values.curvature_curves.valleys, "Draw valleys of smooth surfaces");
+  OPTION("suggestive_threshold", values.curvature_curves.suggestive_threshold,
+         "Weaker suggestive contours are left out");
+  OPTION("ridge_threshold", values.curvature_curves.ridge_threshold, "Weaker ridges are left out");
+  OPTION("valley_threshold", values.curvature_curves.valley_threshold,
+         "Weaker valleys are left out");
+}
+
 std::optional<std::array<int, 2>> read_range(const py::object& value) {
   if (value.is_none()) return std::nullopt;
   const std::vector<int> range = read_indices(value, "hidden_lines");
@@ -119,6 +132,7 @@ void bind_draw_options(py::module_& m) {
   bind_stroke_options(bound);
   OPTION("scan_silhouettes", values.scan_silhouettes,
          "Look at every triangle for silhouettes instead of searching: slower, the same drawing");
+  bind_curvature_curve_options(bound);
   OPTION("threads", values.threads, "0: all cores");
   bound.def_readwrite("styles", &PythonDrawOptions::styles, "One ObjectStyle per mesh, or None");
   bound.def_property(

@@ -1,5 +1,7 @@
 // Feature edges, and the silhouette edges of polygon objects, linked into strands.
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 
 #include "contour/strands.h"
@@ -110,14 +112,15 @@ class PieceMaker {
     return before_zero == along ? here : there;
   }
 
-  // Where a side turns: at its own cut, else at the one nearest to where g vanishes.
+  // Where a side turns: at its own cut, else at the one nearest to where g vanishes, else there.
   static double turn(const EdgeSide& side, Span<const EdgeCut> cuts, double zero) {
-    double nearest = cuts.size() == 0 ? zero : cuts[0].fraction;
+    double nearest = std::numeric_limits<double>::infinity();
     for (const EdgeCut& cut : cuts) {
+      if (cut.side.triangle == none) continue;
       if (cut.side.triangle == side.triangle && cut.side.corner == side.corner) return cut.fraction;
       if (std::abs(cut.fraction - zero) < std::abs(nearest - zero)) nearest = cut.fraction;
     }
-    return nearest;
+    return std::isfinite(nearest) ? nearest : zero;
   }
 
   int vertex(const EdgeSide& side, int end) const {

@@ -17,11 +17,13 @@ std::int64_t side_key(int triangle, int corner) { return std::int64_t{triangle} 
 class JointFinder {
  public:
   JointFinder(const Surface& surface, const std::vector<FeatureEdge>& features,
-              const Silhouettes& silhouettes, const IntersectionCurves& intersections)
+              const Silhouettes& silhouettes, const IntersectionCurves& intersections,
+              const CurvatureCurves& curvature_curves)
       : surface_(surface),
         features_(features),
         silhouettes_(silhouettes),
-        intersections_(intersections) {}
+        intersections_(intersections),
+        lines_(curvature_curves.lines) {}
 
   Joints run() {
     index_features();
@@ -30,13 +32,17 @@ class JointFinder {
     for (std::size_t c = 0; c < intersections_.curves.size(); ++c) {
       cut_intersection(static_cast<int>(c));
     }
+    joints_.first_line_node = static_cast<int>(joints_.nodes.size());
+    if (!lines_.curves.empty()) index_intersections();
+    for (std::size_t c = 0; c < lines_.curves.size(); ++c) cut_line(static_cast<int>(c));
     sort_cuts();
     return std::move(joints_);
   }
 
  private:
-  struct ChainSegment {
-    int chain;
+  // Of a chain or an intersection curve.
+  struct CurveSegment {
+    int curve;
     int segment;
   };
 
@@ -59,6 +65,18 @@ class JointFinder {
     }
   }
 
+  void index_intersections() {
+    for (std::size_t c = 0; c < intersections_.curves.size(); ++c) {
+      for (std::size_t i = 0; i < intersections_.curves[c].size(); ++i) {
+        const CurveSegment segment{static_cast<int>(c), static_cast<int>(i)};
+        const std::size_t point = global_point(segment.curve, segment.segment);
+        for (const int triangle : intersections_.segment_triangles[point]) {
+          if (triangle != none) intersection_segments_[triangle].push_back(segment);
+        }
+      }
+    }
+  }
+
   int add_node(NodeKind kind, const Vec3& position) {
     joints_.nodes.push_back({kind, position});
     return static_cast<int>(joints_.nodes.size()) - 1;
@@ -76,15 +94,15 @@ class JointFinder {
   }
 
   // The node where a point of a curve lies on a feature edge, none where the edge is no feature.
-  int cut_feature(int triangle, int corner, double fraction, const Vec3& position) {
+  int cut_feature(int triangle, int corner, double fraction, const Vec3& position,
+                  bool tells_side = true) {
     if (surface_.edge_kinds[idx(triangle)][idx(corner)] == EdgeKind::smooth) return none;
     const auto found = feature_of_side_.find(side_key(triangle, corner));
     if (found == feature_of_side_.end()) return none;
     const int node = add_node(NodeKind::joint, position);
     joints_.edges.push_back({found->second,
-                             along_feature(found->second, triangle, corner, fraction),
-                             node,
-                             {triangle, corner}});
+                             along_feature(found->second, triangle, corner, fraction), node,
+                             tells_side ? EdgeSide{triangle, corner} : EdgeSide{}});
     return node;
   }
 
@@ -132,30 +150,79 @@ class JointFinder {
     for (const int triangle : intersections_.segment_triangles[global_point(c, i)]) {
       const auto found = segments_.find(triangle);
       if (found == segments_.end()) continue;
-      for (const ChainSegment& s : found->second) cut_by_segment(c, i, triangle, s);
+      for (const CurveSegment& s : found->second) cut_by_segment(c, i, triangle, s);
     }
+  }
+
+  void cut_line(int c) {
+    const Span<const ZeroPoint> line = lines_.curves[idx(c)];
+    const bool closed = lines_.closed[idx(c)];
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const ZeroPoint& p = line[i];
+      const bool tip = !closed && (i == 0 || i + 1 == line.size());
+      int node = none;
+      if (p.edge != none) {
+        node = cut_feature(p.on.triangle, p.edge, p.fraction, p.position, false);
+      }
+      if (node == none && tip) node = add_node(NodeKind::end, p.position);
+      if (node != none) joints_.lines.push_back({c, static_cast<int>(i), 0, node});
+      if (i + 1 < line.size() || closed) cut_line_segment(c, static_cast<int>(i));
+    }
+  }
+
+  void cut_line_segment(int c, int i) {
+    const Span<const ZeroPoint> line = lines_.curves[idx(c)];
+    const int triangle = line[idx(i)].on.triangle;
+    const Vec3 &start = line[idx(i)].position, &end = line[(idx(i) + 1) % line.size()].position;
+    const auto cut = [&](const auto& segments, const auto& curves, std::vector<CurveCut>& cuts) {
+      const auto found = segments.find(triangle);
+      if (found == segments.end()) return;
+      for (const CurveSegment& s : found->second) {
+        const auto curve = curves[idx(s.curve)];
+        const Vec3& a = curve[idx(s.segment)].position;
+        const Vec3& b = curve[(idx(s.segment) + 1) % curve.size()].position;
+        double f, h;
+        if (!cross(triangle, start, end, a, b, f, h)) continue;
+        const int node = add_node(NodeKind::joint, a + h * (b - a));
+        joints_.lines.push_back({c, i, f, node});
+        cuts.push_back({s.curve, s.segment, h, node});
+      }
+    };
+    cut(segments_, silhouettes_.chains, joints_.chains);
+    cut(intersection_segments_, intersections_.curves, joints_.intersections);
+  }
+
+  // Whether two segments cross in the plane of a triangle, at f and h of their ways.
+  bool cross(int triangle, const Vec3& start, const Vec3& end, const Vec3& other_start,
+             const Vec3& other_end, double& f, double& h) const {
+    const Vec2 a = barycentrics(surface_, triangle, start);
+    const Vec2 b = barycentrics(surface_, triangle, other_start);
+    const Vec2 along = barycentrics(surface_, triangle, end) - a;
+    const Vec2 other = barycentrics(surface_, triangle, other_end) - b;
+    const double determinant = illustrate::cross(along, other);
+    if (determinant == 0) return false;
+    f = illustrate::cross(b - a, other) / determinant;
+    h = illustrate::cross(b - a, along) / determinant;
+    return f >= 0 && f < 1 && h >= 0 && h < 1;
   }
 
   std::size_t global_point(int c, int i) const {
     return idx(intersections_.curves.offsets[idx(c)] + i);
   }
 
-  void cut_by_segment(int c, int i, int triangle, const ChainSegment& s) {
+  void cut_by_segment(int c, int i, int triangle, const CurveSegment& s) {
     const Span<const IntersectionPoint> curve = intersections_.curves[idx(c)];
-    const Span<const ChainPoint> chain = silhouettes_.chains[idx(s.chain)];
-    const auto flat = [&](const Vec3& p) { return barycentrics(surface_, triangle, p); };
-    const Vec2 a = flat(curve[idx(i)].position);
-    const Vec2 along = flat(curve[(idx(i) + 1) % curve.size()].position) - a;
+    const Span<const ChainPoint> chain = silhouettes_.chains[idx(s.curve)];
     const Vec3& start = chain[idx(s.segment)].position;
     const Vec3& end = chain[(idx(s.segment) + 1) % chain.size()].position;
-    const Vec2 b = flat(start), other = flat(end) - b;
-    const double determinant = cross(along, other);
-    if (determinant == 0) return;
-    const double f = cross(b - a, other) / determinant, h = cross(b - a, along) / determinant;
-    if (!(f >= 0 && f < 1 && h >= 0 && h < 1)) return;
+    double f, h;
+    if (!cross(triangle, curve[idx(i)].position, curve[(idx(i) + 1) % curve.size()].position, start,
+               end, f, h)) {
+      return;
+    }
     const int node = add_node(NodeKind::joint, start + h * (end - start));
     joints_.intersections.push_back({c, i, f, node});
-    joints_.chains.push_back({s.chain, s.segment, h, node});
+    joints_.chains.push_back({s.curve, s.segment, h, node});
   }
 
   void sort_cuts() {
@@ -165,6 +232,7 @@ class JointFinder {
     };
     std::sort(joints_.chains.begin(), joints_.chains.end(), order);
     std::sort(joints_.intersections.begin(), joints_.intersections.end(), order);
+    std::sort(joints_.lines.begin(), joints_.lines.end(), order);
     std::sort(joints_.edges.begin(), joints_.edges.end(), [](const EdgeCut& a, const EdgeCut& b) {
       return std::tie(a.feature, a.fraction, a.node) < std::tie(b.feature, b.fraction, b.node);
     });
@@ -174,16 +242,19 @@ class JointFinder {
   const std::vector<FeatureEdge>& features_;
   const Silhouettes& silhouettes_;
   const IntersectionCurves& intersections_;
+  const ZeroCurves& lines_;
   std::unordered_map<std::int64_t, int> feature_of_side_;
-  std::unordered_map<int, std::vector<ChainSegment>> segments_;
+  std::unordered_map<int, std::vector<CurveSegment>> segments_;               // of chains
+  std::unordered_map<int, std::vector<CurveSegment>> intersection_segments_;  // by triangle
   Joints joints_;
 };
 
 }  // namespace
 
 Joints find_joints(const Surface& surface, const std::vector<FeatureEdge>& features,
-                   const Silhouettes& silhouettes, const IntersectionCurves& intersections) {
-  return JointFinder(surface, features, silhouettes, intersections).run();
+                   const Silhouettes& silhouettes, const IntersectionCurves& intersections,
+                   const CurvatureCurves& curvature_curves) {
+  return JointFinder(surface, features, silhouettes, intersections, curvature_curves).run();
 }
 
 }  // namespace illustrate

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contour/contour_functions.h"
+#include "contour/curvature_curves.h"
 #include "contour/curve_network.h"
 #include "contour/exact_silhouettes.h"
 #include "contour/feature_edges.h"
@@ -11,7 +12,7 @@
 namespace illustrate {
 
 // A cut at `fraction` of a feature edge, from the first corner of its first side; `side` is the one
-// whose curve makes it.
+// whose curve makes it, empty where the curve is one of curvature and says nothing of the side.
 struct EdgeCut {
   int feature;
   double fraction;
@@ -32,11 +33,14 @@ struct Joints {
   std::vector<EdgeCut> edges;           // sorted by feature, fraction
   std::vector<CurveCut> chains;         // sorted by curve, segment, fraction
   std::vector<CurveCut> intersections;  // sorted likewise
+  std::vector<CurveCut> lines;          // of curvature curves, sorted likewise
+  int first_line_node = 0;              // nodes from here on are only due to curvature curves
 };
 
 // Nodes where chains end on or pass over feature edges, where self-intersection curves cross
-// feature edges and chains, and at cusps.
+// feature edges and chains, and at cusps; where curvature curves end or meet any of these.
 Joints find_joints(const Surface& surface, const std::vector<FeatureEdge>& features,
-                   const Silhouettes& silhouettes, const IntersectionCurves& intersections);
+                   const Silhouettes& silhouettes, const IntersectionCurves& intersections,
+                   const CurvatureCurves& curvature_curves);
 
 }  // namespace illustrate

@@ -32,24 +32,29 @@ std::vector<FeatureEdge> wanted_features(const std::vector<FeatureEdge>& feature
 
 }  // namespace
 
-CurveNetwork build_network(const Surface& surface, const LimitSurface& limit,
-                           const std::vector<FeatureEdge>& all_features,
-                           const IntersectionCurves& intersections, const Camera& camera,
-                           const NetworkOptions& options, Counts& counts, const Progress& progress,
-                           const DualSurface* dual) {
-  const std::vector<FeatureEdge> features = wanted_features(all_features, options);
+CurveNetwork build_network(const ContourScene& scene, const Camera& camera,
+                           const NetworkOptions& options, Counts& counts,
+                           const Progress& progress) {
+  const Surface& surface = scene.surface;
+  const std::vector<FeatureEdge> features = wanted_features(scene.features, options);
   const ContourFunctions functions(surface, camera);
-  const LinearSilhouettes linear = linear_silhouettes(surface, functions, dual);
+  const LinearSilhouettes linear = linear_silhouettes(surface, functions, scene.dual);
   const Silhouettes found =
-      exact_silhouettes(surface, limit, functions, camera, linear, false, counts);
-  const PolygonSilhouettes folds = polygon_silhouettes(surface, camera, dual);
+      exact_silhouettes(surface, scene.limit, functions, camera, linear, false, counts);
+  const PolygonSilhouettes folds = polygon_silhouettes(surface, camera, scene.dual);
   progress.report(0.5);
-  const Joints joints = find_joints(surface, features, found, intersections);
+  CurvatureCurves lines;
+  if (scene.derivative) {
+    lines = curvature_curves(surface, *scene.derivative, scene.intersections, camera,
+                             options.curvature_curves);
+  }
+  const Joints joints = find_joints(surface, features, found, scene.intersections, lines);
   CurveNetwork network;
   network.nodes = joints.nodes;
   add_silhouette_strands(surface, found, joints, network);
-  add_intersection_strands(surface, intersections, joints, network);
+  add_intersection_strands(surface, scene.intersections, joints, network);
   add_feature_strands(surface, features, folds.edges, functions, camera, joints, network);
+  add_curvature_strands(surface, lines, options.curvature_curves, joints, network);
   CurveNetwork clipped = clip_near(surface, network, camera);
   counts["triangles_visited"] += linear.triangles_visited;
   counts["silhouette_triangles"] += static_cast<std::int64_t>(linear.triangles.size());

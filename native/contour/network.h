@@ -7,6 +7,7 @@
 // vertex, since anything may change there. Strands are clipped at the near plane.
 #pragma once
 
+#include "contour/curvature_curves.h"
 #include "contour/curve_network.h"
 #include "contour/dual_surface.h"
 #include "contour/feature_edges.h"
@@ -22,16 +23,24 @@ struct NetworkOptions {
   bool marks = false;          // user-marked edges become curves
   bool materials = false;      // borders between materials
   bool flat_outlines = false;  // outlines of flat areas
+  CurvatureCurveOptions curvature_curves;
 };
 
-// `limit` is the limit surface of `surface`, `dual` of the same; null: all of it is scanned, with
-// the same result. Adds "triangles_visited", "silhouette_triangles" (of smooth objects),
-// "edges_visited", "silhouette_edges" (of polygon objects), "cusps", "swallowtails",
-// "troubled_triangles", "evaluations", "strands" to `counts`.
-CurveNetwork build_network(const Surface& surface, const LimitSurface& limit,
-                           const std::vector<FeatureEdge>& features,
-                           const IntersectionCurves& intersections, const Camera& camera,
+// What curves are drawn of. The limit surface is that of `surface`.
+struct ContourScene {
+  const Surface& surface;
+  const LimitSurface& limit;
+  const std::vector<FeatureEdge>& features;
+  const IntersectionCurves& intersections;
+  const DualSurface* dual = nullptr;  // null: every triangle is scanned, with the same result
+  const CurvatureDerivative* derivative = nullptr;  // null: without curvature curves
+};
+
+// Adds "triangles_visited", "silhouette_triangles" (of smooth objects), "edges_visited",
+// "silhouette_edges" (of polygon objects), "cusps", "swallowtails", "troubled_triangles",
+// "evaluations", "strands" to `counts`.
+CurveNetwork build_network(const ContourScene& scene, const Camera& camera,
                            const NetworkOptions& options, Counts& counts,
-                           const Progress& progress = {}, const DualSurface* dual = nullptr);
+                           const Progress& progress = {});
 
 }  // namespace illustrate

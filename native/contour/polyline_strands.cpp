@@ -1,4 +1,4 @@
-// Silhouette and self-intersection strands: polylines cut at joints.
+// Silhouette, self-intersection and curvature strands: polylines cut at joints.
 #include <algorithm>
 
 #include "contour/strands.h"
@@ -6,6 +6,10 @@
 
 namespace illustrate {
 namespace {
+
+// What a curvature line may stick out beyond its meeting with another curve is as long as this
+// share of its object's diagonal: about an edge of the triangles, a fifth of the shortest line.
+constexpr double longest_stub = 0.004;
 
 struct Polyline {
   std::vector<CurvePoint> points;
@@ -101,16 +105,68 @@ std::vector<int> add_polyline(const Surface& surface, const Polyline& line,
 // Strands first .. first + count follow each other; where the chain itself says what happens
 // between two of them they are tied.
 void add_ties(Span<const ChainPoint> chain, bool closed, int first, const std::vector<int>& sources,
-              CurveNetwork& network) {
+              int first_line_node, CurveNetwork& network) {
   const int count = static_cast<int>(sources.size());
   for (int i = closed ? 0 : 1; i < count; ++i) {
     const int strand = first + i, previous = first + (i + count - 1) % count;
     const int node = network.strands[idx(strand)].start_node;
     const Vec3& position = network.nodes[idx(node)].position;
     const ChainPoint& p = chain[idx(sources[idx(i)])];
-    if (p.position != position) continue;  // a joint inside a segment: a self-intersection
-    network.ties.push_back({node, previous, strand, p.cusp_jump});
+    if (p.position == position) {
+      network.ties.push_back({node, previous, strand, p.cusp_jump});
+    } else if (node >= first_line_node) {
+      network.ties.push_back({node, previous, strand, 0});
+    }  // else inside a segment: a self-intersection, which may change anything
   }
+}
+
+// Whether most of the points between two cuts of a line are; the cuts are told by the points that
+// they stand at or behind.
+bool most_are(Span<const ZeroPoint> line, int from, int to, bool ZeroPoint::*is) {
+  const int count = static_cast<int>(line.size());
+  int votes = 0;
+  for (int i = from + 1; i <= to; ++i) votes += line[idx(i % count)].*is ? 1 : -1;
+  return votes != 0 ? votes > 0 : line[idx(from % count)].*is;
+}
+
+// Where and as what a line between two cuts is drawn, if at all.
+struct Stretch {
+  Kind kind;
+  bool unseen;
+};
+
+// Whether a strand is what sticks out of a line beyond its meeting with another curve.
+bool is_stub(const CurveNetwork& network, std::size_t s, double shortest) {
+  const Strand& strand = network.strands[s];
+  if (strand.closed()) return false;
+  const NodeKind start = network.nodes[idx(strand.start_node)].kind;
+  const NodeKind end = network.nodes[idx(strand.end_node)].kind;
+  if ((start == NodeKind::end) == (end == NodeKind::end)) return false;
+  const Span<const CurvePoint> points = network.points[s];
+  double length = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    length += (points[i].position - points[i - 1].position).norm();
+  }
+  return length < shortest;
+}
+
+// Of the strands that a line is cut into at these points; one where it is not cut.
+std::vector<Stretch> stretches(Span<const ZeroPoint> line, bool closed, bool suggestive,
+                               const std::vector<int>& sources) {
+  const int count = static_cast<int>(line.size());
+  std::vector<Stretch> result;
+  for (std::size_t s = 0; s < std::max<std::size_t>(sources.size(), 1); ++s) {
+    const int from = sources.empty() ? 0 : sources[s];
+    int to = closed ? from + count : count - 1;
+    if (s + 1 < sources.size())
+      to = sources[s + 1];
+    else if (closed && !sources.empty())
+      to = sources[0] + count;
+    const bool ridge = most_are(line, from, to, &ZeroPoint::ridge);
+    const bool unseen = most_are(line, from, to, &ZeroPoint::unseen);
+    result.push_back({suggestive ? Kind::suggestive : ridge ? Kind::ridge : Kind::valley, unseen});
+  }
+  return result;
 }
 
 Polyline polyline_of(Span<const ChainPoint> chain, bool closed) {
@@ -133,7 +189,7 @@ void add_silhouette_strands(const Surface& surface, const Silhouettes& silhouett
     const std::vector<int> sources =
         add_polyline(surface, polyline_of(chain, closed),
                      cuts_of(joints.chains, static_cast<int>(c)), strand, network);
-    add_ties(chain, closed, first, sources, network);
+    add_ties(chain, closed, first, sources, joints.first_line_node, network);
   }
 }
 
@@ -148,6 +204,36 @@ void add_intersection_strands(const Surface& surface, const IntersectionCurves& 
     }
     add_polyline(surface, line, cuts_of(joints.intersections, static_cast<int>(c)), strand,
                  network);
+  }
+}
+
+void add_curvature_strands(const Surface& surface, const CurvatureCurves& curves,
+                           const CurvatureCurveOptions& options, const Joints& joints,
+                           CurveNetwork& network) {
+  Strand strand;
+  strand.left_layers = strand.right_layers = 1;
+  CurveNetwork all;
+  all.nodes = network.nodes;
+  const std::vector<double> sizes = object_sizes(surface);
+  std::vector<Stretch> found;
+  for (std::size_t c = 0; c < curves.lines.curves.size(); ++c) {
+    const Span<const ZeroPoint> line = curves.lines.curves[c];
+    const bool closed = curves.lines.closed[c];
+    Polyline polyline{{}, closed};
+    for (const ZeroPoint& p : line) polyline.points.push_back({p.position, p.on});
+    const std::vector<int> sources =
+        add_polyline(surface, polyline, cuts_of(joints.lines, static_cast<int>(c)), strand, all);
+    for (const Stretch& s : stretches(line, closed, curves.suggestive[c], sources)) {
+      found.push_back(s);
+    }
+  }
+  for (std::size_t s = 0; s < all.strands.size(); ++s) {
+    const double size = sizes[idx(all.strands[s].object)];
+    if (found[s].unseen || !options.wants(found[s].kind)) continue;
+    if (is_stub(all, s, longest_stub * size)) continue;
+    all.strands[s].kind = found[s].kind;
+    network.points.add(all.points[s]);
+    network.strands.push_back(all.strands[s]);
   }
 }
 

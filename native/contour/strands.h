@@ -7,13 +7,19 @@
 namespace illustrate {
 
 // Silhouette chains cut at their joints; ties at cusps (paper section 4.2) and where a chain passes
-// over a mark.
+// over a mark or a curvature curve.
 void add_silhouette_strands(const Surface& surface, const Silhouettes& silhouettes,
                             const Joints& joints, CurveNetwork& network);
 
 // Self-intersection curves cut at their joints.
 void add_intersection_strands(const Surface& surface, const IntersectionCurves& intersections,
                               const Joints& joints, CurveNetwork& network);
+
+// Curvature curves cut at their joints; a piece of a ridge that is seen from its other side is a
+// valley. Kinds that are not wanted are left out.
+void add_curvature_strands(const Surface& surface, const CurvatureCurves& curves,
+                           const CurvatureCurveOptions& options, const Joints& joints,
+                           CurveNetwork& network);
 
 // Feature edges cut where a side turns from front to back, linked into strands of one kind and one
 // hiding; then the silhouettes of polygon objects.

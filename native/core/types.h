@@ -56,7 +56,15 @@ enum class Kind : std::uint8_t {
   mark = 7,
   material = 8,
   flat_outline = 9,
-  seam = 10,  // where a non-manifold edge was split: hides what a boundary hides, never drawn
+  seam = 10,        // where a non-manifold edge was split: hides what a boundary hides, never drawn
+  suggestive = 11,  // suggestive contour
+  ridge = 12,
+  valley = 13,
 };
+
+// Lines of shape inside a smooth surface: they neither hide nor bound anything.
+constexpr bool is_curvature_line(Kind kind) {
+  return kind == Kind::suggestive || kind == Kind::ridge || kind == Kind::valley;
+}
 
 }  // namespace illustrate

@@ -45,6 +45,12 @@ class Kind(enum.IntEnum):
     FLAT_OUTLINE = 9
     SEAM = 10
     """Where a non-manifold edge was split; never drawn."""
+    SUGGESTIVE = 11
+    """Suggestive contour."""
+    RIDGE = 12
+    """As seen from the viewer's side of the surface."""
+    VALLEY = 13
+    """As seen from the viewer's side of the surface."""
 
 class Node(enum.IntEnum):
     """What a node of the curve network is."""
@@ -293,6 +299,18 @@ class DrawOptions:
     """Draw outlines of flat areas."""
     scan_silhouettes: bool
     """Look at every triangle for silhouettes instead of searching: slower, the same drawing."""
+    suggestive_contours: bool
+    """Draw suggestive contours: where the surface nearly turns away from the eye."""
+    ridges: bool
+    """Draw ridges of smooth surfaces."""
+    valleys: bool
+    """Draw valleys of smooth surfaces."""
+    suggestive_threshold: float
+    """Least growth of the radial curvature towards the eye, times the object's diagonal squared."""
+    ridge_threshold: float
+    """Least curvature across a ridge, times the object's diagonal."""
+    valley_threshold: float
+    """Least curvature across a valley, times the object's diagonal."""
     styles: Sequence[ObjectStyle] | None
     """One per mesh, or None."""
     threads: int

@@ -19,8 +19,12 @@ KIND_NAMES = (
     "MARK",
     "MATERIAL",
     "FLAT_OUTLINE",
+    "SEAM",
+    "SUGGESTIVE",
+    "RIDGE",
+    "VALLEY",
 )
-"""Names of `illustrate_native.Kind`, by number, of all kinds that are drawn."""
+"""Names of `illustrate_native.Kind`, by number; seams are never drawn."""
 
 HIDDEN = "Hidden"
 """Title of the group of lines that have layers in front of them, whatever their kind."""
@@ -29,6 +33,9 @@ _BOTTOM_TO_TOP = (
     "UNDERCUT",
     "CROSS_HATCH",
     "HATCH",
+    "VALLEY",
+    "RIDGE",
+    "SUGGESTIVE",
     "FLAT_OUTLINE",
     "MATERIAL",
     "MARK",
@@ -38,7 +45,11 @@ _BOTTOM_TO_TOP = (
     "SILHOUETTE",
 )
 _HATCHES = ("HATCH", "CROSS_HATCH", "UNDERCUT")
-_TITLES = {"CROSS_HATCH": "Cross-hatch", "FLAT_OUTLINE": "Flat Outline"}
+_TITLES = {
+    "CROSS_HATCH": "Cross-hatch",
+    "FLAT_OUTLINE": "Flat Outline",
+    "SUGGESTIVE": "Suggestive Contour",
+}
 
 
 class DrawingArrays(Protocol):

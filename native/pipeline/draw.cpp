@@ -67,13 +67,18 @@ class View {
 
   void label_curves(const Progress& progress) {
     const StrokeOptions& stroke = options_.stroke;
-    const NetworkOptions network_options{stroke.marks, stroke.materials, stroke.flat_outlines};
-    const DualSurface* dual =
-        options_.scan_silhouettes ? nullptr : &scene_.dual_surface(options_.threads);
+    const NetworkOptions network_options{stroke.marks, stroke.materials, stroke.flat_outlines,
+                                         options_.curvature_curves};
+    const ContourScene contour_scene{
+        scene_.surface(),
+        scene_.limit_surface(),
+        scene_.features(),
+        scene_.intersections(),
+        options_.scan_silhouettes ? nullptr : &scene_.dual_surface(options_.threads),
+        options_.curvature_curves.any() ? &scene_.curvature_derivative() : nullptr};
     const CurveNetwork network = timed(result_.timings["contour"], [&] {
-      return build_network(scene_.surface(), scene_.limit_surface(), scene_.features(),
-                           scene_.intersections(), camera_, network_options, result_.counts,
-                           progress.part(0, 0.5, "contour"), dual);
+      return build_network(contour_scene, camera_, network_options, result_.counts,
+                           progress.part(0, 0.5, "contour"));
     });
     result_.graph = timed(result_.timings["visibility"], [&] {
       return label_network(network, scene_.surface(), scene_.bvh(), camera_, result_.counts,

@@ -32,6 +32,7 @@ void validate(const DrawOptions& options, std::size_t object_count) {
   validate(options.tone);
   validate(options.hatch);
   validate(options.stroke);
+  validate(options.curvature_curves);
   require(options.cell_px >= 0.25 && options.cell_px <= 64, "cell_px must be in [0.25, 64]");
   require(options.threads >= 0, "threads must be at least 0");
   require(options.styles.empty() || options.styles.size() == object_count,

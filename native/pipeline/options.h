@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "contour/curvature_curves.h"
 #include "field/cross_field.h"
 #include "hatch/place_hatches.h"
 #include "stroke/make_strokes.h"
@@ -38,6 +39,7 @@ struct DrawOptions {
   ToneOptions tone;
   HatchOptions hatch;
   StrokeOptions stroke;  // its marks, materials and flat outlines are also those of the network
+  CurvatureCurveOptions curvature_curves;
   double cell_px =
       1;  // cells of the tone map, [0.25, 64]; larger where the image has over 16 million of them
   bool scan_silhouettes = false;    // look at all triangles instead of searching the dual surface

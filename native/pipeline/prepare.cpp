@@ -30,7 +30,8 @@ Prepared::Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions&
                    const Prepared* previous, const Progress& progress)
     : options_(with_threads(options)),
       curvature_(std::make_shared<Lazy<Curvature>>()),
-      field_(std::make_shared<Lazy<CrossField>>()) {
+      field_(std::make_shared<Lazy<CrossField>>()),
+      derivative_(std::make_shared<Lazy<CurvatureDerivative>>()) {
   timings_ = {
       {"sanitize", 0}, {"surface", 0}, {"curvature", 0}, {"field", 0}, {"intersections", 0}};
   if (previous && previous->has_surface_of(meshes, options)) {
@@ -58,6 +59,7 @@ void Prepared::take_over(const Prepared& previous) {
   geometry_ = previous.geometry_;
   if (!is_same(options_.jet, previous.options_.jet)) return;
   curvature_ = previous.curvature_;
+  derivative_ = previous.derivative_;
   if (is_same(options_.cross_field, previous.options_.cross_field)) field_ = previous.field_;
 }
 
@@ -133,6 +135,16 @@ const CrossField& Prepared::field(const Progress& progress) const {
     return timed("field", [&] {
       return solve_cross_field(surface(), curvature, options_.cross_field,
                                progress.part(0.2, 1, "field"));
+    });
+  });
+}
+
+const CurvatureDerivative& Prepared::curvature_derivative(const Progress& progress) const {
+  return derivative_->get([&] {
+    const Curvature& curvature = hatch_curvature(progress.part(0, 0.7));
+    return timed("curvature", [&] {
+      return illustrate::curvature_derivative(surface(), curvature, options_.threads,
+                                              progress.part(0.7, 1, "curvature"));
     });
   });
 }

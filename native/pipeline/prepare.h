@@ -9,6 +9,7 @@
 #include "core/lazy.h"
 #include "mesh/bvh.h"
 #include "pipeline/options.h"
+#include "surface/curvature_derivative.h"
 #include "surface/limit_surface.h"
 
 namespace illustrate {
@@ -36,6 +37,7 @@ class Prepared {
   const IntersectionCurves& intersections(const Progress& progress = {}) const;
   const Curvature& hatch_curvature(const Progress& progress = {}) const;
   const CrossField& field(const Progress& progress = {}) const;
+  const CurvatureDerivative& curvature_derivative(const Progress& progress = {}) const;
 
   const std::vector<MeshReport>& mesh_reports() const { return geometry_->mesh_reports; }
   Counts report() const;    // summed over all meshes
@@ -68,6 +70,7 @@ class Prepared {
   std::shared_ptr<Geometry> geometry_;
   std::shared_ptr<Lazy<Curvature>> curvature_;
   std::shared_ptr<Lazy<CrossField>> field_;
+  std::shared_ptr<Lazy<CurvatureDerivative>> derivative_;
   mutable std::mutex timings_mutex_;
   mutable Timings timings_;
 };

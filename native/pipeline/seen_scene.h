@@ -25,6 +25,10 @@ class SeenScene {
   const IntersectionCurves& intersections() const {
     return part_ ? part_->intersections : prepared_.intersections();
   }
+  // Of vertices, which keep their numbers.
+  const CurvatureDerivative& curvature_derivative() const {
+    return prepared_.curvature_derivative();
+  }
 
   // From triangles of this scene to those of `prepared`.
   void restore_triangles(std::vector<SurfacePoint>& points) const;

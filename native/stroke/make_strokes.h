@@ -19,7 +19,7 @@ namespace illustrate {
 
 struct StrokeOptions {
   double line_width_px = 2.0;     // silhouettes, boundaries
-  double feature_width_px = 1.4;  // creases, intersections, marks, materials
+  double feature_width_px = 1.4;  // all other lines
   double hatch_width_px = 1.0;    // where the light is middling
   double hatch_width_by_light =
       0.4;  // share by which hatches swell in the dark and thin in the light

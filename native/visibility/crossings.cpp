@@ -50,7 +50,7 @@ SegmentBox box_of(const GridPoint& a, const GridPoint& b) {
 class CrossingFinder {
  public:
   CrossingFinder(const CurveNetwork& network, const ImageStrands& strands)
-      : strands_(strands), segments_(all_segments(network)) {}
+      : network_(network), strands_(strands), segments_(all_segments(network)) {}
 
   std::vector<Crossing> run() {
     std::vector<SegmentBox> boxes;
@@ -63,8 +63,10 @@ class CrossingFinder {
     });
     std::sort(pairs.begin(), pairs.end());
     std::vector<Crossing> result;
-    for (const auto& [i, j] : pairs)
-      result.push_back(crossing(segments_[idx(i)], segments_[idx(j)]));
+    for (const auto& [i, j] : pairs) {
+      const Crossing x = crossing(segments_[idx(i)], segments_[idx(j)]);
+      if (!is_curvature_line(network_.strands[idx(x.front.strand)].kind)) result.push_back(x);
+    }
     return result;
   }
 
@@ -117,6 +119,7 @@ class CrossingFinder {
     return {s_in_front ? ps : pt, s_in_front ? pt : ps, a + fs * (b - a), from_right};
   }
 
+  const CurveNetwork& network_;
   const ImageStrands& strands_;
   std::vector<Segment> segments_;
 };

@@ -20,9 +20,9 @@ struct Crossing {
   bool enters_left;  // the back strand passes to the front strand's left side as the viewer sees it
 };
 
-// All of them, in a fixed order. Two closed curves cross an even number of times, whatever the
-// degeneracy: ties are settled by a symbolic perturbation by point id. Segments that share a node
-// do not cross.
+// All of them, in a fixed order, but those where curvature lines, which hide nothing, pass in
+// front. Two closed curves cross an even number of times, whatever the degeneracy: ties are settled
+// by a symbolic perturbation by point id. Segments that share a node do not cross.
 std::vector<Crossing> find_crossings(const CurveNetwork& network, const ImageStrands& strands);
 
 // The sign of the turn a, b, c: +1 left (y up), -1 right; never 0 for different ids.

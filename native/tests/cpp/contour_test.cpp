@@ -105,8 +105,9 @@ TEST(Silhouettes, TorusHasTheCuspsOfItsRegime) {
 
 CurveNetwork network_of(const Surface& surface, const Camera& camera) {
   Counts counts;
-  return build_network(surface, LimitSurface(surface), feature_edges(surface), {}, camera, {},
-                       counts);
+  return build_network(
+      {surface, LimitSurface(surface), feature_edges(surface), IntersectionCurves()}, camera, {},
+      counts);
 }
 
 // Each node is met by as many strand ends as its kind says, ties join an end to a start.

@@ -57,8 +57,9 @@ std::size_t expect_same_silhouettes(const Surface& surface, const DualSurface& d
   const std::vector<FeatureEdge> features = feature_edges(surface);
   Counts counts;
   const LimitSurface limit(surface);
-  expect_same(build_network(surface, limit, features, {}, camera, {}, counts, {}, &dual),
-              build_network(surface, limit, features, {}, camera, {}, counts));
+  const IntersectionCurves none_found;
+  expect_same(build_network({surface, limit, features, none_found, &dual}, camera, {}, counts),
+              build_network({surface, limit, features, none_found}, camera, {}, counts));
   return found.triangles.size() + edges.edges.size();
 }
 

@@ -16,7 +16,8 @@ namespace {
 LabelledGraph graph_of(const Surface& surface, const Camera& camera, Counts& counts) {
   const Bvh bvh(surface.positions, surface.triangles);
   const CurveNetwork network =
-      build_network(surface, LimitSurface(surface), feature_edges(surface), {}, camera, {}, counts);
+      build_network({surface, LimitSurface(surface), feature_edges(surface), IntersectionCurves()},
+                    camera, {}, counts);
   LabelledGraph graph = label_network(network, surface, bvh, camera, counts);
   check_graph(graph);
   return graph;

@@ -59,7 +59,7 @@ def test_stub_says_what_the_module_has() -> None:
 def test_every_public_name_is_there() -> None:
     for name in ill.__all__:
         assert hasattr(ill, name), name
-    assert [int(kind) for kind in ill.Kind] == list(range(11))
+    assert [int(kind) for kind in ill.Kind] == list(range(14))
     assert {node.name: int(node) for node in ill.Node} == {
         "CUSP": 0, "CROSSING": 1, "JOINT": 2, "END": 3,
     }  # fmt: skip
@@ -346,6 +346,25 @@ def test_marked_edges_and_materials_are_drawn_when_asked_for() -> None:
     options = ill.DrawOptions(hatching=False, marks=True, materials=True)
     asked = ill.draw(found, look_at((-1, -2, 0.8)), options)
     assert {int(ill.Kind.MARK), int(ill.Kind.MATERIAL)} & set(asked.kinds.tolist())
+
+
+def test_lines_of_curvature_are_drawn_when_asked_for(prepared: ill.Prepared) -> None:
+    kinds = {int(ill.Kind.SUGGESTIVE), int(ill.Kind.RIDGE), int(ill.Kind.VALLEY)}
+    found = ill.prepare([drape().mesh()])
+    thresholds = {"suggestive_threshold": 1.0, "ridge_threshold": 1.0, "valley_threshold": 1.0}
+    options = ill.DrawOptions(hatching=False, **thresholds)
+    plain = ill.draw(found, look_at(radius=2), options)
+    assert not set(plain.kinds.tolist()) & kinds
+    np.testing.assert_array_equal(
+        plain.image, ill.draw(found, look_at(radius=2), ill.DrawOptions(hatching=False)).image
+    )
+    options.suggestive_contours = options.ridges = options.valleys = True
+    asked = ill.draw(found, look_at(radius=2), options)
+    check_drawing(asked, look_at(radius=2))
+    assert set(asked.kinds.tolist()) & kinds
+    assert set(asked.graph.arc_kind.tolist()) >= set(asked.kinds.tolist())
+    round_one = ill.DrawOptions(hatching=False, suggestive_contours=True, ridges=True, valleys=True)
+    assert set(ill.draw(prepared, look_at(), round_one).kinds) <= {0, *kinds}
 
 
 @pytest.mark.parametrize("perspective", [True, False])
