@@ -266,6 +266,7 @@ inline void complete(Surface& surface) {
   surface.base_faces.assign(n, none);
   surface.base_uv.assign(n, Vec2::Zero());
   surface.object_is_smooth.assign(1, 1);
+  surface.controls.assign(1, std::make_shared<const ControlMesh>());
   surface.curvature.k1.resize(n, 0);
   surface.curvature.k2.resize(n, 0);
   surface.curvature.w1.resize(n, Vec3::Zero());
@@ -365,6 +366,8 @@ inline Surface joined(Surface a, Surface b) {
   append(a.base_faces, b.base_faces);
   append(a.base_uv, b.base_uv);
   append(a.object_is_smooth, b.object_is_smooth);
+  append(a.patches, b.patches);
+  append(a.controls, b.controls);
   append(a.feature_edges, b.feature_edges);
   append(a.feature_kinds, b.feature_kinds);
   append(a.curvature.k1, b.curvature.k1);
