@@ -37,7 +37,7 @@ Bfr::SurfaceFactory::Options factory_options() {
 class FacePatches {
  public:
   // Points are taken from the first of them, so that nothing is lost far from the world's origin.
-  FacePatches(Bfr::Surface<double> surface, const Points& points) : surface_(std::move(surface)) {
+  FacePatches(const Bfr::Surface<double>& surface, const Points& points) : surface_(surface) {
     if (!surface_.IsValid()) return;
     std::vector<int> controls(static_cast<std::size_t>(surface_.GetNumControlPoints()));
     surface_.GetControlPointIndices(controls.data());
@@ -171,7 +171,7 @@ struct LimitPatches::Data {
   std::unique_ptr<const FacePatches> make(int f) {
     Bfr::Surface<double> surface;
     if (is_small_enough(f)) factory->InitVertexSurface(f, &surface);
-    return std::make_unique<const FacePatches>(std::move(surface), points);
+    return std::make_unique<const FacePatches>(surface, points);
   }
 
   // What the patches of a face need grows with the square of the edges round its corners.
