@@ -59,9 +59,10 @@ class ConsistentLabels {
     changed_.assign(labels_.size(), 0);
   }
 
-  // Contradictory crossings go with their lens, or else become joints of their back strand: the
-  // front strand runs on.
+  // Where other bases help, paths get them; crossings that contradict each other still go with
+  // their lens, or else become joints of their back strand: the front strand runs on.
   bool repair_crossings() {
+    settle_bases(arrangement_, labels_);
     const std::vector<int> wrong = contradictions(arrangement_, labels_);
     if (wrong.empty()) return false;
     const std::vector<CrossingState> before = arrangement_.states;

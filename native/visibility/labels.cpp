@@ -18,7 +18,9 @@ constexpr double visible_break_px = 30;
 constexpr double balanced_factor = 1e5;  // a path whose changes sum to zero hardly needs a break
 constexpr double free_change_px = 1;     // a change at a demoted crossing
 constexpr int most_layers = 64;
-constexpr double least_weight = 1e-6;  // an arc without length still prefers its ray
+constexpr double contradiction_px = 40;  // a layer missing behind a crossing
+constexpr double impossible = 1e12;      // the price of a negative label
+constexpr double least_weight = 1e-6;    // an arc without length still prefers its ray
 
 // The labels along a path as the cheapest way through (arc, layers): from one arc to the next the
 // label changes as the rules say, within an arc it may jump at the price of a break.
@@ -153,11 +155,47 @@ class Labeller {
     LabelledPath result;
     result.labels = relative_labels(arrangement_, path);
     const std::vector<Evidence> evidence = gather(result.labels.arcs);
-    LeastContradiction(result, evidence, path.cyclic).solve();
+    const bool balanced = path.cyclic && result.labels.residual == 0 && !any_free(result.labels);
+    if (!balanced || !choose_base(evidence, result)) {
+      LeastContradiction(result, evidence, path.cyclic).solve();
+    }
     return result;
   }
 
  private:
+  static bool any_free(const PathLabels& labels) {
+    return std::any_of(labels.arcs.begin(), labels.arcs.end(),
+                       [](const PathArc& arc) { return arc.starts_free; });
+  }
+
+  // The base that contradicts the rays least. False where the outside of the drawing has no one
+  // label.
+  static bool choose_base(const std::vector<Evidence>& evidence, LabelledPath& path) {
+    const std::vector<PathArc>& arcs = path.labels.arcs;
+    int lowest = 0, most = 0;
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      lowest = std::min(lowest, arcs[i].offset);
+      most = std::max(most, evidence[i].layers - arcs[i].offset);
+    }
+    path.costs.assign(idx(std::max(-lowest, most) + 1), impossible);
+    for (std::size_t base = idx(-lowest); base < path.costs.size(); ++base) {
+      path.costs[base] = 0;
+      for (std::size_t i = 0; i < arcs.size(); ++i) {
+        const int label = static_cast<int>(base) + arcs[i].offset;
+        path.costs[base] += evidence[i].weight * std::abs(label - evidence[i].layers);
+      }
+    }
+    const auto best = std::min_element(path.costs.begin(), path.costs.end());
+    if (!(*best < outline_weight)) {
+      path.costs.clear();
+      return false;
+    }
+    for (const PathArc& arc : arcs) path.along.push_back(arc.offset);
+    path.at_start = path.at_end = path.along;
+    path.move_base(static_cast<int>(best - path.costs.begin()));
+    return true;
+  }
+
   // Evidence for the longest arcs, by rays; weight 0 for the others.
   std::vector<Evidence> gather(const std::vector<PathArc>& arcs) {
     std::vector<std::size_t> order(arcs.size());
@@ -221,7 +259,114 @@ class Labeller {
   KnownEvidence& known_;
 };
 
+// What the paths say at a crossing; `back` is the smaller of the labels before and behind it.
+struct CrossingLabels {
+  std::size_t front_path = 0, back_path = 0;
+  int front = 0, back = 0;
+};
+
+std::vector<CrossingLabels> labels_at_crossings(const Arrangement& arrangement,
+                                                const std::vector<LabelledPath>& paths) {
+  std::vector<CrossingLabels> result(arrangement.crossings.size());
+  for (std::size_t p = 0; p < paths.size(); ++p) {
+    for (std::size_t i = 0; i < paths[p].labels.arcs.size(); ++i) {
+      const PathArc& arc = paths[p].labels.arcs[i];
+      if (arc.begin == none) continue;
+      const Visit& visit = arrangement.visits[idx(arc.strand)][idx(arc.begin)];
+      CrossingLabels& labels = result[idx(visit.crossing)];
+      const int label = paths[p].at_start[i];
+      if (visit.front) {
+        labels.front_path = p;
+        labels.front = label;
+      } else {
+        const int change = back_change(arrangement, arrangement.crossings[idx(visit.crossing)]);
+        labels.back_path = p;
+        labels.back = std::min(label, label - change);
+      }
+    }
+  }
+  return result;
+}
+
+// Moves one base after another to where the rays and the crossings with other paths mind it least.
+// Every move makes the sum of all that is minded smaller, so it ends.
+class BaseSettler {
+ public:
+  BaseSettler(const Arrangement& arrangement, std::vector<LabelledPath>& paths)
+      : paths_(paths),
+        labels_(labels_at_crossings(arrangement, paths)),
+        crossings_of_(paths.size()),
+        moved_(paths.size(), 0) {
+    for (std::size_t c = 0; c < labels_.size(); ++c) {
+      const CrossingLabels& labels = labels_[c];
+      if (!arrangement.is_live(static_cast<int>(c)) || labels.front_path == labels.back_path)
+        continue;
+      crossings_of_[labels.front_path].push_back(c);
+      crossings_of_[labels.back_path].push_back(c);
+    }
+  }
+
+  void run() {
+    constexpr int most_rounds = 20;
+    bool changed = true;
+    for (int round = 0; changed && round < most_rounds; ++round) {
+      changed = false;
+      for (std::size_t p = 0; p < paths_.size(); ++p) changed |= settle(p);
+    }
+  }
+
+ private:
+  bool settle(std::size_t p) {
+    LabelledPath& path = paths_[p];
+    if (!path.is_balanced() || crossings_of_[p].empty()) return false;
+    const int highest = static_cast<int>(path.costs.size()) + 2;
+    int best = path.base;
+    double least = price(p, best);
+    for (int base = 0; base <= highest; ++base) {
+      const double other = price(p, base);
+      if (other < least - 1e-9) {
+        best = base;
+        least = other;
+      }
+    }
+    if (best == path.base) return false;
+    moved_[p] += best - path.base;
+    path.move_base(best - path.base);
+    return true;
+  }
+
+  double price(std::size_t p, int base) const {
+    const LabelledPath& path = paths_[p];
+    const int known = static_cast<int>(path.costs.size()) - 1;
+    double length = 0;
+    if (base > known) {
+      for (const PathArc& arc : path.labels.arcs) length += arc.length_px;
+    }
+    double sum = path.costs[idx(std::min(base, known))] + length * (base - known);
+    for (const std::size_t c : crossings_of_[p]) {
+      const CrossingLabels& labels = labels_[c];
+      int front = labels.front + moved_[labels.front_path];
+      int back = labels.back + moved_[labels.back_path];
+      (labels.front_path == p ? front : back) += base - path.base;
+      sum += contradiction_px * std::max(front - back, 0);
+    }
+    return sum;
+  }
+
+  std::vector<LabelledPath>& paths_;
+  std::vector<CrossingLabels> labels_;  // before any move
+  std::vector<std::vector<std::size_t>> crossings_of_;
+  std::vector<int> moved_;  // (paths)
+};
+
 }  // namespace
+
+void LabelledPath::move_base(int by) {
+  base += by;
+  for (std::vector<int>* values : {&at_start, &along, &at_end}) {
+    for (int& label : *values) label += by;
+  }
+}
 
 LabelledPath label_path(const Arrangement& arrangement, const Path& path, LayerRays& rays,
                         KnownEvidence& known) {
@@ -230,27 +375,17 @@ LabelledPath label_path(const Arrangement& arrangement, const Path& path, LayerR
 
 std::vector<int> contradictions(const Arrangement& arrangement,
                                 const std::vector<LabelledPath>& paths) {
-  std::vector<int> front(arrangement.crossings.size(), 0), back(arrangement.crossings.size(), 0);
-  for (const LabelledPath& path : paths) {
-    for (std::size_t i = 0; i < path.labels.arcs.size(); ++i) {
-      const PathArc& arc = path.labels.arcs[i];
-      if (arc.begin == none) continue;
-      const Visit& visit = arrangement.visits[idx(arc.strand)][idx(arc.begin)];
-      const int layers = path.at_start[i];
-      const int change = back_change(arrangement, arrangement.crossings[idx(visit.crossing)]);
-      if (visit.front) {
-        front[idx(visit.crossing)] = layers;
-      } else {
-        back[idx(visit.crossing)] = std::min(layers, layers - change);
-      }
-    }
-  }
+  const std::vector<CrossingLabels> labels = labels_at_crossings(arrangement, paths);
   std::vector<int> result;
-  for (std::size_t c = 0; c < front.size(); ++c) {
-    if (arrangement.is_live(static_cast<int>(c)) && back[c] < front[c])
+  for (std::size_t c = 0; c < labels.size(); ++c) {
+    if (arrangement.is_live(static_cast<int>(c)) && labels[c].back < labels[c].front)
       result.push_back(static_cast<int>(c));
   }
   return result;
+}
+
+void settle_bases(const Arrangement& arrangement, std::vector<LabelledPath>& paths) {
+  BaseSettler(arrangement, paths).run();
 }
 
 }  // namespace illustrate

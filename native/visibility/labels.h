@@ -16,7 +16,13 @@ struct LabelledPath {
   std::vector<int> at_start;  // (arcs)
   std::vector<int> along;     // (arcs)
   std::vector<int> at_end;    // (arcs)
+  // Of a balanced path without breaks: its labels are base plus the offsets, and what other bases
+  // would contradict of the rays, costs[b] for base b.
+  int base = 0;
+  std::vector<double> costs;
 
+  bool is_balanced() const { return !costs.empty(); }
+  void move_base(int by);
   int breaks(std::size_t arc) const {
     return (at_start[arc] != along[arc]) + (along[arc] != at_end[arc]);
   }
@@ -33,10 +39,15 @@ struct Evidence {
 using KnownEvidence = std::map<std::array<int, 3>, Evidence>;
 
 // The labels of a path that contradict the rays least, by length of line, a break counted as so
-// many pixels of wrong label. Where a cycle's changes do not sum to zero there is at least one
-// break. Arcs at the outside of the drawing have 0. No label is negative.
+// many pixels of wrong label. A cycle whose changes sum to zero has no break, unless it runs along
+// the outside of the drawing at different labels; any other cycle has one at least. Arcs at the
+// outside of the drawing have 0. No label is negative.
 LabelledPath label_path(const Arrangement& arrangement, const Path& path, LayerRays& rays,
                         KnownEvidence& known);
+
+// Crossings tie only the back path to itself: gives balanced paths other bases where, all in all,
+// fewer crossings contradict their labels at little price in rays.
+void settle_bases(const Arrangement& arrangement, std::vector<LabelledPath>& paths);
 
 // Crossings whose back strand has fewer layers in front than the front strand.
 std::vector<int> contradictions(const Arrangement& arrangement,
