@@ -23,6 +23,10 @@ std::int64_t count_breaks(const std::vector<LabelledPath>& labels) {
   return count;
 }
 
+// Rounds after which balanced paths are no longer held for right. Smooth surfaces need two or
+// three.
+constexpr int patience = 8;
+
 // Labels all paths, and repairs until none of them has to contradict anything at a crossing or a
 // cusp.
 class ConsistentLabels {
@@ -41,7 +45,7 @@ class ConsistentLabels {
   std::vector<LabelledPath> run(const Progress& progress) {
     labels_.resize(arrangement_.paths.size());
     changed_.assign(labels_.size(), 1);
-    for (;;) {
+    for (;; ++round_) {
       label_changed(progress);
       if (!repair_crossings() && !free_broken_places()) return std::move(labels_);
     }
@@ -52,7 +56,9 @@ class ConsistentLabels {
  private:
   void label_changed(const Progress& progress) {
     for (std::size_t p = 0; p < labels_.size(); ++p) {
-      if (changed_[p]) labels_[p] = label_path(arrangement_, arrangement_.paths[p], rays_, known_);
+      if (changed_[p])
+        labels_[p] =
+            label_path(arrangement_, arrangement_.paths[p], round_ < patience, rays_, known_);
       if (p % 16 == 0)
         progress.report(static_cast<double>(p) / static_cast<double>(labels_.size()));
     }
@@ -126,6 +132,7 @@ class ConsistentLabels {
   std::vector<LabelledPath> labels_;
   KnownEvidence known_;
   std::int64_t repairs_ = 0;
+  int round_ = 0;
 };
 
 }  // namespace

@@ -26,12 +26,13 @@ constexpr double least_weight = 1e-6;    // an arc without length still prefers 
 // label changes as the rules say, within an arc it may jump at the price of a break.
 class LeastContradiction {
  public:
-  LeastContradiction(LabelledPath& path, const std::vector<Evidence>& evidence, bool cyclic)
+  LeastContradiction(LabelledPath& path, const std::vector<Evidence>& evidence, bool cyclic,
+                     double dear)
       : path_(path),
         arcs_(path.labels.arcs),
         evidence_(evidence),
         cyclic_(cyclic),
-        dear_(cyclic && path.labels.residual == 0 ? balanced_factor : 1),
+        dear_(dear),
         states_(state_count()) {}
 
   void solve() {
@@ -151,14 +152,13 @@ class Labeller {
   Labeller(const Arrangement& arrangement, LayerRays& rays, KnownEvidence& known)
       : arrangement_(arrangement), rays_(rays), known_(known) {}
 
-  LabelledPath label(const Path& path) {
+  LabelledPath label(const Path& path, bool trusts_rules) {
     LabelledPath result;
     result.labels = relative_labels(arrangement_, path);
     const std::vector<Evidence> evidence = gather(result.labels.arcs);
-    const bool balanced = path.cyclic && result.labels.residual == 0 && !any_free(result.labels);
-    if (!balanced || !choose_base(evidence, result)) {
-      LeastContradiction(result, evidence, path.cyclic).solve();
-    }
+    const bool balanced = trusts_rules && path.cyclic && result.labels.residual == 0;
+    if (balanced && !any_free(result.labels) && choose_base(evidence, result)) return result;
+    LeastContradiction(result, evidence, path.cyclic, balanced ? balanced_factor : 1).solve();
     return result;
   }
 
@@ -368,9 +368,9 @@ void LabelledPath::move_base(int by) {
   }
 }
 
-LabelledPath label_path(const Arrangement& arrangement, const Path& path, LayerRays& rays,
-                        KnownEvidence& known) {
-  return Labeller(arrangement, rays, known).label(path);
+LabelledPath label_path(const Arrangement& arrangement, const Path& path, bool trusts_rules,
+                        LayerRays& rays, KnownEvidence& known) {
+  return Labeller(arrangement, rays, known).label(path, trusts_rules);
 }
 
 std::vector<int> contradictions(const Arrangement& arrangement,

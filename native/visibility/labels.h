@@ -41,9 +41,10 @@ using KnownEvidence = std::map<std::array<int, 3>, Evidence>;
 // The labels of a path that contradict the rays least, by length of line, a break counted as so
 // many pixels of wrong label. A cycle whose changes sum to zero has no break, unless it runs along
 // the outside of the drawing at different labels; any other cycle has one at least. Arcs at the
-// outside of the drawing have 0. No label is negative.
-LabelledPath label_path(const Arrangement& arrangement, const Path& path, LayerRays& rays,
-                        KnownEvidence& known);
+// outside of the drawing have 0. No label is negative. trusts_rules: false where the crossings of
+// the mesh are not worth it (a crowd of needles): a balanced cycle then breaks like any other.
+LabelledPath label_path(const Arrangement& arrangement, const Path& path, bool trusts_rules,
+                        LayerRays& rays, KnownEvidence& known);
 
 // Crossings tie only the back path to itself: gives balanced paths other bases where, all in all,
 // fewer crossings contradict their labels at little price in rays.
