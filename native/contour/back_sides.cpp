@@ -6,12 +6,11 @@ std::vector<std::uint8_t> shows_back(const Surface& surface,
                                      const IntersectionCurves& intersections,
                                      const Camera& camera) {
   std::vector<std::uint8_t> shows(surface.object_is_smooth.size(), 0);
-  std::vector<Eigen::AlignedBox3d> boxes(shows.size());
+  const std::vector<Eigen::AlignedBox3d> boxes = object_boxes(surface);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const std::size_t object = idx(surface.triangle_objects[t]);
     for (const int n : surface.neighbours[t]) shows[object] |= n == none;
     shows[object] |= surface.flips[t] != 0;
-    for (const int v : surface.triangles[t]) boxes[object].extend(surface.positions[idx(v)]);
   }
   for (const IntersectionPoint& p : intersections.curves.values) {
     if (p.a.triangle == none || p.b.triangle == none) continue;

@@ -8,8 +8,7 @@
 namespace illustrate {
 namespace {
 
-// Zeros stay this far from an edge's ends, as a share of the edge: chains through the triangles of
-// a fan then never meet at its vertex. Far below what can be seen.
+// Of an edge: far below what can be seen.
 constexpr double least_fraction = 1e-5;
 
 double without_noise(double g, double distance) {
@@ -31,9 +30,7 @@ bool ContourFunctions::front(int triangle, int corner) const {
 double ContourFunctions::zero_fraction(int triangle, int corner) const {
   const int a = surface_.triangles[idx(triangle)][idx(corner)];
   const int b = surface_.triangles[idx(triangle)][idx(next_corner(corner))];
-  const double g_low = std::abs(g(std::min(a, b)));
-  const double sum = g_low + std::abs(g(std::max(a, b)));
-  const double zero = std::clamp(sum > 0 ? g_low / sum : 0.5, least_fraction, 1 - least_fraction);
+  const double zero = zero_between(g(std::min(a, b)), g(std::max(a, b)));
   return a < b ? zero : 1 - zero;
 }
 
@@ -51,6 +48,11 @@ std::array<double, 3> ContourFunctions::cusp_functions(int triangle) const {
                      cusp_at_vertex(surface_.triangles[idx(triangle)][idx(k)]);
   }
   return values;
+}
+
+double zero_between(double low, double high) {
+  const double sum = std::abs(low) + std::abs(high);
+  return std::clamp(sum > 0 ? std::abs(low) / sum : 0.5, least_fraction, 1 - least_fraction);
 }
 
 Vec3 face_normal(const Surface& surface, int triangle) {

@@ -35,6 +35,11 @@ class ContourFunctions {
   const Camera& camera_;
 };
 
+// Where a linear function that is `low` and `high` at the ends of an edge, of different signs,
+// vanishes: a share of the edge from `low`, kept off its ends, so that curves through the triangles
+// of a fan never meet at its vertex.
+double zero_between(double low, double high);
+
 // Unit normal of a triangle's plane; zero where it has no area.
 Vec3 face_normal(const Surface& surface, int triangle);
 

@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "contour/back_sides.h"
+#include "contour/contour_functions.h"
 #include "core/errors.h"
 
 namespace illustrate {
 namespace {
 
-// Zeros stay this far from an edge's ends, as a share of the edge.
-constexpr double least_fraction = 1e-5;
 // Lines are drawn down to this share of their threshold where they reach the threshold itself.
 constexpr double hysteresis = 0.7;
 // Shorter lines are left out, as share of the object's diagonal.
@@ -24,6 +23,7 @@ constexpr double least_sharpness = 1;
 constexpr double least_sine = 0.42;
 // Below this agreement the principal directions of two neighbours belong to different families.
 constexpr double least_agreement = 0.7;
+
 // An edge of a triangle from its lower vertex to its higher one, with the signs that their sheets
 // have in the triangle.
 struct DirectedEdge {
@@ -49,11 +49,6 @@ struct DirectedEdge {
   int low, high;
   double low_sign, high_sign;
 };
-
-double zero_between(double low, double high) {
-  const double sum = std::abs(low) + std::abs(high);
-  return std::clamp(sum > 0 ? std::abs(low) / sum : 0.5, least_fraction, 1 - least_fraction);
-}
 
 // The surface as it is looked at.
 struct SeenSurface {

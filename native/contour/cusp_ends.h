@@ -20,7 +20,7 @@ struct CrossedSegment {
 std::vector<CrossedSegment> crossed_at_cusps(const Camera& camera, const ExactPolyline& line);
 
 // Turns pairs of neighbouring cusps of the same jump that are less than a quarter pixel apart into
-// one plain point. Returns the number of pairs; the chain is empty when nothing of it is left.
+// one plain point. Returns the number of pairs.
 int collapse_swallowtails(const Surface& surface, const Camera& camera, ExactPolyline& line);
 
 }  // namespace illustrate

@@ -31,10 +31,7 @@ struct Frame {
 };
 
 std::vector<Frame> frames_of(const Surface& surface) {
-  std::vector<Eigen::AlignedBox3d> boxes(surface.object_is_smooth.size());
-  for (std::size_t v = 0; v < surface.positions.size(); ++v) {
-    boxes[idx(surface.objects[v])].extend(surface.positions[v]);
-  }
+  const std::vector<Eigen::AlignedBox3d> boxes = object_boxes(surface);
   std::vector<Frame> frames(boxes.size());
   for (std::size_t o = 0; o < boxes.size(); ++o) {
     if (boxes[o].isEmpty()) continue;

@@ -28,7 +28,7 @@ class JointFinder {
   Joints run() {
     index_features();
     for (std::size_t c = 0; c < silhouettes_.chains.size(); ++c) cut_chain(static_cast<int>(c));
-    if (intersections_.curves.size() > 0) index_segments();
+    if (!intersections_.curves.empty() || !lines_.curves.empty()) index_segments();
     for (std::size_t c = 0; c < intersections_.curves.size(); ++c) {
       cut_intersection(static_cast<int>(c));
     }

@@ -114,16 +114,15 @@ void Patchwork::join(int piece, int edge, int other, int other_edge) {
   link(other, other_edge, piece, edge);
 }
 
-// The coordinates of the corners on the patch still have a middle.
+// There is a limit surface, and the coordinates of the corners on the patch still have a middle.
 bool Patchwork::can_cut(int piece) const {
   const PatchTriangle& patch = pieces_[idx(piece)].patch;
-  if (patch.ptex_face == none) return false;
   for (const auto& corner : patch.corners) {
     for (const std::uint16_t x : corner) {
       if (x % 2 != 0) return false;
     }
   }
-  return true;
+  return middle_of(pieces_[idx(piece)], 0).has_value();
 }
 
 bool Patchwork::cut(const std::vector<int>& triangles) {
@@ -157,7 +156,7 @@ void Patchwork::mark_edge(int piece, int edge, Middles& middles) {
   Middle& middle = middles[idx(piece)][idx(edge)];
   if (middle.vertex != none) return;
   const Piece& here = pieces_[idx(piece)];
-  middle = new_middle(here, edge, static_cast<int>(surface_.positions.size()));
+  middle = new_middle(*middle_of(here, edge), static_cast<int>(surface_.positions.size()));
   const int other = here.neighbours[idx(edge)];
   if (other == none) return;
   const int mate = here.mates[idx(edge)];
@@ -166,25 +165,23 @@ void Patchwork::mark_edge(int piece, int edge, Middles& middles) {
     return std::minmax({p.vertices[idx(k)], p.vertices[idx(next_corner(k))]});
   };
   Middle& opposite = middles[idx(other)][idx(mate)];
-  if (ends(here, edge) != ends(there, mate) && there.patch.ptex_face != none) {
-    opposite = new_middle(there, mate, surface_.places[idx(middle.vertex)]);
+  const std::optional<LimitPoint> p = middle_of(there, mate);
+  if (p && ends(here, edge) != ends(there, mate)) {
+    opposite = new_middle(*p, surface_.places[idx(middle.vertex)]);
     return;
   }
   const Vec3& normal = surface_.normals[idx(middle.vertex)];
-  opposite = {middle.vertex, own_normal(there, mate, normal).dot(normal) < 0};
+  opposite = {middle.vertex, p && p->du.cross(p->dv).dot(normal) < 0};
 }
 
-// The normal of a piece's own sheet in the middle of an edge.
-Vec3 Patchwork::own_normal(const Piece& piece, int edge, const Vec3& fallback) const {
-  if (piece.patch.ptex_face == none) return fallback;
-  const Vec2 uv = (piece.patch.uv(edge) + piece.patch.uv(next_corner(edge))) / 2;
-  const auto p = limit_.evaluate({piece.patch.ptex_face, uv});
-  return p ? Vec3(p->du.cross(p->dv)) : fallback;
+// The middle of an edge on the piece's own patch and sheet; nothing where there is none.
+std::optional<LimitPoint> Patchwork::middle_of(const Piece& piece, int edge) const {
+  const PatchTriangle& patch = piece.patch;
+  if (patch.ptex_face == none) return {};
+  return limit_.evaluate({patch.ptex_face, (patch.uv(edge) + patch.uv(next_corner(edge))) / 2});
 }
 
-Patchwork::Middle Patchwork::new_middle(const Piece& piece, int edge, int place) {
-  const Vec2 uv = (piece.patch.uv(edge) + piece.patch.uv(next_corner(edge))) / 2;
-  const LimitPoint p = *limit_.evaluate({piece.patch.ptex_face, uv});
+Patchwork::Middle Patchwork::new_middle(const LimitPoint& p, int place) {
   const Vec3 normal = p.du.cross(p.dv).normalized();
   const PrincipalCurvature k = principal_curvature(p.du, p.dv, p.duu, p.duv, p.dvv, normal);
   surface_.positions.push_back(p.position);

@@ -22,8 +22,9 @@ class Patchwork {
   void add(const std::vector<int>& triangles);
 
   // Cuts those of these triangles of surface() that lie on a patch, and what is beside them. New
-  // vertices lie on the limit surface, with its normal and curvature. False where none could be
-  // cut. Triangles have other numbers afterwards.
+  // vertices lie on the limit surface, with its normal and curvature; beside a crease with those of
+  // the other side, where the limit surface has none. False where none could be cut. Triangles have
+  // other numbers afterwards.
   bool cut(const std::vector<int>& triangles);
 
   // Triangles of the whole that `cut` had to add since this was asked last.
@@ -68,8 +69,8 @@ class Patchwork {
   bool can_cut(int piece) const;
   Middles mark(const std::vector<int>& triangles);
   void mark_edge(int piece, int edge, Middles& middles);
-  Middle new_middle(const Piece& piece, int edge, int place);
-  Vec3 own_normal(const Piece& piece, int edge, const Vec3& fallback) const;
+  std::optional<LimitPoint> middle_of(const Piece& piece, int edge) const;
+  Middle new_middle(const LimitPoint& p, int place);
   void replace(const Middles& middles);
   // Sides of new pieces that have not met the other one yet.
   using WaitingSides = std::map<std::array<int, 4>, int>;

@@ -74,7 +74,7 @@ class View {
         scene_.limit_surface(),
         scene_.features(),
         scene_.intersections(),
-        options_.scan_silhouettes ? nullptr : &scene_.dual_surface(options_.threads),
+        options_.scan_silhouettes ? nullptr : &scene_.dual_surface(),
         options_.curvature_curves.any() ? &scene_.curvature_derivative() : nullptr};
     const CurveNetwork network = timed(result_.timings["contour"], [&] {
       return build_network(contour_scene, camera_, network_options, result_.counts,
@@ -138,7 +138,7 @@ DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOption
   validate(options, prepared.object_count());
   for (std::size_t i = 0; i < lights.size(); ++i) validate(lights[i], i);
   const bool hatching = anything_is_hatched(options);
-  const SeenScene scene(prepared, options.styles, progress.part(0, 0.1));
+  const SeenScene scene(prepared, options.styles, options.threads, progress.part(0, 0.1));
   const CrossField* field = hatching ? &prepared.field(progress.part(0.1, 0.3)) : nullptr;
   View view(scene, camera, options);
   view.label_curves(progress.part(0.3, hatching ? 0.5 : 0.95));

@@ -74,9 +74,9 @@ IntersectionCurves intersections_of(const IntersectionCurves& whole,
 
 }  // namespace
 
-SeenScene::SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& styles,
+SeenScene::SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& styles, int threads,
                      const Progress& progress)
-    : prepared_(prepared) {
+    : prepared_(prepared), threads_(threads) {
   const IntersectionCurves& intersections = prepared.intersections(progress);
   const bool is_whole = std::none_of(styles.begin(), styles.end(),
                                      [](const ObjectStyle& style) { return style.ignore; });
@@ -87,7 +87,7 @@ SeenScene::SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& s
     if (numbers[t] != none) part_->sources.push_back(static_cast<int>(t));
   }
   part_->surface = surface_of(prepared.surface(), part_->sources, numbers, styles);
-  part_->bvh = Bvh(part_->surface.positions, part_->surface.triangles);
+  part_->bvh = Bvh(part_->surface.positions, part_->surface.triangles, threads);
   part_->features = feature_edges(part_->surface);
   part_->intersections = intersections_of(intersections, numbers);
 }

@@ -9,15 +9,15 @@ namespace illustrate {
 // keep their numbers, so field and curvature still fit).
 class SeenScene {
  public:
-  SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& styles,
+  SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& styles, int threads,
             const Progress& progress);
 
   const Surface& surface() const { return part_ ? part_->surface : prepared_.surface(); }
   const LimitSurface& limit_surface() const { return prepared_.limit_surface(); }
   const Bvh& bvh() const { return part_ ? part_->bvh : prepared_.bvh(); }
-  const DualSurface& dual_surface(int threads) const {
+  const DualSurface& dual_surface() const {
     if (!part_) return prepared_.dual_surface();
-    return part_->dual_surface.get([&] { return DualSurface(part_->surface, threads); });
+    return part_->dual_surface.get([&] { return DualSurface(part_->surface, threads_); });
   }
   const std::vector<FeatureEdge>& features() const {
     return part_ ? part_->features : prepared_.features();
@@ -43,6 +43,7 @@ class SeenScene {
     IntersectionCurves intersections;
   };
   const Prepared& prepared_;
+  int threads_;
   std::unique_ptr<Part> part_;
 };
 

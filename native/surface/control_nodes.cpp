@@ -5,7 +5,7 @@
 namespace illustrate {
 namespace {
 
-constexpr int whole_face = 32768;  // side of a ptex face in the steps of PatchTriangle
+constexpr int whole_face = PatchTriangle::steps;  // side of a ptex face
 // Control meshes of at most so many ptex faces turn much from one node of level 1 to the next, and
 // level 2 costs little.
 constexpr int coarse_mesh = 512;

@@ -9,12 +9,9 @@
 namespace illustrate {
 
 std::vector<double> object_sizes(const Surface& surface) {
-  std::vector<Eigen::AlignedBox3d> boxes(surface.object_is_smooth.size());
-  for (std::size_t v = 0; v < surface.positions.size(); ++v) {
-    boxes[idx(surface.objects[v])].extend(surface.positions[v]);
-  }
   std::vector<double> sizes;
-  for (const auto& box : boxes) sizes.push_back(box.isEmpty() ? 0 : box.diagonal().norm());
+  for (const auto& box : object_boxes(surface))
+    sizes.push_back(box.isEmpty() ? 0 : box.diagonal().norm());
   return sizes;
 }
 

@@ -1,5 +1,6 @@
 #include "surface/limit_patches.h"
 
+#include <opensubdiv/bfr/patchTree.h>
 #include <opensubdiv/bfr/refinerSurfaceFactory.h>
 #include <opensubdiv/bfr/surface.h>
 
@@ -26,18 +27,66 @@ constexpr int most_edges = 100;
 // irregular faces would take three times as much.
 constexpr std::size_t most_kept_bytes = std::size_t{256} << 20;
 constexpr int recent_faces = 256;
+// Of trees that wait for other faces of the same kind. Where every edge is semi-sharp in its own
+// way each face has one of its own, of about a megabyte.
+constexpr std::size_t most_tree_bytes = std::size_t{128} << 20;
 
-Bfr::SurfaceFactory::Options factory_options() {
-  Bfr::SurfaceFactory::Options options;
-  options.SetApproxLevelSmooth(patch_level_smooth).SetApproxLevelSharp(patch_level_sharp);
-  return options;
+std::size_t bytes_of(const Bfr::internal::IrregularPatchType& tree) {
+  constexpr std::size_t points_of_patch = 16;
+  const auto points = static_cast<std::size_t>(tree.GetNumSubPatchPoints());
+  return sizeof(double) * points * static_cast<std::size_t>(tree.GetNumControlPoints()) +
+         sizeof(int) * points_of_patch * static_cast<std::size_t>(tree.GetNumPatches());
 }
+
+// The trees of patches of irregular faces, one for all faces of the same kind, counted.
+class PatchTrees : public Bfr::SurfaceFactoryCache {
+ public:
+  std::size_t bytes() const { return bytes_; }
+
+ protected:
+  DataType Add(const KeyType& key, const DataType& tree) override {
+    bytes_ += bytes_of(*tree);
+    return add(key, tree);
+  }
+
+ private:
+  std::size_t bytes_ = 0;
+};
+
+// Makes the surfaces of faces; what they share is forgotten when it is too much.
+class SurfaceMaker {
+ public:
+  explicit SurfaceMaker(const Far::TopologyRefiner& refiner) : refiner_(refiner) { start(); }
+
+  // Adds to `bytes` what was made for this face and may be shared.
+  void make(int face, Bfr::Surface<double>& surface, std::size_t& bytes) {
+    if (trees_->bytes() > most_tree_bytes) start();
+    const std::size_t before = trees_->bytes();
+    factory_->InitVertexSurface(face, &surface);
+    bytes += trees_->bytes() - before;
+  }
+
+ private:
+  void start() {
+    factory_.reset();
+    trees_.emplace();
+    Bfr::SurfaceFactory::Options options;
+    options.SetApproxLevelSmooth(patch_level_smooth).SetApproxLevelSharp(patch_level_sharp);
+    factory_.emplace(refiner_, options.SetExternalCache(&*trees_));
+  }
+
+  const Far::TopologyRefiner& refiner_;
+  std::optional<PatchTrees> trees_;
+  std::optional<Bfr::RefinerSurfaceFactory<>> factory_;
+};
 
 // The surface of one base face.
 class FacePatches {
  public:
   // Points are taken from the first of them, so that nothing is lost far from the world's origin.
-  FacePatches(const Bfr::Surface<double>& surface, const Points& points) : surface_(surface) {
+  // shared_bytes: of what was made for this surface first.
+  FacePatches(const Bfr::Surface<double>& surface, std::size_t shared_bytes, const Points& points)
+      : surface_(surface), shared_bytes_(shared_bytes) {
     if (!surface_.IsValid()) return;
     std::vector<int> controls(static_cast<std::size_t>(surface_.GetNumControlPoints()));
     surface_.GetControlPointIndices(controls.data());
@@ -52,7 +101,9 @@ class FacePatches {
 
   bool is_valid() const { return polynomial_ || surface_.IsValid(); }
 
-  std::size_t bytes() const { return sizeof(*this) + sizeof(double) * patch_points_.size(); }
+  std::size_t bytes() const {
+    return sizeof(*this) + shared_bytes_ + sizeof(double) * patch_points_.size();
+  }
 
   LimitPoint evaluate(int sub_face, const Vec2& uv) const {
     LimitPoint p = polynomial_ ? polynomial_->evaluate(uv) : evaluate_patches(sub_face, uv);
@@ -99,6 +150,7 @@ class FacePatches {
   Vec3 origin_ = Vec3::Zero();
   std::optional<PolynomialPatch> polynomial_;
   Bfr::Surface<double> surface_;
+  std::size_t shared_bytes_;
   std::vector<double> patch_points_;
 };
 
@@ -126,7 +178,7 @@ struct LimitPatches::Data {
   Points points;
   std::unique_ptr<Far::TopologyRefiner> refiner;
   std::vector<int> ptex_faces;  // first of each base face
-  std::optional<Bfr::RefinerSurfaceFactory<>> factory;
+  std::optional<SurfaceMaker> maker;
   std::mutex making;
   std::vector<std::shared_ptr<const FacePatches>> kept;
   std::size_t kept_bytes = 0;
@@ -139,7 +191,7 @@ struct LimitPatches::Data {
         refiner(make_refiner(mesh, s)),
         ptex_faces(illustrate::ptex_faces(mesh, s)),
         faces(mesh.face_sizes.size()) {
-    if (refiner) factory.emplace(*refiner, factory_options());
+    if (refiner) maker.emplace(*refiner);
     recent.fill({none, nullptr});
   }
 
@@ -170,8 +222,9 @@ struct LimitPatches::Data {
   // Under lock.
   std::unique_ptr<const FacePatches> make(int f) {
     Bfr::Surface<double> surface;
-    if (is_small_enough(f)) factory->InitVertexSurface(f, &surface);
-    return std::make_unique<const FacePatches>(surface, points);
+    std::size_t shared_bytes = 0;
+    if (is_small_enough(f)) maker->make(f, surface, shared_bytes);
+    return std::make_unique<const FacePatches>(surface, shared_bytes, points);
   }
 
   // What the patches of a face need grows with the square of the edges round its corners.

@@ -12,7 +12,7 @@ namespace illustrate {
 // Part of a ptex face that a refined face covers, in steps of 2^-15: corner k lies at
 // origin + size * (unit corner k).
 struct FaceDomain {
-  static constexpr int steps = 32768;
+  static constexpr int steps = PatchTriangle::steps;
   int ptex_face = none;
   std::array<std::uint16_t, 2> origin{};
   int size = steps;  // negative: turned by 180 degrees (the middle triangle of Loop's four)

@@ -10,6 +10,14 @@ Vec3 weights(const SurfacePoint& point) { return {1 - point.b1 - point.b2, point
 
 }  // namespace
 
+std::vector<Eigen::AlignedBox3d> object_boxes(const Surface& surface) {
+  std::vector<Eigen::AlignedBox3d> boxes(surface.object_is_smooth.size());
+  for (std::size_t v = 0; v < surface.positions.size(); ++v) {
+    boxes[idx(surface.objects[v])].extend(surface.positions[v]);
+  }
+  return boxes;
+}
+
 Vec3 position_at(const Surface& surface, const SurfacePoint& point) {
   const Triangle& t = surface.triangles[static_cast<std::size_t>(point.triangle)];
   const Vec3 w = weights(point);

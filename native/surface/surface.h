@@ -22,12 +22,13 @@ struct Curvature {
 
 // Where a triangle lies on the limit surface: its corners on one ptex face, in steps of 2^-15.
 struct PatchTriangle {
+  static constexpr int steps = 32768;
   int ptex_face = none;  // of all meshes, one after another; none: of no single patch
   std::array<std::array<std::uint16_t, 2>, 3> corners{};
 
   Vec2 uv(int corner) const {
     const auto& c = corners[idx(corner)];
-    return Vec2(c[0], c[1]) / 32768;
+    return Vec2(c[0], c[1]) / steps;
   }
 };
 
@@ -74,6 +75,9 @@ struct Surface {
     return flips[static_cast<std::size_t>(triangle)] >> corner & 1 ? -1.0 : 1.0;
   }
 };
+
+// (objects) the box of each object's vertices, empty where it has none.
+std::vector<Eigen::AlignedBox3d> object_boxes(const Surface& surface);
 
 // Position and unit normal (of the triangle's own sheet) by linear interpolation.
 Vec3 position_at(const Surface& surface, const SurfacePoint& point);

@@ -20,7 +20,8 @@
 
 namespace illustrate {
 
-// Adds "crossings", "rays", "loops", "unbalanced_loops", "repairs" to `counts`.
+// Adds "crossings", "rays", "loops", "unbalanced_loops", "repairs" to `counts`, the repairs by kind
+// too: "repaired_twists", "repaired_swallowtails", "repaired_crossings", "repaired_breaks".
 LabelledGraph label_network(const CurveNetwork& network, const Surface& surface, const Bvh& bvh,
                             const Camera& camera, Counts& counts, const Progress& progress = {});
 

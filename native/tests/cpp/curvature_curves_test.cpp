@@ -466,6 +466,24 @@ TEST(CurvatureLines, AreCutByBoundariesAndIntersections) {
   EXPECT_EQ(std::count(ends.begin(), ends.end(), 1), 2) << "ends on the boundary, twice";
 }
 
+// A wave whose crest and two troughs bend away from the viewer: behind the silhouette a ridge is a
+// valley, and a valley a ridge.
+TEST(CurvatureLines, AreCutBySilhouettes) {
+  const auto scene = prepared(
+      {shapes::height_field(40, 40, [](double x, double y) { return 2 * wave(x) - 0.8 * y * y; })});
+  const Camera camera = cameras::orthographic(Vec3(0.1, 1, 0.6), 2);
+  const DrawResult result = draw(*scene, camera, drawing_of(ridges_and_valleys(4)));
+  check_graph(result.graph);
+  const std::vector<int> silhouettes = joints_of(result.graph, Kind::silhouette);
+  const std::vector<int> ridges = joints_of(result.graph, Kind::ridge);
+  const std::vector<int> valleys = joints_of(result.graph, Kind::valley);
+  int passages = 0;
+  for (std::size_t n = 0; n < ridges.size(); ++n) {
+    passages += silhouettes[n] == 2 && ridges[n] == 1 && valleys[n] == 1;
+  }
+  EXPECT_EQ(passages, 3);
+}
+
 TEST(CurvatureLines, ThresholdsAreChecked) {
   for (double CurvatureCurveOptions::*field :
        {&CurvatureCurveOptions::suggestive_threshold, &CurvatureCurveOptions::ridge_threshold,

@@ -207,5 +207,27 @@ TEST(LimitSurface, SameFromSeveralThreads) {
   EXPECT_EQ(positions(1), positions(4));
 }
 
+// Each face has patches of a kind of its own, more than are remembered for others.
+TEST(LimitSurface, SameInAnyOrderWherePatchesAreForgotten) {
+  PolygonMesh mesh = creased(bumpy_plane(20), 1);
+  std::mt19937 random(1);
+  for (double& sharpness : mesh.edge_sharpness) {
+    sharpness = std::uniform_real_distribution(0.0, 9.0)(random);
+  }
+  Counts counts;
+  const SoundMesh sound = sanitize(mesh, counts);
+  const auto positions = [&](bool forward) {
+    const LimitPatches patches(sound, Scheme::catmull_clark);
+    const int faces = static_cast<int>(sound.face_sizes.size());
+    Points found(idx(faces));
+    for (int i = 0; i < faces; ++i) {
+      const int f = forward ? i : faces - 1 - i;
+      found[idx(f)] = patches.evaluate({f, Vec2(.3, .6)})->duv;
+    }
+    return found;
+  };
+  EXPECT_EQ(positions(true), positions(false));
+}
+
 }  // namespace
 }  // namespace illustrate

@@ -106,6 +106,43 @@ TEST(Patchwork, EdgesOfTheWholeAreFoundAgain) {
   EXPECT_EQ(on_edges, 6);
 }
 
+// A tube with a lid of so many corners that the lid has no patches.
+PolygonMesh lidded_tube(int n) {
+  PolygonMesh tube;
+  std::vector<int> lid;
+  for (int i = 0; i < n; ++i) {
+    const double u = 2 * shapes::pi * i / n;
+    for (const double z : {0.0, .1}) tube.positions.emplace_back(std::cos(u), std::sin(u), z);
+    const int next = (i + 1) % n;
+    shapes::add_face(tube, {2 * i, 2 * next, 2 * next + 1, 2 * i + 1});
+    lid.push_back(2 * i + 1);
+    tube.edge_vertices.push_back({2 * i + 1, 2 * next + 1});
+    tube.edge_sharpness.push_back(infinitely_sharp);
+  }
+  shapes::add_face(tube, lid);
+  return tube;
+}
+
+TEST(Patchwork, FacesWithoutPatchesAreCutBesideOthersOnly) {
+  const PolygonMesh tube = lidded_tube(101);
+  const Surface whole = refined(tube, at_level(1, Scheme::catmull_clark));
+  const LimitSurface limit(whole);
+  const auto has_patches = [&](int t) {
+    return limit.evaluate({whole.patches[idx(t)].ptex_face, Vec2(.5, .5)}).has_value();
+  };
+  int cut = 0;
+  for (int t = 0; t < static_cast<int>(whole.triangles.size()); ++t) {
+    Patchwork patchwork(whole, limit);
+    patchwork.add({t});
+    EXPECT_EQ(patchwork.cut({0}), has_patches(t));
+    for (const int n : whole.neighbours[idx(t)])
+      cut += has_patches(t) && n != none && !has_patches(n);
+    for (const Vec3& p : patchwork.surface().positions) ASSERT_LT(p.norm(), 2);
+    for (const Vec3& n : patchwork.surface().normals) ASSERT_NEAR(n.norm(), 1, 1e-9);
+  }
+  EXPECT_EQ(cut, 2 * 101) << "sides along the lid";
+}
+
 TEST(Patchwork, PolygonsCannotBeCut) {
   const Surface whole = refined(shapes::cube(), at_level(0, Scheme::polygons));
   const LimitSurface limit(whole);
