@@ -63,19 +63,27 @@ class PathFinder {
   std::vector<std::uint8_t> used_;
 };
 
-}  // namespace
-
-void Arrangement::sort_visits() {
-  visits.assign(network->strands.size(), {});
-  for (std::size_t c = 0; c < crossings.size(); ++c) {
-    if (states[c] == CrossingState::dropped) continue;
-    const Crossing& x = crossings[c];
-    if (states[c] == CrossingState::live) {
-      visits[idx(x.front.strand)].push_back({static_cast<int>(c), true, x.front});
-    }
+std::vector<std::vector<Visit>> sorted_visits(const Arrangement& arrangement) {
+  std::vector<std::vector<Visit>> visits(arrangement.network->strands.size());
+  for (std::size_t c = 0; c < arrangement.crossings.size(); ++c) {
+    const Crossing& x = arrangement.crossings[c];
+    visits[idx(x.front.strand)].push_back({static_cast<int>(c), true, x.front});
     visits[idx(x.back.strand)].push_back({static_cast<int>(c), false, x.back});
   }
   for (std::vector<Visit>& list : visits) std::sort(list.begin(), list.end(), runs_before);
+  return visits;
+}
+
+}  // namespace
+
+void Arrangement::forget_visits() {
+  const auto is_gone = [&](const Visit& visit) {
+    const CrossingState state = states[idx(visit.crossing)];
+    return state == CrossingState::dropped || (state == CrossingState::demoted && visit.front);
+  };
+  for (std::vector<Visit>& list : visits) {
+    list.erase(std::remove_if(list.begin(), list.end(), is_gone), list.end());
+  }
 }
 
 int Arrangement::point_count(int strand) const {
@@ -109,7 +117,7 @@ Arrangement arrange(const CurveNetwork& network, const Camera& camera) {
   result.states.assign(result.crossings.size(), CrossingState::live);
   result.paths = PathFinder(network).run();
   result.outline = outline_places(network, result.image);
-  result.sort_visits();
+  result.visits = sorted_visits(result);
   return result;
 }
 

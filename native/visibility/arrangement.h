@@ -35,8 +35,9 @@ struct Arrangement {
   std::vector<std::vector<StrandPlace>> outline;  // per strand: outline.h
   std::vector<std::vector<Visit>> visits;         // per strand, in order, of what is left
 
-  // Must be called after `states` have changed.
-  void sort_visits();
+  // Must be called after `states` have changed: takes away the visits of what is dropped, and of
+  // the front strand of what is demoted.
+  void forget_visits();
 
   // Image and world points of a strand's place.
   Vec2 image_at(const StrandPlace& place) const;

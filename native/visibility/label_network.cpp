@@ -121,7 +121,7 @@ class ConsistentLabels {
       changed_[path_of_[idx(arrangement_.crossings[c].back.strand)]] = 1;
       ++repairs_;
     }
-    arrangement_.sort_visits();
+    arrangement_.forget_visits();
   }
 
   Arrangement& arrangement_;

@@ -9,6 +9,7 @@
 namespace illustrate {
 namespace {
 
+constexpr int most_rays = 60'000;              // of a view; a dense scan needs some thousands
 constexpr std::size_t most_arcs_asked = 1000;  // of one path, the longest ones
 constexpr double asked_thrice_px = 30;         // longer arcs are asked at three places
 constexpr double outline_weight = 1e9;     // the outside of the drawing is certain: px of length
@@ -221,7 +222,8 @@ class Labeller {
     };
     const std::array<int, 3> key{arc.strand, crossing(arc.begin), crossing(arc.end)};
     const auto found = known_.find(key);
-    return found != known_.end() ? found->second : known_[key] = ask(arc);
+    if (found != known_.end()) return found->second;
+    return rays_.rays() < most_rays ? known_[key] = ask(arc) : Evidence{0, 0};
   }
 
   // The middle one of three counts; one on the outline counts for more than its length.

@@ -68,7 +68,7 @@ class Repairer {
       if (arrangement_.is_live(static_cast<int>(c)) && is_twist(static_cast<int>(c)))
         dropped += drop(static_cast<int>(c));
     }
-    arrangement_.sort_visits();
+    arrangement_.forget_visits();
     return dropped;
   }
 
@@ -86,7 +86,7 @@ class Repairer {
         dropped += drop(c);
       }
     }
-    arrangement_.sort_visits();
+    arrangement_.forget_visits();
     return dropped;
   }
 
