@@ -25,7 +25,7 @@ std::int64_t count_breaks(const std::vector<LabelledPath>& labels) {
 
 // Rounds after which balanced paths are no longer held for right. Smooth surfaces need two or
 // three.
-constexpr int patience = 8;
+constexpr int patience = 12, most_rounds = 20;
 
 // Labels all paths, and repairs until none of them has to contradict anything at a crossing or a
 // cusp.
@@ -73,10 +73,22 @@ class ConsistentLabels {
     if (wrong.empty()) return false;
     const std::vector<CrossingState> before = arrangement_.states;
     if (drop_lenses(arrangement_, wrong, moved_px_) == 0) {
-      for (const int c : wrong) arrangement_.states[idx(c)] = CrossingState::demoted;
+      for (const int c : wrong) give_up(c);
     }
     note_changes(before);
     return true;
+  }
+
+  // In the end, with all that its back path passes behind.
+  void give_up(int crossing) {
+    arrangement_.states[idx(crossing)] = CrossingState::demoted;
+    if (round_ < most_rounds) return;
+    const std::size_t path = path_of_[idx(arrangement_.crossings[idx(crossing)].back.strand)];
+    for (const int s : arrangement_.paths[path].strands) {
+      for (const Visit& visit : arrangement_.visits[idx(s)]) {
+        if (!visit.front) arrangement_.states[idx(visit.crossing)] = CrossingState::demoted;
+      }
+    }
   }
 
   // A break right behind or before a crossing or a cusp takes its place: the last resort.
