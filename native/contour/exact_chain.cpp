@@ -127,7 +127,7 @@ void ExactChain::solve_station(std::size_t i) {
   const int t = p.on.triangle;
   if (surface_.patches[idx(t)].ptex_face == none) return;
   if (!(camera_.near_distance(p.position) > 0)) return;
-  const SolvedEdge& found = solved_edge(p);
+  const SolvedEdge found = solved_edge(p);
   if (!found.sample) return;
   station.sample = static_cast<int>(samples_.size());
   samples_.push_back(*found.sample);
@@ -147,12 +147,13 @@ double ExactChain::sheet_of(const EdgePoint& p) const {
   return surface_.corner_sign(p.on.triangle, ascends(p) ? p.edge : next_corner(p.edge));
 }
 
-const SolvedEdge& ExactChain::solved_edge(const EdgePoint& p) {
+SolvedEdge ExactChain::solved_edge(const EdgePoint& p) {
+  if (!solved_) return solve_edge(p);
   const Triangle& t = surface_.triangles[idx(p.on.triangle)];
   const auto [low, high] = std::minmax(t[idx(p.edge)], t[idx(next_corner(p.edge))]);
   const std::uint64_t key =
       static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint32_t>(high);
-  const auto [found, is_new] = solved_.try_emplace(key);
+  const auto [found, is_new] = solved_->try_emplace(key);
   if (is_new) found->second = solve_edge(p);
   return found->second;
 }
@@ -264,10 +265,10 @@ void ExactChain::add_between(std::size_t i, ExactPolyline& line) {
   }
   const int t = from.point.on.triangle;
   const PatchTriangle& patch = surface_.patches[idx(t)];
-  std::vector<ContourKnot> between;
+  between_.clear();
   segment_.refine(patch.ptex_face, line.knots.back().leaving, knot_of(after(i)).arriving,
-                  from.longest_px, between);
-  for (const ContourKnot& knot : between) {
+                  from.longest_px, between_);
+  for (const ContourKnot& knot : between_) {
     ExactPoint inside;
     inside.position = knot.sample.position;
     inside.on = on_triangle(patch, t, knot.uv);

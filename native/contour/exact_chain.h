@@ -39,9 +39,9 @@ using SolvedEdges = std::unordered_map<std::uint64_t, SolvedEdge>;
 
 class ExactChain {
  public:
-  // `solved` is read and filled.
+  // `solved` is read and filled; null: nothing is remembered, every edge being asked once.
   ExactChain(const Surface& surface, LimitContour& contour, const ContourFunctions& functions,
-             SolvedEdges& solved)
+             SolvedEdges* solved)
       : surface_(surface),
         contour_(contour),
         functions_(functions),
@@ -86,7 +86,7 @@ class ExactChain {
   std::vector<std::size_t> near_suspects() const;
 
   void solve_station(std::size_t station);
-  const SolvedEdge& solved_edge(const EdgePoint& point);
+  SolvedEdge solved_edge(const EdgePoint& point);
   SolvedEdge solve_edge(const EdgePoint& point);
   bool ascends(const EdgePoint& point) const;
   double sheet_of(const EdgePoint& point) const;
@@ -102,11 +102,12 @@ class ExactChain {
   LimitContour& contour_;
   const ContourFunctions& functions_;
   const Camera& camera_;
-  SolvedEdges& solved_;
+  SolvedEdges* solved_;
   ExactSegment segment_;
   bool closed_ = false;
   std::vector<Station> stations_;
   std::vector<ContourSample> samples_;
+  std::vector<ContourKnot> between_;
 };
 
 // From a place on a patch to its triangle.

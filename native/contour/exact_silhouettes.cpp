@@ -28,7 +28,7 @@ class Drawer {
       : contour_(contour), camera_(camera), segment_(contour, camera), everywhere_(everywhere) {}
 
   std::vector<int> troubled(const Surface& surface, const ContourFunctions& functions,
-                            const LinearSilhouettes& linear, SolvedEdges& solved) {
+                            const LinearSilhouettes& linear, SolvedEdges* solved) {
     ExactChain exact(surface, contour_, functions, solved);
     std::vector<int> result;
     for (std::size_t c = 0; c < linear.chains.size(); ++c) {
@@ -42,7 +42,7 @@ class Drawer {
 
   // Chains with troubled triangles stay empty, unless all are wanted.
   ExactChains draw(const Surface& surface, const ContourFunctions& functions,
-                   const LinearSilhouettes& linear, SolvedEdges& solved, bool all) {
+                   const LinearSilhouettes& linear, SolvedEdges* solved, bool all) {
     ExactChain exact(surface, contour_, functions, solved);
     ExactChains result;
     for (std::size_t c = 0; c < linear.chains.size(); ++c) {
@@ -131,8 +131,8 @@ class Finer {
       const ContourFunctions functions(surface, camera);
       const LinearSilhouettes traced = linear_silhouettes(surface, functions);
       wanted.clear();
-      if (!is_last) wanted = drawer.troubled(surface, functions, traced, solved);
-      if (wanted.empty()) finer = drawer.draw(surface, functions, traced, solved, true);
+      if (!is_last) wanted = drawer.troubled(surface, functions, traced, &solved);
+      if (wanted.empty()) finer = drawer.draw(surface, functions, traced, &solved, true);
     }
     restore(patchwork_, finer);
     replace(drawn, finer);
@@ -178,8 +178,7 @@ Silhouettes exact_silhouettes(const Surface& surface, const LimitSurface& limit,
                               const LinearSilhouettes& linear, bool everywhere, Counts& counts) {
   LimitContour contour(limit, camera);
   Drawer drawer(contour, camera, everywhere);
-  SolvedEdges solved;
-  ExactChains drawn = drawer.draw(surface, functions, linear, solved, false);
+  ExactChains drawn = drawer.draw(surface, functions, linear, nullptr, false);
   counts["troubled_triangles"] += static_cast<std::int64_t>(drawn.troubled.size());
   if (!drawn.troubled.empty()) Finer(surface, limit, linear).redraw(camera, drawer, drawn);
   Silhouettes result;

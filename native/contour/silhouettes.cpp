@@ -16,6 +16,7 @@ bool is_passage(EdgeKind kind) {
 struct Segment {
   int in = none;
   int out = none;
+  std::array<double, 3> g;  // at the corners, each on its vertex's own sheet
 };
 
 // From triangles to their numbers in a list of distinct ones: a hash table that is at most half
@@ -61,6 +62,8 @@ class Tracer {
         result_(result) {}
 
   void run() {
+    segments_.reserve(triangles_.size());
+    result_.chains.values.reserve(triangles_.size() + triangles_.size() / 16);
     for (const int t : triangles_) segments_.push_back(segment_of(t));
     const int count = static_cast<int>(triangles_.size());
     for (int i = 0; i < count; ++i) {
@@ -73,9 +76,12 @@ class Tracer {
 
  private:
   Segment segment_of(int triangle) const {
-    std::array<bool, 3> front;
-    for (int k = 0; k < 3; ++k) front[idx(k)] = functions_.front(triangle, k);
     Segment segment;
+    std::array<bool, 3> front;
+    for (int k = 0; k < 3; ++k) {
+      segment.g[idx(k)] = functions_.g(surface_.triangles[idx(triangle)][idx(k)]);
+      front[idx(k)] = (segment.g[idx(k)] >= 0) == (surface_.corner_sign(triangle, k) > 0);
+    }
     for (int k = 0; k < 3; ++k) {
       if (front[idx(k)] == front[idx(next_corner(k))]) continue;
       (front[idx(k)] ? segment.in : segment.out) = k;
@@ -104,8 +110,9 @@ class Tracer {
     }
     if (!closed) {
       const int triangle = triangles_[idx(last)];
+      const Segment& segment = segments_[idx(last)];
       result_.chains.push(
-          edge_point(triangle, segments_[idx(last)].out, functions_.cusp_functions(triangle)));
+          edge_point(triangle, segment.out, segment.g, functions_.cusp_functions(triangle)));
     }
     result_.chains.close_list();
     result_.closed.push_back(closed);
@@ -114,20 +121,24 @@ class Tracer {
   void push_segment(int i) {
     const int triangle = triangles_[idx(i)];
     const std::array<double, 3> values = functions_.cusp_functions(triangle);
-    EdgePoint p = edge_point(triangle, segments_[idx(i)].in, values);
-    p.out = segments_[idx(i)].out;
+    const Segment& segment = segments_[idx(i)];
+    EdgePoint p = edge_point(triangle, segment.in, segment.g, values);
+    p.out = segment.out;
     const int positive = (values[0] >= 0) + (values[1] >= 0) + (values[2] >= 0);
     p.has_both_signs = positive == 1 || positive == 2;
     result_.chains.push(p);
   }
 
-  EdgePoint edge_point(int triangle, int corner, const std::array<double, 3>& values) const {
-    const double fraction = functions_.zero_fraction(triangle, corner);
+  EdgePoint edge_point(int triangle, int corner, const std::array<double, 3>& g,
+                       const std::array<double, 3>& values) const {
     const Triangle& corners = surface_.triangles[idx(triangle)];
+    const int next = next_corner(corner);
     const Vec3& a = surface_.positions[idx(corners[idx(corner)])];
-    const Vec3& b = surface_.positions[idx(corners[idx(next_corner(corner))])];
+    const Vec3& b = surface_.positions[idx(corners[idx(next)])];
     // Both triangles of an edge compute the same bits: from its lower vertex to its higher one.
-    const bool ascending = corners[idx(corner)] < corners[idx(next_corner(corner))];
+    const bool ascending = corners[idx(corner)] < corners[idx(next)];
+    const double fraction = ascending ? zero_between(g[idx(corner)], g[idx(next)])
+                                      : 1 - zero_between(g[idx(next)], g[idx(corner)]);
     EdgePoint p;
     p.position = ascending ? Vec3(a + fraction * (b - a)) : Vec3(b + (1 - fraction) * (a - b));
     p.on = on_edge(triangle, corner, fraction);
