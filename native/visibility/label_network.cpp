@@ -26,6 +26,7 @@ std::int64_t count_breaks(const std::vector<LabelledPath>& labels) {
 // Rounds after which balanced paths are no longer held for right. Smooth surfaces need two or
 // three.
 constexpr int patience = 12, most_rounds = 20;
+constexpr std::size_t crowd = 50'000;  // crossings of a pile of needles: rays alone decide
 
 // Labels all paths, and repairs until none of them has to contradict anything at a crossing or a
 // cusp.
@@ -43,6 +44,7 @@ class ConsistentLabels {
 
   // Ends, since every round takes at least one crossing or cusp away.
   std::vector<LabelledPath> run(const Progress& progress) {
+    if (arrangement_.crossings.size() > crowd) demote_all();
     labels_.resize(arrangement_.paths.size());
     changed_.assign(labels_.size(), 1);
     for (;; ++round_) {
@@ -77,6 +79,15 @@ class ConsistentLabels {
     }
     note_changes(before);
     return true;
+  }
+
+  void demote_all() {
+    for (CrossingState& state : arrangement_.states) {
+      if (state != CrossingState::live) continue;
+      state = CrossingState::demoted;
+      ++repairs_;
+    }
+    arrangement_.forget_visits();
   }
 
   // In the end, with all that its back path passes behind.

@@ -19,9 +19,10 @@ constexpr double visible_break_px = 30;
 constexpr double balanced_factor = 1e5;  // a path whose changes sum to zero hardly needs a break
 constexpr double free_change_px = 1;     // a change at a demoted crossing
 constexpr int most_layers = 64;
-constexpr double contradiction_px = 40;  // a layer missing behind a crossing
-constexpr double impossible = 1e12;      // the price of a negative label
-constexpr double least_weight = 1e-6;    // an arc without length still prefers its ray
+constexpr std::size_t most_entries = 500'000;  // of a table; of larger ones only one is made
+constexpr double contradiction_px = 40;        // a layer missing behind a crossing
+constexpr double impossible = 1e12;            // the price of a negative label
+constexpr double least_weight = 1e-6;          // an arc without length still prefers its ray
 
 // The labels along a path as the cheapest way through (arc, layers): from one arc to the next the
 // label changes as the rules say, within an arc it may jump at the price of a break.
@@ -38,7 +39,13 @@ class LeastContradiction {
 
   void solve() {
     double best = infinity;
-    for (int start = 0; start < (cyclic_ ? states_ : 1); ++start) try_start(start, best);
+    const bool is_large = arcs_.size() * idx(states_) > most_entries;
+    const int likely = evidence_.empty() ? 0 : std::min(evidence_.front().layers, states_ - 1);
+    const int first = is_large ? likely : 0, last = is_large ? likely : states_ - 1;
+    for (int start = first; start <= (cyclic_ ? last : first); ++start) try_start(start, best);
+    if (path_.along.empty()) {
+      for (int start = 0; start < states_ && path_.along.empty(); ++start) try_start(start, best);
+    }
   }
 
  private:
