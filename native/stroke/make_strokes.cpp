@@ -57,7 +57,7 @@ std::vector<Stroke> line_strokes(const LabelledGraph& graph, const std::vector<d
                                  const StrokeOptions& options) {
   const std::vector<std::uint8_t> drawn = drawn_arcs(graph, undrawn, options);
   const Ragged<ArcEnd> ends = ends_at_nodes(graph, drawn);
-  const std::vector<Chain> chains = chain_arcs(graph, drawn, ends);
+  const std::vector<Chain> chains = chain_arcs(graph, drawn, ends, options.speck_px);
   const auto kept = chains_without_specks(graph, chains, ends, options.speck_px);
   std::vector<Stroke> strokes;
   for (std::size_t c = 0; c < chains.size(); ++c) {
