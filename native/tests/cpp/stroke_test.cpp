@@ -268,7 +268,9 @@ TEST(MakeStrokes, OutlineRunsOnPastASwallowtail) {
   EXPECT_EQ(last_of(drawing, 0), Vec2(90, 53));
   for (std::size_t i = 0; i < drawing.points.size(); ++i) {
     const double x = drawing.image[i].x();
-    if (x > 17 && x < 83) EXPECT_FLOAT_EQ(drawing.widths[i], 2.0F) << "thinner at " << x;
+    if (x > 17 && x < 83) {
+      EXPECT_FLOAT_EQ(drawing.widths[i], 2.0F) << "thinner at " << x;
+    }
   }
   EXPECT_EQ(drawing.image[drawing.points.size() / 2], Vec2(50, 50));
 }
