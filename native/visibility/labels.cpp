@@ -13,7 +13,8 @@ constexpr int most_rays = 60'000;              // of a view; a dense scan needs 
 constexpr std::size_t most_arcs_asked = 1000;  // of one path, the longest ones
 constexpr double asked_thrice_px = 30;         // longer arcs are asked at three places
 constexpr double outline_weight = 1e9;     // the outside of the drawing is certain: px of length
-constexpr double beside_nothing_px = 100;  // an arc next to the empty background is nearly certain
+constexpr double beside_nothing_px = 100;  // an arc next to the empty background is nearly certain,
+constexpr double well_beside_px = 2;       // but a ray passes beside more than so short an arc
 constexpr double hidden_break_px = 12;     // what a break costs, in px of wrong label
 constexpr double visible_break_px = 30;
 constexpr double balanced_factor = 1e5;  // a path whose changes sum to zero hardly needs a break
@@ -242,7 +243,8 @@ class Labeller {
     std::sort(counts.begin(), counts.end(), [](const LayerCount& a, const LayerCount& b) {
       return std::tie(a.layers, b.beside_nothing) < std::tie(b.layers, a.beside_nothing);
     });
-    const double extra = counts[1].beside_nothing ? beside_nothing_px : least_weight;
+    const bool is_certain = counts[1].beside_nothing && arc.length_px >= well_beside_px;
+    const double extra = is_certain ? beside_nothing_px : least_weight;
     return {counts[1].layers, arc.length_px + extra};
   }
 

@@ -9,8 +9,8 @@ namespace illustrate {
 
 struct LayerCount {
   int layers;
-  bool beside_nothing;  // the line of sight beside the curve meets no surface at all, before or
-                        // behind
+  int behind;           // all other hits of the line of sight
+  bool beside_nothing;  // the line of sight meets no surface at all
 };
 
 class LayerRays {

@@ -109,6 +109,22 @@ TEST(Labels, OfANestedSphereComeFromARay) {
   EXPECT_EQ(most_hidden(graph), 2);
 }
 
+// A bead behind a ball, its outline a pixel inside that of the ball: a ray two pixels beside the
+// bead's outline passes by the ball too and knows nothing of it.
+TEST(Labels, NearAnotherOutlineAreNotThoseBeyondIt) {
+  const double pixel = 1.5 / 500, bead = 4 * pixel;
+  for (int i = 0; i < 12; ++i) {
+    const double angle = 2 * shapes::pi * i / 12, reach = 1 - bead - 1.4 * pixel;
+    const Vec3 centre(reach * std::cos(angle), 5, reach * std::sin(angle));
+    const Surface pair = shapes::joined(shapes::sphere_surface(1, 5, Vec3(0, 0, 0)),
+                                        shapes::sphere_surface(bead, 2, centre));
+    Counts counts;
+    const LabelledGraph graph = graph_of(pair, cameras::orthographic(Vec3(0, -1, 0), 1.5), counts);
+    EXPECT_EQ(counts["crossings"], 0);
+    EXPECT_EQ(most_hidden(graph), 2) << "at " << angle;
+  }
+}
+
 // R = 1, r = 0.4: the labels round the inner loop in the three regimes (method, section 4).
 TEST(Labels, OfATorusAreThoseOfItsRegime) {
   const Surface torus = shapes::torus_surface(1, 0.4, 256, 128);
