@@ -186,7 +186,7 @@ class Labeller {
       lowest = std::min(lowest, arcs[i].offset);
       most = std::max(most, evidence[i].layers - arcs[i].offset);
     }
-    path.costs.assign(idx(std::max(-lowest, most) + 1), impossible);
+    path.costs.assign(idx(std::max(-lowest, most) + 2), impossible);
     for (std::size_t base = idx(-lowest); base < path.costs.size(); ++base) {
       path.costs[base] = 0;
       for (std::size_t i = 0; i < arcs.size(); ++i) {
@@ -349,11 +349,8 @@ class BaseSettler {
   double price(std::size_t p, int base) const {
     const LabelledPath& path = paths_[p];
     const int known = static_cast<int>(path.costs.size()) - 1;
-    double length = 0;
-    if (base > known) {
-      for (const PathArc& arc : path.labels.arcs) length += arc.length_px;
-    }
-    double sum = path.costs[idx(std::min(base, known))] + length * (base - known);
+    const double slope = path.costs[idx(known)] - path.costs[idx(known - 1)];
+    double sum = path.costs[idx(std::min(base, known))] + slope * std::max(base - known, 0);
     for (const std::size_t c : crossings_of_[p]) {
       const CrossingLabels& labels = labels_[c];
       int front = labels.front + moved_[labels.front_path];

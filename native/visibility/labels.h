@@ -17,7 +17,8 @@ struct LabelledPath {
   std::vector<int> along;     // (arcs)
   std::vector<int> at_end;    // (arcs)
   // Of a balanced path without breaks: its labels are base plus the offsets, and what other bases
-  // would contradict of the rays, costs[b] for base b.
+  // would contradict of the rays, costs[b] for base b; above the last one all labels are above
+  // their evidence.
   int base = 0;
   std::vector<double> costs;
 

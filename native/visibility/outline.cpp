@@ -9,7 +9,7 @@ namespace {
 
 constexpr int directions = 8;
 constexpr double half_turn = 3.141592653589793;
-constexpr double row_px = 0.5;
+constexpr double row_px = 1.0 / 3;
 constexpr int most_rows = 8192;  // a drawing that reaches far out of the frame gets wider rows
 constexpr double clear_px =
     0.05;  // nearer curves on a scan line are one line: neither is certain to be first
@@ -81,6 +81,7 @@ class OutlineScan {
       low_ = std::min({low_, s.a.dot(across_), s.b.dot(across_)});
       high = std::max({high, s.a.dot(across_), s.b.dot(across_)});
     }
+    low_ = std::floor(low_);  // rows stay where they are when something else moves
     row_ = std::max(row_px, (high - low_) / most_rows);
     lower_.assign(static_cast<std::size_t>((high - low_) / row_) + 2, {});
     upper_.assign(lower_.size(), {});
