@@ -24,6 +24,7 @@ std::optional<ContourSample> LimitContour::at(const BasePlace& place) {
   s.across = n.cross(sight).normalized();
   s.kappa = s.tangent.dot(s.across);
   s.rho = s.tangent.dot(sight);
+  s.spread = n.norm() / (p->du.norm() * p->dv.norm());
   return s;
 }
 

@@ -20,6 +20,7 @@ struct ContourSample {
   Vec3 across;    // unit, w
   double kappa;
   double rho;
+  double spread;  // sine of the angle between Pu and Pv: vanishes at a pinch point
 };
 
 class LimitContour {
