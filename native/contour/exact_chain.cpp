@@ -162,7 +162,7 @@ SolvedEdge ExactChain::solved_edge(const EdgePoint& p) {
 // Newton's method along the edge, kept between the last points found on either side of the zero.
 SolvedEdge ExactChain::solve_edge(const EdgePoint& p) {
   constexpr int most_steps = 30;
-  constexpr double end = 1e-5, flat = 1e-3, at_pinch = 1e-2;
+  constexpr double end = 1e-5, flat = 1e-3;
   const int t = p.on.triangle, k = p.edge;
   const PatchTriangle& patch = surface_.patches[idx(t)];
   const Vec2 along = patch.uv(next_corner(k)) - patch.uv(k);
@@ -177,7 +177,7 @@ SolvedEdge ExactChain::solve_edge(const EdgePoint& p) {
     f -= sample->g / sample->gradient.dot(along);
     if (!(f > low && f < high)) f = (low + high) / 2;
   }
-  if (std::abs(sample->g) > flat && sample->spread < at_pinch) return {0, 1, {}, true};
+  if (std::abs(sample->g) > flat && sample->spread < pinch_spread) return {0, 1, {}, true};
   if (std::abs(sample->g) > flat || sample->tangent.isZero()) return {};
   return {ascends(p) ? f : 1 - f, sheet_of(p), sample, false};
 }

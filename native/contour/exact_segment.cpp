@@ -10,10 +10,8 @@ constexpr double shortest_px = 0.02;
 constexpr double largest_turn_rad = 20 * 3.14159265358979323846 / 180;
 // A mid-point is looked for this far from the chord, in lengths of the chord.
 constexpr double search_reach = 0.7;
-constexpr double at_cusp = 1e-4;  // |kappa|
-// |kappa| on both sides of a pinch point, and how near to it, in lengths of the chord.
-constexpr double beside_pinch = 0.05;
-constexpr double pinch_reach = 1e-4;
+constexpr double at_cusp = 1e-4;       // |kappa|
+constexpr double beside_pinch = 0.05;  // |kappa|
 
 // From a to b, counter-clockwise positive.
 double angle(const Vec2& a, const Vec2& b) { return std::atan2(cross(a, b), a.dot(b)); }
@@ -78,10 +76,12 @@ void ExactSegment::split(const ContourKnot& a, const ContourKnot& b, const Conto
 void ExactSegment::split_at_sign_change(const ContourKnot& a, const ContourKnot& b, int depth) {
   SignChange change{a, b};
   const ContourKnot cusp = find_cusp(a, b, change);
-  const double least =
-      std::min(std::abs(change.before.sample.kappa), std::abs(change.behind.sample.kappa));
-  const double reach = (change.behind.uv - change.before.uv).norm() / (b.uv - a.uv).norm();
-  if (!(least > beside_pinch && reach < pinch_reach)) return split(a, b, cusp, depth);
+  const auto is_beside_pinch = [](const ContourSample& sample) {
+    return sample.spread < pinch_spread && std::abs(sample.kappa) > beside_pinch;
+  };
+  const bool is_pinch =
+      is_beside_pinch(change.before.sample) && is_beside_pinch(change.behind.sample);
+  if (!is_pinch) return split(a, b, cusp, depth);
   refine(a, change.before, depth - 1);
   found_->push_back(change.before);
   found_->push_back(change.behind);
