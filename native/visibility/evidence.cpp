@@ -56,8 +56,9 @@ class Witness {
     std::sort(counts.begin(), counts.end(), [](const LayerCount& a, const LayerCount& b) {
       return std::tie(a.layers, b.beside_nothing) < std::tie(b.layers, a.beside_nothing);
     });
-    const double extra = counts[1].beside_nothing ? beside_nothing_px : least_weight;
-    return {counts[1].layers, arc.length_px + extra};
+    const double extra =
+        counts[1].beside_nothing ? std::min(beside_nothing_px, 10 * arc.length_px) : 0;
+    return {counts[1].layers, arc.length_px + extra + least_weight};
   }
 
   bool is_outline(const PathArc& arc) const {

@@ -163,6 +163,8 @@ LabelledGraph label_network(const CurveNetwork& network, const Surface& surface,
   Arrangement arrangement = arrange(network, camera);
   progress.report(0.3);
   double moved_px = 0;
+  const int touches = drop_touches(arrangement, moved_px);
+  counts["dropped_touches"] += touches;
   int repairs = drop_twists_and_lenses(arrangement, moved_px);
   counts["repaired_twists"] += repairs;
   const std::int64_t unbalanced = count_unbalanced(arrangement);
