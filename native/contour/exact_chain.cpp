@@ -128,6 +128,7 @@ void ExactChain::solve_station(std::size_t i) {
   if (surface_.patches[idx(t)].ptex_face == none) return;
   if (!(camera_.near_distance(p.position) > 0)) return;
   const SolvedEdge found = solved_edge(p);
+  station.at_pinch = found.at_pinch;
   if (!found.sample) return;
   station.sample = static_cast<int>(samples_.size());
   samples_.push_back(*found.sample);
@@ -176,8 +177,9 @@ SolvedEdge ExactChain::solve_edge(const EdgePoint& p) {
     f -= sample->g / sample->gradient.dot(along);
     if (!(f > low && f < high)) f = (low + high) / 2;
   }
+  if (std::abs(sample->g) > flat && sample->spread < pinch_spread) return {0, 1, {}, true};
   if (std::abs(sample->g) > flat || sample->tangent.isZero()) return {};
-  return {ascends(p) ? f : 1 - f, sheet_of(p), sample};
+  return {ascends(p) ? f : 1 - f, sheet_of(p), sample, false};
 }
 
 // Where an exact point and a linear one beside it disagree, the linear one must become exact too.
@@ -260,7 +262,8 @@ void ExactChain::add_station(std::size_t i, ExactPolyline& line) const {
 void ExactChain::add_between(std::size_t i, ExactPolyline& line) {
   const Station &from = stations_[i], &to = stations_[after(i)];
   if (from.sample == none || to.sample == none) {
-    if (sign(from) != sign_at_end(i)) add_linear_cusp(i, line);
+    const bool straight_on = from.at_pinch || to.at_pinch;
+    if (sign(from) != sign_at_end(i) && !straight_on) add_linear_cusp(i, line);
     return;
   }
   const int t = from.point.on.triangle;

@@ -72,6 +72,19 @@ class Repairer {
     return dropped;
   }
 
+  // Between a contour and another curve that runs through it, next to their joint.
+  int touches() {
+    index_stops();
+    int dropped = 0;
+    for (std::size_t c = 0; c < arrangement_.crossings.size(); ++c) {
+      const int crossing = static_cast<int>(c);
+      if (arrangement_.is_live(crossing) && is_of_contour(crossing) && ends_in_joint(crossing))
+        dropped += drop(crossing);
+    }
+    arrangement_.forget_visits();
+    return dropped;
+  }
+
   // All contradictory lenses, or those of the given crossings.
   int lenses(const std::vector<int>* wanted) {
     index_stops();
@@ -161,6 +174,15 @@ class Repairer {
   // Whether `from` lies behind `to` on the same strand, so that the way between them leads round.
   bool is_after(const Stop& from, const Stop& to) const {
     return from.step == to.step && from.visit >= to.visit;
+  }
+
+  // Whether one of its two strands is a contour, the other one not.
+  bool is_of_contour(int c) const {
+    const Crossing& x = arrangement_.crossings[idx(c)];
+    const auto is_contour = [&](int strand) {
+      return arrangement_.network->strands[idx(strand)].kind == Kind::silhouette;
+    };
+    return is_contour(x.front.strand) != is_contour(x.back.strand);
   }
 
   bool is_twist(int c) {
@@ -270,6 +292,15 @@ int drop_twists_and_lenses(Arrangement& arrangement, double& moved_px) {
     const int dropped = repairer.twists() + repairer.lenses(nullptr);
     total += dropped;
     if (dropped == 0) break;
+  }
+  return total;
+}
+
+int drop_touches(Arrangement& arrangement, double& moved_px) {
+  Repairer repairer(arrangement, moved_px);
+  int total = 0;
+  for (int dropped = repairer.touches(); dropped > 0; dropped = repairer.touches()) {
+    total += dropped;
   }
   return total;
 }

@@ -11,6 +11,12 @@ namespace illustrate {
 // grows to the farthest distance bridged.
 int drop_twists_and_lenses(Arrangement& arrangement, double& moved_px);
 
+// A curve that runs through a contour touches it there in the image, since its surface lies on one
+// side of the contour only, near strand and far strand: drops crossings between a contour and such
+// a curve where both run on, less than a pixel apart and without another crossing, into their
+// joint. Returns their number.
+int drop_touches(Arrangement& arrangement, double& moved_px);
+
 // Drops the lens that each of these crossings belongs to, where it belongs to one: with another
 // crossing, or with the joint that both strands run into. Returns the number of crossings dropped.
 int drop_lenses(Arrangement& arrangement, const std::vector<int>& crossings, double& moved_px);
