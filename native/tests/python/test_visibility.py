@@ -43,7 +43,7 @@ SMOOTH = {"blob": blob(), "torus": torus(), "klein bottle": klein_bottle(), "dra
 
 def loops_of(graph: ill.Graph) -> list[list[int]]:
     """The labels along each closed chain of silhouettes, each run of equal ones once."""
-    following = {}
+    following: dict[int, int] = {}
     for node, kind in enumerate(graph.node_kind):
         if kind == ill.Node.CROSSING:
             front_in, front_out, back_in, back_out = graph.node_arcs[node]
