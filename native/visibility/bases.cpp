@@ -8,6 +8,7 @@ namespace {
 
 constexpr double contradiction_px = 40;  // a layer missing behind a crossing
 constexpr double impossible = 1e12;      // the price of a negative label
+constexpr int highest_move = 3;          // above the highest base that a ray speaks for
 
 // What the paths say at a crossing; `back` is the smaller of the labels before and behind it.
 struct CrossingLabels {
@@ -72,10 +73,10 @@ class BaseSettler {
   bool settle(std::size_t p) {
     LabelledPath& path = paths_[p];
     if (!path.is_balanced() || crossings_of_[p].empty()) return false;
-    const int highest = static_cast<int>(path.costs.size()) + 2;
+    const int count = static_cast<int>(path.costs.size());
     int best = path.base;
     double least = price(p, best);
-    for (int base = 0; base <= highest; ++base) {
+    for (int base = 0; base < count; ++base) {
       const double other = price(p, base);
       if (other < least - 1e-9) {
         best = base;
@@ -90,9 +91,7 @@ class BaseSettler {
 
   double price(std::size_t p, int base) const {
     const LabelledPath& path = paths_[p];
-    const int known = static_cast<int>(path.costs.size()) - 1;
-    const double slope = path.costs[idx(known)] - path.costs[idx(known - 1)];
-    double sum = path.costs[idx(std::min(base, known))] + slope * std::max(base - known, 0);
+    double sum = path.costs[idx(base)];
     for (const std::size_t c : crossings_of_[p]) {
       const CrossingLabels& labels = labels_[c];
       const int by = base - path.base;
@@ -140,7 +139,7 @@ bool choose_base(const std::vector<Evidence>& evidence, LabelledPath& path) {
     lowest = std::min(lowest, arcs[i].offset);
     most = std::max(most, evidence[i].layers - arcs[i].offset);
   }
-  path.costs.assign(idx(std::max(-lowest, most) + 2), impossible);
+  path.costs.assign(idx(std::max(-lowest, most) + highest_move + 1), impossible);
   for (std::size_t base = idx(-lowest); base < path.costs.size(); ++base) {
     path.costs[base] = 0;
     for (std::size_t i = 0; i < arcs.size(); ++i) {

@@ -14,7 +14,7 @@ struct LabelledPath {
   std::vector<int> along;     // (arcs)
   std::vector<int> at_end;    // (arcs)
   // Of a balanced path without breaks: its labels are base plus the offsets, and what other bases
-  // would contradict of the rays, costs[b] for base b; the last two lie above all evidence.
+  // would contradict of the rays, costs[b] for base b.
   int base = 0;
   std::vector<double> costs;
 

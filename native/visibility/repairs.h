@@ -13,7 +13,7 @@ int drop_twists_and_lenses(Arrangement& arrangement, double& moved_px);
 
 // A curve that runs through a contour touches it there in the image, since its surface lies on one
 // side of the contour only, near strand and far strand: drops crossings between a contour and such
-// a curve where both run on, less than a pixel apart and without another crossing, into their
+// a curve where both run on, less than a pixel apart and without crossing again, into their
 // joint. Returns their number.
 int drop_touches(Arrangement& arrangement, double& moved_px);
 
