@@ -23,7 +23,8 @@ int drop_lenses(Arrangement& arrangement, const std::vector<int>& crossings, dou
 
 // Joins pairs of cusps that turn the same way with no more than a pixel of strand between them, on
 // cycles whose changes do not sum to zero: swallowtails whose crossing the interpolation has lost.
-// The smallest go first. Returns the number of pairs; the cusps' jumps become 0.
+// The smallest go first. Single cusps go where an open path ends, a tenth of a pixel from there.
+// Returns the number of pairs and single ones; the cusps' jumps become 0.
 int collapse_swallowtails(Arrangement& arrangement, double& moved_px);
 
 }  // namespace illustrate

@@ -9,6 +9,7 @@
 #include "visibility/crossings.h"
 #include "visibility/label_network.h"
 #include "visibility/outline.h"
+#include "visibility/repairs.h"
 
 namespace illustrate {
 namespace {
@@ -80,6 +81,33 @@ TEST(Outline, IsTheOuterOfTwoNestedSquares) {
   const std::vector<std::vector<StrandPlace>> outline = outline_places(network, strands);
   EXPECT_TRUE(outline[0].empty());
   EXPECT_EQ(outline[1].size(), 4U) << "each of its sides";
+}
+
+// From a joint over a cusp `reach_px` away to a far end.
+Arrangement cusp_near_an_end(CurveNetwork& network, double reach_px) {
+  Arrangement arrangement;
+  for (const Vec2& p : {Vec2(0, 0), Vec2(reach_px, 0), Vec2(reach_px, 0), Vec2(-50, 3)}) {
+    network.points.push({Vec3::Zero(), {}});
+    arrangement.image.image.push_back(p);
+    if (network.points.values.size() % 2 == 0) network.points.close_list();
+  }
+  network.strands = {{Kind::silhouette, 0, 0, 1, 2, 0}, {Kind::silhouette, 0, 1, 2, 2, 0}};
+  arrangement.network = &network;
+  arrangement.visits.resize(2);
+  arrangement.paths.push_back({{0, 1}, {0, 1}, false, {0, 0}});
+  return arrangement;
+}
+
+TEST(Swallowtails, CuspsAtTheEndOfAnOpenPathAreDropped) {
+  for (const double reach_px : {0.01, 0.5}) {
+    CurveNetwork network;
+    Arrangement arrangement = cusp_near_an_end(network, reach_px);
+    double moved_px = 0;
+    const bool at_end = reach_px < 0.1;
+    EXPECT_EQ(collapse_swallowtails(arrangement, moved_px), at_end ? 1 : 0);
+    EXPECT_EQ(arrangement.paths[0].jumps[1], at_end ? 0 : 1);
+    EXPECT_DOUBLE_EQ(moved_px, at_end ? reach_px : 0);
+  }
 }
 
 TEST(Labels, OfASphereAreZero) {
