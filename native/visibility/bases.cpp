@@ -137,14 +137,14 @@ bool choose_base(const std::vector<Evidence>& evidence, LabelledPath& path) {
   int lowest = 0, most = 0;
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     lowest = std::min(lowest, arcs[i].offset);
-    most = std::max(most, evidence[i].layers - arcs[i].offset);
+    most = std::max(most, evidence[i].layers + evidence[i].unsure - arcs[i].offset);
   }
   path.costs.assign(idx(std::max(-lowest, most) + highest_move + 1), impossible);
   for (std::size_t base = idx(-lowest); base < path.costs.size(); ++base) {
     path.costs[base] = 0;
     for (std::size_t i = 0; i < arcs.size(); ++i) {
       const int label = static_cast<int>(base) + arcs[i].offset;
-      path.costs[base] += evidence[i].weight * std::abs(label - evidence[i].layers);
+      path.costs[base] += evidence[i].against(label);
     }
   }
   const auto best = std::min_element(path.costs.begin(), path.costs.end());

@@ -24,13 +24,13 @@ class Witness {
     std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
       return arcs[i].length_px != arcs[j].length_px ? arcs[i].length_px > arcs[j].length_px : i < j;
     });
-    std::vector<Evidence> evidence(arcs.size(), {0, 0});
+    std::vector<Evidence> evidence(arcs.size(), {0, 0, 0});
     for (std::size_t k = 0; k < std::min(most_arcs_asked, order.size()); ++k) {
       const PathArc& arc = arcs[order[k]];
       evidence[order[k]] = remember(arc);
     }
     for (std::size_t i = 0; i < arcs.size(); ++i) {
-      if (is_outline(arcs[i])) evidence[i] = {0, outline_weight};
+      if (is_outline(arcs[i])) evidence[i] = {0, 0, outline_weight};
     }
     return evidence;
   }
@@ -44,7 +44,7 @@ class Witness {
     const std::array<int, 3> key{arc.strand, crossing(arc.begin), crossing(arc.end)};
     const auto found = known_.find(key);
     if (found != known_.end()) return found->second;
-    return rays_.rays() < most_rays ? known_[key] = ask(arc) : Evidence{0, 0};
+    return rays_.rays() < most_rays ? known_[key] = ask(arc) : Evidence{0, 0, 0};
   }
 
   // The middle one of three counts; one on the outline counts for more than its length.
@@ -58,7 +58,7 @@ class Witness {
     });
     const double extra =
         counts[1].beside_nothing ? std::min(beside_nothing_px, 10 * arc.length_px) : 0;
-    return {counts[1].layers, arc.length_px + extra + least_weight};
+    return {counts[1].layers, counts[1].unsure, arc.length_px + extra + least_weight};
   }
 
   bool is_outline(const PathArc& arc) const {

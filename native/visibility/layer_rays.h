@@ -9,7 +9,8 @@ namespace illustrate {
 
 struct LayerCount {
   int layers;
-  int behind;           // all other hits of the line of sight
+  int unsure;           // more that are too near to be told from the curve's own surface
+  int behind;           // all hits of the line of sight but the layers
   bool beside_nothing;  // the line of sight meets no surface at all
 };
 

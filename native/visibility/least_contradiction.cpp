@@ -45,14 +45,12 @@ class LeastContradiction {
     for (std::size_t i = 0; i < arcs_.size(); ++i) {
       low = std::min(low, arcs_[i].offset);
       high = std::max(high, arcs_[i].offset);
-      most = std::max(most, evidence_[i].layers);
+      most = std::max(most, evidence_[i].layers + evidence_[i].unsure);
     }
     return std::min(most + high - low + 3, most_layers);
   }
 
-  double wrong(std::size_t arc, int layers) const {
-    return evidence_[arc].weight * std::abs(layers - evidence_[arc].layers);
-  }
+  double wrong(std::size_t arc, int layers) const { return evidence_[arc].against(layers); }
 
   // Past a possible break; `origin` remembers where each label came from. Only the cheapest hidden
   // label and 0 can be worth leaving.
