@@ -10,8 +10,11 @@ namespace {
 // tiny hooks near cusps do not decide how a line goes on.
 constexpr double direction_px = 1.0;
 
-// A line whose tail is cut off goes on in another one if it turns by less than 60 degrees.
+// A line whose tail is cut off goes on in another one if it turns by less than 60 degrees, and so
+// do lines whose free ends face each other across a gap.
 constexpr double cosine_of_largest_turn = -0.5;
+constexpr double gap_px = 1.0;
+constexpr double steepest_gap = 8;  // in the world, in units of the lines' own length for a pixel
 
 // Ends are numbered 2 arc for the start of an arc, 2 arc + 1 for its end.
 int number_of(const ArcEnd& end) { return 2 * end.arc + (end.at_start ? 0 : 1); }
@@ -118,6 +121,33 @@ class Mates {
     }
   }
 
+  // Two free ends less than a pixel apart that face each other: their line is hidden for less than
+  // the eye can see. The nearest pairs first.
+  void close_gaps(const Ragged<ArcEnd>& ends) {
+    std::vector<ArcEnd> free;
+    for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
+      if (ends[n].size() == 1 && of(ends[n][0]).arc == none) free.push_back(ends[n][0]);
+    }
+    std::stable_sort(free.begin(), free.end(), [&](const ArcEnd& a, const ArcEnd& b) {
+      return image_at(a).x() < image_at(b).x();
+    });
+    struct Gap {
+      double width;
+      ArcEnd a, b;
+    };
+    std::vector<Gap> gaps;
+    for (std::size_t i = 0; i < free.size(); ++i) {
+      for (std::size_t j = i + 1; j < free.size(); ++j) {
+        if (image_at(free[j]).x() - image_at(free[i]).x() > gap_px) break;
+        if (!face_each_other(free[i], free[j])) continue;
+        gaps.push_back({(image_at(free[j]) - image_at(free[i])).norm(), free[i], free[j]});
+      }
+    }
+    std::stable_sort(gaps.begin(), gaps.end(),
+                     [](const Gap& a, const Gap& b) { return a.width < b.width; });
+    for (const Gap& gap : gaps) join(gap.a, gap.b);
+  }
+
   ArcEnd of(const ArcEnd& end) const {
     const int mate = mates_[idx(number_of(end))];
     return mate == none ? ArcEnd{} : ArcEnd{mate / 2, mate % 2 == 0};
@@ -137,6 +167,34 @@ class Mates {
       best = other;
     }
     return best;
+  }
+
+  const Vec2& image_at(const ArcEnd& end) const {
+    const Span<const Vec2> image = graph_.image[idx(end.arc)];
+    return end.at_start ? image.front() : image.back();
+  }
+
+  const Vec3& world_at(const ArcEnd& end) const {
+    const Span<const CurvePoint> points = graph_.points[idx(end.arc)];
+    return (end.at_start ? points.front() : points.back()).position;
+  }
+
+  double world_length(int arc) const {
+    const Span<const CurvePoint> points = graph_.points[idx(arc)];
+    double length = 0;
+    for (std::size_t i = 1; i < points.size(); ++i)
+      length += (points[i].position - points[i - 1].position).norm();
+    return length;
+  }
+
+  bool face_each_other(const ArcEnd& a, const ArcEnd& b) const {
+    if (a.arc == b.arc || !are_one_line(graph_.arcs[idx(a.arc)], graph_.arcs[idx(b.arc)]))
+      return false;
+    if ((image_at(a) - image_at(b)).norm() > gap_px) return false;
+    const double px = image_length(graph_, a.arc) + image_length(graph_, b.arc);
+    const double world = world_length(a.arc) + world_length(b.arc);
+    if ((world_at(a) - world_at(b)).norm() * px > steepest_gap * gap_px * world) return false;
+    return leaving_direction(graph_, a).dot(leaving_direction(graph_, b)) < cosine_of_largest_turn;
   }
 
   // Whether the line that starts at this end is shorter than a speck.
@@ -306,6 +364,7 @@ std::vector<Chain> chain_arcs(const LabelledGraph& graph, const std::vector<std:
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
     if (ends[n].size() == 1) mates.cut_tail(ends[n][0], ends, speck_px);
   }
+  mates.close_gaps(ends);
   std::vector<Chain> chains;
   std::vector<std::uint8_t> chained(graph.arcs.size(), 0);
   for (int a = 0; a < static_cast<int>(graph.arcs.size()); ++a) {

@@ -285,6 +285,20 @@ TEST(MakeStrokes, TailsThatAreLongOrTurnAwayOrBelongToOthersStay) {
   }
 }
 
+TEST(MakeStrokes, FreeEndsThatFaceEachOtherAreOneLine) {
+  const auto count = [](const Vec2& end, const Vec2& far, double depth) {
+    GraphBuilder b;
+    b.line(b.node(NodeKind::cusp, {10, 50}), b.node(NodeKind::cusp, {50, 50}));
+    b.line(b.node(NodeKind::joint, end), b.node(NodeKind::cusp, far));
+    for (std::size_t i = 2; i < 4; ++i) b.graph.points.values[i].position.z() -= depth;
+    return count_of(strokes_of(b.graph));
+  };
+  EXPECT_EQ(count({50.8, 50.2}, {90, 52}, 0), 1U);
+  EXPECT_EQ(count({51.3, 50}, {90, 52}, 0), 2U) << "a gap that is seen";
+  EXPECT_EQ(count({50.8, 50.2}, {50.8, 90}, 0), 2U) << "a corner";
+  EXPECT_EQ(count({50.8, 50.2}, {90, 52}, 30), 2U) << "one behind the other";
+}
+
 TEST(MakeStrokes, ClosedStrokeIsCutAtFrame) {
   GraphBuilder b;
   b.arc(circle({50, 50}, 60, 400), none, none);
