@@ -10,8 +10,9 @@ namespace {
 // tiny hooks near cusps do not decide how a line goes on.
 constexpr double direction_px = 1.0;
 
-// A line whose tail is cut off goes on in another one if it turns by less than 60 degrees, and so
-// do lines whose free ends face each other across a gap.
+// A line whose tail is cut off goes on in another one if it turns by less than 150 degrees, one
+// whose free end faces another across a gap by less than 60.
+constexpr double cosine_of_sharpest_corner = 0.866;
 constexpr double cosine_of_largest_turn = -0.5;
 constexpr double gap_px = 1.0;
 constexpr double steepest_gap = 8;  // in the world, in units of the lines' own length for a pixel
@@ -113,7 +114,7 @@ class Mates {
       const ArcEnd before = of(end);
       if (before.arc == none || length >= speck_px) return;
       const ArcEnd onward = continuation(before, ends[idx(node_of(graph_, before))]);
-      if (onward.arc != none && !is_speck(onward, speck_px)) {
+      if (onward.arc != none && !dangles(onward, ends, speck_px)) {
         mates_[idx(number_of(end))] = mates_[idx(number_of(before))] = none;
         return join(before, onward);
       }
@@ -157,7 +158,7 @@ class Mates {
   // Of the ends without a mate the one that `end` turns into least, none where it turns too much.
   ArcEnd continuation(const ArcEnd& end, Span<const ArcEnd> ends) const {
     ArcEnd best;
-    double least = cosine_of_largest_turn;
+    double least = cosine_of_sharpest_corner;
     for (const ArcEnd& other : ends) {
       if (other.arc == end.arc || of(other).arc != none) continue;
       if (!are_one_line(graph_.arcs[idx(end.arc)], graph_.arcs[idx(other.arc)])) continue;
@@ -197,14 +198,17 @@ class Mates {
     return leaving_direction(graph_, a).dot(leaving_direction(graph_, b)) < cosine_of_largest_turn;
   }
 
-  // Whether the line that starts at this end is shorter than a speck.
-  bool is_speck(ArcEnd end, double speck_px) const {
+  // Whether the line that starts at this end runs freely to its other one, in less than a speck.
+  bool dangles(ArcEnd end, const Ragged<ArcEnd>& ends, double speck_px) const {
     double length = 0;
-    while (end.arc != none && length < speck_px) {
+    while (true) {
       length += image_length(graph_, end.arc);
-      end = of({end.arc, !end.at_start});
+      end.at_start = !end.at_start;
+      const ArcEnd next = of(end);
+      if (length >= speck_px) return false;
+      if (next.arc == none) return ends[idx(node_of(graph_, end))].size() == 1;
+      end = next;
     }
-    return length < speck_px;
   }
 
   void join(const ArcEnd& a, const ArcEnd& b) {

@@ -275,8 +275,28 @@ TEST(MakeStrokes, OutlineRunsOnPastASwallowtail) {
   EXPECT_EQ(drawing.image[drawing.points.size() / 2], Vec2(50, 50));
 }
 
+// A hole of two pixels: each of its sides is shorter than a speck, and one of them ends in a tail.
+TEST(MakeStrokes, OutlineOfATinyHoleStays) {
+  GraphBuilder b;
+  const int left = b.node(NodeKind::joint, {10, 50}), right = b.node(NodeKind::joint, {90, 50});
+  const int from = b.node(NodeKind::joint, {49, 50}), to = b.node(NodeKind::joint, {51, 50});
+  const int corner = b.node(NodeKind::crossing, {51, 48});
+  b.line(left, from);
+  b.line(from, to);
+  b.line(to, right);
+  const int side = b.line(from, corner);
+  const int tail = b.line(corner, b.node(NodeKind::cusp, {51.5, 47.5}));
+  const int hidden = b.line(b.node(NodeKind::cusp, {51.2, 47}), corner, 2);
+  const int other_side = b.line(corner, to);
+  b.graph.nodes[idx(corner)].arcs = {side, tail, hidden, other_side};
+  const Drawing drawing = strokes_of(b.graph);
+  ASSERT_EQ(count_of(drawing), 2U);
+  EXPECT_EQ(first_of(drawing, 1), Vec2(49, 50));
+  EXPECT_EQ(last_of(drawing, 1), Vec2(51, 50));
+}
+
 TEST(MakeStrokes, TailsThatAreLongOrTurnAwayOrBelongToOthersStay) {
-  for (const SwallowtailGraph& b : {SwallowtailGraph(3.5), SwallowtailGraph(2.5, {50, 90}),
+  for (const SwallowtailGraph& b : {SwallowtailGraph(3.5), SwallowtailGraph(2.5, {10, 60}),
                                     SwallowtailGraph(2.5, {90, 53}, 1)}) {
     const Drawing drawing = strokes_of(b.graph);
     ASSERT_EQ(count_of(drawing), 2U);
