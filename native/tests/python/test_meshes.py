@@ -108,6 +108,25 @@ def test_graph_rules_hold_and_two_runs_agree(name: str) -> None:
     assert digest(once_more) == digest(drawing)
 
 
+# Sheets with boundaries, and solids and a Klein bottle that pass through themselves.
+HARD_FILES = [
+    "smooth/cat_head.obj", "smooth/hand_1602_open.obj", "smooth/gen_drape.obj",
+    "smooth/gen_klein_bottle.obj", "smooth/rabbit_parts.obj",
+]  # fmt: skip
+
+
+@pytest.mark.skipif(not MESHES.is_dir(), reason="the shared meshes are not beside this checkout")
+@pytest.mark.parametrize("name", HARD_FILES)
+def test_hardly_a_label_needs_repair(name: str) -> None:
+    shape = read_obj(MESHES / name)
+    prepared = ill.prepare([shape.mesh()], ill.PrepareOptions(field=False))
+    drawings = [
+        ill.draw(prepared, camera, ill.DrawOptions(hatching=False)) for camera in cameras(shape)
+    ]
+    repairs = sum(drawing.counts["repairs"] for drawing in drawings)
+    assert repairs <= 0.01 * sum(len(drawing.graph.node_kind) for drawing in drawings)
+
+
 def coarse(name: str) -> tuple[Shape, ill.Prepared]:
     """A part of a machine or a broken mesh, with its sharp edges told by their angle."""
     shape = read_obj(MESHES / name)
