@@ -5,6 +5,7 @@ from typing import Any
 import bpy
 
 from .operators import ILLUSTRATE_OT_illustrate
+from .settings import LINE_KINDS
 
 
 class _SidePanel:
@@ -57,14 +58,7 @@ class ILLUSTRATE_PT_lines(_Fields, bpy.types.Panel):
     bl_label = "Lines"
     fields = (
         "feature_width_px",
-        "marks",
-        "materials",
-        "suggestive_contours",
-        "suggestive_threshold",
-        "ridges",
-        "ridge_threshold",
-        "valleys",
-        "valley_threshold",
+        *LINE_KINDS,
         "hidden",
         "hidden_layers",
     )

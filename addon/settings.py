@@ -22,6 +22,18 @@ LIGHTINGS = [
     ("HEADLIGHT", "Headlight", "Light the drawing from the camera", 1),
 ]
 
+# Optional kinds of lines, each with what it is measured by.
+LINE_KINDS = (
+    "marks",
+    "materials",
+    "suggestive_contours",
+    "suggestive_threshold",
+    "ridges",
+    "ridge_threshold",
+    "valleys",
+    "valley_threshold",
+)
+
 
 def _threshold(name: str, lines: str, default: float) -> Any:
     return FloatProperty(
@@ -182,14 +194,7 @@ def draw_options(settings: Any) -> Any:
     names = (
         "line_width_px",
         "feature_width_px",
-        "marks",
-        "materials",
-        "suggestive_contours",
-        "suggestive_threshold",
-        "ridges",
-        "ridge_threshold",
-        "valleys",
-        "valley_threshold",
+        *LINE_KINDS,
         "hatching",
         "spacing_px",
         "hatch_width_px",

@@ -199,34 +199,29 @@ class Thinner {
   std::vector<Added> added_;
 };
 
-// The points of the strand that leaves a cusp in one direction, as long as they recede from it, and
-// their distances.
-struct Receding {
-  std::vector<std::size_t> points;
-  std::vector<Vec2> images;
-  std::vector<double> distances;
-
-  Receding(const Drawn& drawn, std::size_t cusp, bool forward) {
-    constexpr std::size_t longest = 100;
-    constexpr double farthest = 30;  // px
-    add(cusp, drawn.image(cusp), 0);
-    Walk walk = drawn.walk(cusp, forward);
-    while (points.size() < longest && walk.step()) {
-      const Vec2 image = drawn.image(walk.at());
-      const double distance = (image - images[0]).norm();
-      if (distance < distances.back() || distance > farthest) break;
-      add(walk.at(), image, distance);
-      if (drawn[walk.at()].is_cusp()) break;
-    }
-  }
-
- private:
-  void add(std::size_t point, const Vec2& image, double distance) {
-    points.push_back(point);
-    images.push_back(image);
-    distances.push_back(distance);
-  }
+// A point of the strand that leaves a cusp in one direction, as long as it recedes from it.
+struct RecedingPoint {
+  std::size_t point;
+  Vec2 image;
+  double distance;  // from the cusp
 };
+
+std::vector<RecedingPoint> receding(const Drawn& drawn, std::size_t cusp, bool forward) {
+  constexpr std::size_t longest = 100;
+  constexpr double farthest = 30;  // px
+  std::vector<RecedingPoint> strand;
+  strand.reserve(longest);
+  strand.push_back({cusp, drawn.image(cusp), 0});
+  Walk walk = drawn.walk(cusp, forward);
+  while (strand.size() < longest && walk.step()) {
+    const Vec2 image = drawn.image(walk.at());
+    const double distance = (image - strand[0].image).norm();
+    if (distance < strand.back().distance || distance > farthest) break;
+    strand.push_back({walk.at(), image, distance});
+    if (drawn[walk.at()].is_cusp()) break;
+  }
+  return strand;
+}
 
 bool cross_each_other(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   const auto turns_left = [](const Vec2& p, const Vec2& q, const Vec2& r) {
@@ -239,20 +234,19 @@ bool cross_each_other(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d
 class Horn {
  public:
   Horn(const Drawn& drawn, std::size_t cusp)
-      : drawn_(drawn), backward_(drawn, cusp, false), forward_(drawn, cusp, true) {}
+      : drawn_(drawn),
+        backward_(receding(drawn, cusp, false)),
+        forward_(receding(drawn, cusp, true)) {}
 
   void find(std::vector<CrossedSegment>& crossed) const {
-    const Receding &a = backward_, &b = forward_;
+    const std::vector<RecedingPoint>&a = backward_, &b = forward_;
     std::size_t from = 0;
-    for (std::size_t i = 0; i + 1 < a.points.size(); ++i) {
-      while (from + 1 < b.points.size() && b.distances[from + 1] < a.distances[i]) ++from;
-      for (std::size_t j = from; j + 1 < b.points.size() && b.distances[j] <= a.distances[i + 1];
-           ++j) {
-        const bool share_end = (i == 0 && j == 0) || a.points[i + 1] == b.points[j + 1];
-        if (share_end ||
-            !cross_each_other(a.images[i], a.images[i + 1], b.images[j], b.images[j + 1])) {
+    for (std::size_t i = 0; i + 1 < a.size(); ++i) {
+      while (from + 1 < b.size() && b[from + 1].distance < a[i].distance) ++from;
+      for (std::size_t j = from; j + 1 < b.size() && b[j].distance <= a[i + 1].distance; ++j) {
+        const bool share_end = (i == 0 && j == 0) || a[i + 1].point == b[j + 1].point;
+        if (share_end || !cross_each_other(a[i].image, a[i + 1].image, b[j].image, b[j + 1].image))
           continue;
-        }
         add(a, i, 1, crossed);
         add(b, j, 0, crossed);
       }
@@ -262,18 +256,18 @@ class Horn {
  private:
   // The crossed segment and its neighbours; a segment is named by the one of its two points that
   // comes first in the chain.
-  void add(const Receding& strand, std::size_t at, std::size_t first_in_chain,
+  void add(const std::vector<RecedingPoint>& strand, std::size_t at, std::size_t first_in_chain,
            std::vector<CrossedSegment>& crossed) const {
     const std::size_t first = at == 0 ? 0 : at - 1;
-    const std::size_t last = std::min(at + 2, strand.points.size() - 1);
+    const std::size_t last = std::min(at + 2, strand.size() - 1);
     for (std::size_t i = first; i < last; ++i) {
-      const double length = (strand.images[i + 1] - strand.images[i]).norm();
-      crossed.push_back({drawn_[strand.points[i + first_in_chain]].segment, length});
+      const double length = (strand[i + 1].image - strand[i].image).norm();
+      crossed.push_back({drawn_[strand[i + first_in_chain].point].segment, length});
     }
   }
 
   const Drawn& drawn_;
-  Receding backward_, forward_;
+  std::vector<RecedingPoint> backward_, forward_;
 };
 
 // Whether everything from cusp a to cusp b stays near a.

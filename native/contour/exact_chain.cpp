@@ -44,6 +44,7 @@ void ExactChain::solve(Span<const EdgePoint> linear, bool closed, bool everywher
   closed_ = closed;
   samples_.clear();
   stations_.clear();
+  stations_.reserve(linear.size());
   for (const EdgePoint& p : linear) stations_.push_back({p});
   for (std::size_t i = 0; i < segments(); ++i) {
     stations_[i].turns_over = turns_over(stations_[i], stations_[after(i)]);
@@ -217,11 +218,15 @@ ExactPolyline ExactChain::polyline() {
   ExactPolyline line;
   line.closed = closed_;
   line.points.reserve(stations_.size() + samples_.size());
+  line.knots.reserve(3 * samples_.size());
+  std::optional<ExactKnot> here = knot_of(0);
   for (std::size_t i = 0; i < segments(); ++i) {
-    add_station(i, line);
-    add_between(i, line);
+    std::optional<ExactKnot> next = knot_of(after(i));
+    add_station(i, here, line);
+    add_between(i, here, next, line);
+    here = std::move(next);
   }
-  if (!closed_) add_station(stations_.size() - 1, line);
+  if (!closed_) add_station(stations_.size() - 1, here, line);
   return line;
 }
 
@@ -234,12 +239,13 @@ Vec2 ExactChain::uv_at_end(std::size_t i) const {
                   same_way ? to.fraction : 1 - to.fraction);
 }
 
-ExactKnot ExactChain::knot_of(std::size_t i) const {
+std::optional<ExactKnot> ExactChain::knot_of(std::size_t i) const {
+  if (stations_[i].sample == none) return {};
   const EdgePoint& p = stations_[i].point;
   const PatchTriangle& patch = surface_.patches[idx(p.on.triangle)];
   const ContourSample& sample = samples_[idx(stations_[i].sample)];
-  ExactKnot knot;
-  knot.leaving = segment_.knot(patch_uv(patch, p.edge, p.fraction), sample);
+  const ContourKnot leaving = segment_.knot(patch_uv(patch, p.edge, p.fraction), sample);
+  ExactKnot knot{leaving, leaving};
   if (i == 0 && !closed_) return knot;
   const std::size_t before = (i + stations_.size() - 1) % stations_.size();
   ContourSample seen = sample;
@@ -248,26 +254,27 @@ ExactKnot ExactChain::knot_of(std::size_t i) const {
   return knot;
 }
 
-void ExactChain::add_station(std::size_t i, ExactPolyline& line) const {
+void ExactChain::add_station(std::size_t i, const std::optional<ExactKnot>& knot,
+                             ExactPolyline& line) const {
   ExactPoint point{stations_[i].point, none, static_cast<int>(i)};
-  if (stations_[i].sample != none) {
+  if (knot) {
     point.knot = static_cast<int>(line.knots.size());
-    line.knots.push_back(knot_of(i));
+    line.knots.push_back(*knot);
   }
   line.points.push_back(point);
 }
 
-void ExactChain::add_between(std::size_t i, ExactPolyline& line) {
-  const Station &from = stations_[i], &to = stations_[after(i)];
-  if (from.sample == none || to.sample == none) {
+void ExactChain::add_between(std::size_t i, const std::optional<ExactKnot>& start,
+                             const std::optional<ExactKnot>& end, ExactPolyline& line) {
+  const Station& from = stations_[i];
+  if (!start || !end) {
     if (sign(from) != sign_at_end(i)) add_linear_cusp(i, line);
     return;
   }
   const int t = from.point.on.triangle;
   const PatchTriangle& patch = surface_.patches[idx(t)];
   between_.clear();
-  segment_.refine(patch.ptex_face, line.knots.back().leaving, knot_of(after(i)).arriving,
-                  from.longest_px, between_);
+  segment_.refine(patch.ptex_face, start->leaving, end->arriving, from.longest_px, between_);
   for (const ContourKnot& knot : between_) {
     ExactPoint inside;
     inside.position = knot.sample.position;

@@ -93,9 +93,11 @@ class ExactChain {
   void spread();
 
   Vec2 uv_at_end(std::size_t segment) const;
-  ExactKnot knot_of(std::size_t station) const;
-  void add_station(std::size_t station, ExactPolyline& line) const;
-  void add_between(std::size_t segment, ExactPolyline& line);
+  std::optional<ExactKnot> knot_of(std::size_t station) const;
+  void add_station(std::size_t station, const std::optional<ExactKnot>& knot,
+                   ExactPolyline& line) const;
+  void add_between(std::size_t segment, const std::optional<ExactKnot>& start,
+                   const std::optional<ExactKnot>& end, ExactPolyline& line);
   void add_linear_cusp(std::size_t segment, ExactPolyline& line) const;
 
   const Surface& surface_;

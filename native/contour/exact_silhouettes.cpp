@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <unordered_map>
 
 #include "contour/cusp_ends.h"
 #include "contour/patchwork.h"
@@ -26,19 +25,6 @@ class Drawer {
  public:
   Drawer(LimitContour& contour, const Camera& camera, bool everywhere)
       : contour_(contour), camera_(camera), segment_(contour, camera), everywhere_(everywhere) {}
-
-  std::vector<int> troubled(const Surface& surface, const ContourFunctions& functions,
-                            const LinearSilhouettes& linear, SolvedEdges* solved) {
-    ExactChain exact(surface, contour_, functions, solved);
-    std::vector<int> result;
-    for (std::size_t c = 0; c < linear.chains.size(); ++c) {
-      exact.solve(linear.chains[c], linear.closed[c], everywhere_);
-      const std::vector<int> found = exact.troubled();
-      result.insert(result.end(), found.begin(), found.end());
-    }
-    std::sort(result.begin(), result.end());
-    return result;
-  }
 
   // Chains with troubled triangles stay empty, unless all are wanted.
   ExactChains draw(const Surface& surface, const ContourFunctions& functions,
@@ -111,9 +97,14 @@ void restore(const Patchwork& patchwork, ExactChains& drawn) {
 class Finer {
  public:
   Finer(const Surface& surface, const LimitSurface& limit, const LinearSilhouettes& linear)
-      : patchwork_(surface, limit), linear_(linear), is_redrawn_(linear.chains.size(), 0) {
+      : patchwork_(surface, limit),
+        linear_(linear),
+        is_redrawn_(linear.chains.size(), 0),
+        chain_of_(linear.triangles.size()) {
     for (std::size_t c = 0; c < linear.chains.size(); ++c) {
-      for (const EdgePoint& p : linear.chains[c]) chain_of_[p.on.triangle] = c;
+      for (const EdgePoint& p : linear.chains[c]) {
+        chain_of_.at(p.on.triangle) = static_cast<int>(c);
+      }
     }
   }
 
@@ -130,9 +121,9 @@ class Finer {
       const Surface& surface = patchwork_.surface();
       const ContourFunctions functions(surface, camera);
       const LinearSilhouettes traced = linear_silhouettes(surface, functions);
+      finer = drawer.draw(surface, functions, traced, &solved, is_last);
       wanted.clear();
-      if (!is_last) wanted = drawer.troubled(surface, functions, traced, &solved);
-      if (wanted.empty()) finer = drawer.draw(surface, functions, traced, &solved, true);
+      if (!is_last) wanted = finer.troubled;
     }
     restore(patchwork_, finer);
     replace(drawn, finer);
@@ -141,11 +132,11 @@ class Finer {
  private:
   void include(const std::vector<int>& triangles) {
     for (const int t : triangles) {
-      const auto chain = chain_of_.find(t);
-      if (chain == chain_of_.end() || is_redrawn_[chain->second]) continue;
-      is_redrawn_[chain->second] = 1;
+      const int chain = chain_of_[t];
+      if (chain == none || is_redrawn_[idx(chain)]) continue;
+      is_redrawn_[idx(chain)] = 1;
       std::vector<int> along;
-      for (const EdgePoint& p : linear_.chains[chain->second]) along.push_back(p.on.triangle);
+      for (const EdgePoint& p : linear_.chains[idx(chain)]) along.push_back(p.on.triangle);
       patchwork_.add(along);
     }
   }
@@ -167,8 +158,8 @@ class Finer {
 
   Patchwork patchwork_;
   const LinearSilhouettes& linear_;
-  std::vector<std::uint8_t> is_redrawn_;           // (chains)
-  std::unordered_map<int, std::size_t> chain_of_;  // of each triangle with a segment
+  std::vector<std::uint8_t> is_redrawn_;  // (chains)
+  IndexMap chain_of_;                     // of each triangle with a segment
 };
 
 }  // namespace
@@ -182,6 +173,9 @@ Silhouettes exact_silhouettes(const Surface& surface, const LimitSurface& limit,
   counts["troubled_triangles"] += static_cast<std::int64_t>(drawn.troubled.size());
   if (!drawn.troubled.empty()) Finer(surface, limit, linear).redraw(camera, drawer, drawn);
   Silhouettes result;
+  std::size_t points = 0;
+  for (const ExactPolyline& line : drawn.chains) points += line.points.size();
+  result.chains.values.reserve(points);
   for (std::size_t c = 0; c < drawn.chains.size(); ++c) {
     counts["swallowtails"] += drawn.swallowtails[c];
     const ExactPolyline& line = drawn.chains[c];

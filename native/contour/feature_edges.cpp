@@ -17,15 +17,14 @@ Edge place_pair(const Surface& surface, const EdgeSide& side) {
 }  // namespace
 
 EdgeSide opposite_side(const Surface& surface, const EdgeSide& side) {
-  const auto corner = static_cast<std::size_t>(side.corner);
-  const int other = surface.neighbours[static_cast<std::size_t>(side.triangle)][corner];
+  const int other = surface.neighbours[idx(side.triangle)][idx(side.corner)];
   if (other == none) return {};
-  const Edge wanted = place_pair(surface, side);
+  const auto& back = surface.neighbours[idx(other)];
+  const auto is_back = [&](int k) { return back[idx(k)] == side.triangle; };
+  const auto count = std::count(back.begin(), back.end(), side.triangle);
+  const Edge wanted = count > 1 ? place_pair(surface, side) : Edge{};
   for (int k = 0; k < 3; ++k) {
-    const bool points_back =
-        surface.neighbours[static_cast<std::size_t>(other)][static_cast<std::size_t>(k)] ==
-        side.triangle;
-    if (points_back && place_pair(surface, {other, k}) == wanted) return {other, k};
+    if (is_back(k) && (count == 1 || place_pair(surface, {other, k}) == wanted)) return {other, k};
   }
   return {};
 }

@@ -55,17 +55,18 @@ Patchwork::Patchwork(const Surface& whole, const LimitSurface& limit)
 
 void Patchwork::add(const std::vector<int>& triangles) {
   for (const int t : triangles) {
-    if (numbers_.find(t) == numbers_.end()) add_whole(t);
+    if (numbers_[t] == none) add_whole(t);
   }
   publish();
 }
 
 int Patchwork::add_vertex_of(int whole_vertex) {
-  const auto [found, is_new] =
-      vertices_.try_emplace(whole_vertex, static_cast<int>(surface_.positions.size()));
-  if (!is_new) return found->second;
+  int& number = vertices_.at(whole_vertex);
+  if (number != none) return number;
+  number = static_cast<int>(surface_.positions.size());
   const std::size_t v = idx(whole_vertex);
-  const int place = places_.try_emplace(whole_.places[v], found->second).first->second;
+  int& place = places_.at(whole_.places[v]);
+  if (place == none) place = number;
   surface_.positions.push_back(whole_.positions[v]);
   surface_.normals.push_back(whole_.normals[v]);
   surface_.places.push_back(place);
@@ -73,12 +74,12 @@ int Patchwork::add_vertex_of(int whole_vertex) {
   surface_.curvature.k2.push_back(whole_.curvature.k2[v]);
   surface_.curvature.w1.push_back(whole_.curvature.w1[v]);
   surface_.curvature.w2.push_back(whole_.curvature.w2[v]);
-  return found->second;
+  return number;
 }
 
 int Patchwork::add_whole(int triangle) {
   const int number = static_cast<int>(pieces_.size());
-  numbers_[triangle] = number;
+  numbers_.at(triangle) = number;
   Piece piece;
   for (int k = 0; k < 3; ++k) {
     piece.vertices[idx(k)] = add_vertex_of(whole_.triangles[idx(triangle)][idx(k)]);
@@ -89,16 +90,15 @@ int Patchwork::add_whole(int triangle) {
   piece.source = triangle;
   pieces_.push_back(piece);
   for (int k = 0; k < 3; ++k) {
-    const auto here = rim_.find(3 * triangle + k);
-    if (here != rim_.end()) {
-      join(number, k, here->second / 3, here->second % 3);
-      rim_.erase(here);
+    const int here = std::exchange(rim_.at(3 * triangle + k), none);
+    if (here != none) {
+      join(number, k, here / 3, here % 3);
       continue;
     }
     const EdgeSide other = opposite_side(whole_, {triangle, k});
     if (other.triangle == none) continue;
     pieces_.back().beyond[idx(k)] = 3 * other.triangle + other.corner;
-    rim_[3 * other.triangle + other.corner] = 3 * number + k;
+    rim_.at(3 * other.triangle + other.corner) = 3 * number + k;
   }
   return number;
 }
@@ -131,12 +131,15 @@ bool Patchwork::cut(const std::vector<int>& triangles) {
     if (can_cut(t)) possible.push_back(t);
   }
   if (possible.empty()) return false;
-  replace(mark(possible));
+  Cutting cutting{mark(possible), {}};
+  for (int t = 0; t < static_cast<int>(cutting.middles.size()); ++t) {
+    if (cutting.is_cut(t)) replace(t, cutting);
+  }
   publish();
   return true;
 }
 
-Patchwork::Middles Patchwork::mark(const std::vector<int>& triangles) {
+std::vector<Patchwork::Middles> Patchwork::mark(const std::vector<int>& triangles) {
   for (const int t : triangles) {
     for (int k = 0; k < 3; ++k) {
       const int beyond = pieces_[idx(t)].beyond[idx(k)];
@@ -145,14 +148,14 @@ Patchwork::Middles Patchwork::mark(const std::vector<int>& triangles) {
       added_.push_back(beyond / 3);
     }
   }
-  Middles middles(pieces_.size());
+  std::vector<Middles> middles(pieces_.size());
   for (const int t : triangles) {
     for (int k = 0; k < 3; ++k) mark_edge(t, k, middles);
   }
   return middles;
 }
 
-void Patchwork::mark_edge(int piece, int edge, Middles& middles) {
+void Patchwork::mark_edge(int piece, int edge, std::vector<Middles>& middles) {
   Middle& middle = middles[idx(piece)][idx(edge)];
   if (middle.vertex != none) return;
   const Piece& here = pieces_[idx(piece)];
@@ -194,7 +197,7 @@ Patchwork::Middle Patchwork::new_middle(const LimitPoint& p, int place) {
   return {static_cast<int>(surface_.positions.size()) - 1, false};
 }
 
-Patchwork::Piece Patchwork::part(const Piece& parent, const std::array<Middle, 3>& middles,
+Patchwork::Piece Patchwork::part(const Piece& parent, const Middles& middles,
                                  const std::array<int, 3>& points) const {
   Piece result;
   result.source = parent.source;
@@ -214,50 +217,52 @@ Patchwork::Piece Patchwork::part(const Piece& parent, const std::array<Middle, 3
   return result;
 }
 
-// Puts the parts of all pieces in their places, and joins them again.
-void Patchwork::replace(const Middles& middles) {
-  std::vector<Piece> old;
-  old.swap(pieces_);
-  rim_.clear();
-  WaitingSides waiting;
-  for (int t = 0; t < static_cast<int>(old.size()); ++t) {
-    std::array<bool, 3> has_middle{};
-    for (std::size_t k = 0; k < 3; ++k) has_middle[k] = middles[idx(t)][k].vertex != none;
-    const std::vector<Part> parts = parts_of(has_middle);
-    int& number = numbers_[old[idx(t)].source];
-    if (parts.size() > 1) number = none;
-    if (number != none) number = static_cast<int>(pieces_.size());
-    for (const Part& points : parts) {
-      pieces_.push_back(part(old[idx(t)], middles[idx(t)], points));
-      for (int k = 0; k < 3; ++k) {
-        place_side(old, t, points[idx(k)], points[idx(next_corner(k))], k, waiting);
-      }
+bool Patchwork::Cutting::is_cut(int piece) const {
+  const Middles& m = middles[idx(piece)];
+  return std::any_of(m.begin(), m.end(), [](const Middle& edge) { return edge.vertex != none; });
+}
+
+// Puts the parts of a piece in its place and at the end, and joins them with what is beside them.
+void Patchwork::replace(int piece, Cutting& cutting) {
+  const Piece parent = pieces_[idx(piece)];
+  const Middles& middles = cutting.middles[idx(piece)];
+  std::array<bool, 3> has_middle{};
+  for (std::size_t k = 0; k < 3; ++k) has_middle[k] = middles[k].vertex != none;
+  int number = piece;
+  for (const Part& points : parts_of(has_middle)) {
+    pieces_.resize(std::max(pieces_.size(), idx(number) + 1));
+    pieces_[idx(number)] = part(parent, middles, points);
+    for (int k = 0; k < 3; ++k) {
+      place_side(piece, parent, {points[idx(k)], points[idx(next_corner(k))]}, {number, k},
+                 cutting);
     }
+    number = static_cast<int>(pieces_.size());
   }
 }
 
-// Side k of the last piece, which runs between these points of the old piece t.
-void Patchwork::place_side(const std::vector<Piece>& old, int t, int from, int to, int k,
-                           WaitingSides& waiting) {
-  const Piece& parent = old[idx(t)];
-  const int number = static_cast<int>(pieces_.size()) - 1;
-  const ParentEdge side = parent_edge(from, to);
-  std::array<int, 4> key{none, t, std::min(from, to), std::max(from, to)};
+// The side of a part that runs between these points of the old piece.
+void Patchwork::place_side(int piece, const Piece& parent, const std::array<int, 2>& points,
+                           const EdgeSide& part, Cutting& cutting) {
+  const ParentEdge side = parent_edge(points[0], points[1]);
+  std::array<int, 4> key{none, piece, std::min(points[0], points[1]),
+                         std::max(points[0], points[1])};
   if (side.edge != none) {
-    Piece& piece = pieces_.back();
-    piece.kinds[idx(k)] = parent.kinds[idx(side.edge)];
-    piece.beyond[idx(k)] = parent.beyond[idx(side.edge)];
-    if (piece.beyond[idx(k)] != none) rim_[piece.beyond[idx(k)]] = 3 * number + k;
-    if (parent.neighbours[idx(side.edge)] == none) return;
+    Piece& placed = pieces_[idx(part.triangle)];
+    placed.kinds[idx(part.corner)] = parent.kinds[idx(side.edge)];
+    const int beyond = placed.beyond[idx(part.corner)] = parent.beyond[idx(side.edge)];
+    if (beyond != none) rim_.at(beyond) = 3 * part.triangle + part.corner;
+    const int other = parent.neighbours[idx(side.edge)], mate = parent.mates[idx(side.edge)];
+    if (other == none) return;
+    if (!cutting.is_cut(other)) return join(part.triangle, part.corner, other, mate);
     // Both pieces name the edge by its two sides, and a half by the place that it touches.
-    const int here = 3 * t + side.edge;
-    const int there = 3 * parent.neighbours[idx(side.edge)] + parent.mates[idx(side.edge)];
+    const int here = 3 * piece + side.edge, there = 3 * other + mate;
     const int end = side.half == 0 ? side.edge : next_corner(side.edge);
     const int touched = side.half == 2 ? none : surface_.places[idx(parent.vertices[idx(end)])];
     key = {std::min(here, there), std::max(here, there), side.half == 2, touched};
   }
-  const auto [met, is_first] = waiting.try_emplace(key, 3 * number + k);
-  if (!is_first) join(number, k, met->second / 3, met->second % 3);
+  const int here = 3 * part.triangle + part.corner;
+  const auto [met, is_first] = cutting.waiting.try_emplace(key, here);
+  if (!is_first) join(part.triangle, part.corner, met->second / 3, met->second % 3);
 }
 
 void Patchwork::publish() {

@@ -6,10 +6,10 @@
 #pragma once
 
 #include <map>
-#include <unordered_map>
 #include <utility>
 
 #include "contour/feature_edges.h"
+#include "core/index_map.h"
 #include "surface/limit_surface.h"
 
 namespace illustrate {
@@ -23,8 +23,8 @@ class Patchwork {
 
   // Cuts those of these triangles of surface() that lie on a patch, and what is beside them. New
   // vertices lie on the limit surface, with its normal and curvature; beside a crease with those of
-  // the other side, where the limit surface has none. False where none could be cut. Triangles have
-  // other numbers afterwards.
+  // the other side, where the limit surface has none. False where none could be cut. What was cut
+  // has other numbers afterwards.
   bool cut(const std::vector<int>& triangles);
 
   // Triangles of the whole that `cut` had to add since this was asked last.
@@ -34,7 +34,7 @@ class Patchwork {
   const Surface& surface() const { return surface_; }
 
   // A triangle of the whole that is not cut yet.
-  int number_of(int whole_triangle) const { return numbers_.at(whole_triangle); }
+  int number_of(int whole_triangle) const { return numbers_[whole_triangle]; }
 
   // A point of surface() on the whole, and the edge there that it lies on (none: inside).
   struct Place {
@@ -61,34 +61,38 @@ class Patchwork {
     int vertex = none;
     bool flipped = false;
   };
-  using Middles = std::vector<std::array<Middle, 3>>;  // (pieces)
+  using Middles = std::array<Middle, 3>;
 
   int add_whole(int triangle);
   int add_vertex_of(int whole_vertex);
   void join(int piece, int edge, int other, int other_edge);
   bool can_cut(int piece) const;
-  Middles mark(const std::vector<int>& triangles);
-  void mark_edge(int piece, int edge, Middles& middles);
+  std::vector<Middles> mark(const std::vector<int>& triangles);
+  void mark_edge(int piece, int edge, std::vector<Middles>& middles);
   std::optional<LimitPoint> middle_of(const Piece& piece, int edge) const;
   Middle new_middle(const LimitPoint& p, int place);
-  void replace(const Middles& middles);
-  // Sides of new pieces that have not met the other one yet.
-  using WaitingSides = std::map<std::array<int, 4>, int>;
-  void place_side(const std::vector<Piece>& old, int t, int from, int to, int k,
-                  WaitingSides& waiting);
-  Piece part(const Piece& parent, const std::array<Middle, 3>& middles,
-             const std::array<int, 3>& points) const;
+  // Pieces that have middles, before and while their parts take their places.
+  struct Cutting {
+    std::vector<Middles> middles;               // (pieces)
+    std::map<std::array<int, 4>, int> waiting;  // sides that have not met the other one yet
+
+    bool is_cut(int piece) const;
+  };
+  void replace(int piece, Cutting& cutting);
+  void place_side(int piece, const Piece& parent, const std::array<int, 2>& points,
+                  const EdgeSide& part, Cutting& cutting);
+  Piece part(const Piece& parent, const Middles& middles, const std::array<int, 3>& points) const;
   void publish();
 
   const Surface& whole_;
   const LimitSurface& limit_;
   Surface surface_;
   std::vector<Piece> pieces_;
-  std::unordered_map<int, int> numbers_;  // of triangles of the whole, none once cut
+  IndexMap numbers_;  // of triangles of the whole; once cut that of one part
   std::vector<int> added_;
-  std::unordered_map<int, int> vertices_;  // of vertices of the whole
-  std::unordered_map<int, int> places_;    // of places of the whole
-  std::unordered_map<int, int> rim_;  // side of the whole beyond the rim -> 3 piece + edge here
+  IndexMap vertices_;  // of vertices of the whole
+  IndexMap places_;    // of places of the whole
+  IndexMap rim_;       // side of the whole beyond the rim -> 3 piece + edge here
 };
 
 }  // namespace illustrate

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "contour/feature_edges.h"
+#include "core/index_map.h"
 #include "surface/locate.h"
 
 namespace illustrate {
@@ -16,58 +17,30 @@ bool is_passage(EdgeKind kind) {
 struct Segment {
   int in = none;
   int out = none;
-  std::array<double, 3> g;  // at the corners, each on its vertex's own sheet
-};
-
-// From triangles to their numbers in a list of distinct ones: a hash table that is at most half
-// full, with linear probing.
-class TriangleIndex {
- public:
-  explicit TriangleIndex(const std::vector<int>& triangles) : triangles_(triangles) {
-    std::size_t size = 2;
-    for (; size < 2 * triangles.size(); size *= 2) --shift_;
-    slots_.resize(size, none);
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-      slots_[slot_of(triangles[i])] = static_cast<int>(i);
-    }
-  }
-
-  // none for triangles that are not in the list.
-  int operator[](int triangle) const { return slots_[slot_of(triangle)]; }
-
- private:
-  // The slot that holds the triangle, or a free one.
-  std::size_t slot_of(int triangle) const {
-    std::size_t slot = (static_cast<std::uint32_t>(triangle) * 2654435769U) >> shift_;
-    while (slots_[slot] != none && triangles_[idx(slots_[slot])] != triangle) {
-      slot = (slot + 1) & (slots_.size() - 1);
-    }
-    return slot;
-  }
-
-  const std::vector<int>& triangles_;
-  std::vector<int> slots_;
-  int shift_ = 31;  // of a 32-bit hash
+  int next = none;            // segment beyond `out`
+  bool has_previous = false;  // a segment beyond `in`
 };
 
 // Follows the segments of triangles from one to the next.
 class Tracer {
  public:
-  Tracer(const Surface& surface, const ContourFunctions& functions, LinearSilhouettes& result)
+  Tracer(const Surface& surface, const ContourFunctions& functions, const SilhouetteSearch& found,
+         LinearSilhouettes& result)
       : surface_(surface),
         functions_(functions),
-        triangles_(result.triangles),
-        index_(triangles_),
+        triangles_(found.triangles),
+        g_(found.g),
         traced_(triangles_.size(), 0),
         result_(result) {}
 
   void run() {
     segments_.reserve(triangles_.size());
     result_.chains.values.reserve(triangles_.size() + triangles_.size() / 16);
-    for (const int t : triangles_) segments_.push_back(segment_of(t));
     const int count = static_cast<int>(triangles_.size());
+    for (int i = 0; i < count; ++i) segments_.push_back(segment_of(i));
+    link();
     for (int i = 0; i < count; ++i) {
-      if (!traced_[idx(i)] && across(i, segments_[idx(i)].in) == none) trace(i);
+      if (!traced_[idx(i)] && !segments_[idx(i)].has_previous) trace(i);
     }
     for (int i = 0; i < count; ++i) {
       if (!traced_[idx(i)]) trace(i);
@@ -75,12 +48,12 @@ class Tracer {
   }
 
  private:
-  Segment segment_of(int triangle) const {
+  Segment segment_of(int i) const {
     Segment segment;
     std::array<bool, 3> front;
     for (int k = 0; k < 3; ++k) {
-      segment.g[idx(k)] = functions_.g(surface_.triangles[idx(triangle)][idx(k)]);
-      front[idx(k)] = (segment.g[idx(k)] >= 0) == (surface_.corner_sign(triangle, k) > 0);
+      const bool faces = surface_.corner_sign(triangles_[idx(i)], k) > 0;
+      front[idx(k)] = (g_[idx(i)][idx(k)] >= 0) == faces;
     }
     for (int k = 0; k < 3; ++k) {
       if (front[idx(k)] == front[idx(next_corner(k))]) continue;
@@ -89,12 +62,23 @@ class Tracer {
     return segment;
   }
 
+  void link() {
+    const int count = static_cast<int>(triangles_.size());
+    IndexMap index(triangles_.size());
+    for (int i = 0; i < count; ++i) index.at(triangles_[idx(i)]) = i;
+    for (int i = 0; i < count; ++i) {
+      Segment& segment = segments_[idx(i)];
+      segment.next = across(i, segment.out, index);
+      segment.has_previous = across(i, segment.in, index) != none;
+    }
+  }
+
   // The segment that goes on beyond an edge of segment i's triangle.
-  int across(int i, int corner) const {
+  int across(int i, int corner, const IndexMap& index) const {
     const int triangle = triangles_[idx(i)];
     if (!is_passage(surface_.edge_kinds[idx(triangle)][idx(corner)])) return none;
     const EdgeSide other = opposite_side(surface_, {triangle, corner});
-    return other.triangle == none ? none : index_[other.triangle];
+    return other.triangle == none ? none : index[other.triangle];
   }
 
   void trace(int first) {
@@ -104,15 +88,14 @@ class Tracer {
       traced_[idx(i)] = 1;
       last = i;
       push_segment(i);
-      i = across(i, segments_[idx(i)].out);
+      i = segments_[idx(i)].next;
       closed = i == first;
       if (i == none || traced_[idx(i)]) break;
     }
     if (!closed) {
       const int triangle = triangles_[idx(last)];
-      const Segment& segment = segments_[idx(last)];
-      result_.chains.push(
-          edge_point(triangle, segment.out, segment.g, functions_.cusp_functions(triangle)));
+      result_.chains.push(edge_point(triangle, segments_[idx(last)].out, g_[idx(last)],
+                                     functions_.cusp_functions(triangle)));
     }
     result_.chains.close_list();
     result_.closed.push_back(closed);
@@ -122,7 +105,7 @@ class Tracer {
     const int triangle = triangles_[idx(i)];
     const std::array<double, 3> values = functions_.cusp_functions(triangle);
     const Segment& segment = segments_[idx(i)];
-    EdgePoint p = edge_point(triangle, segment.in, segment.g, values);
+    EdgePoint p = edge_point(triangle, segment.in, g_[idx(i)], values);
     p.out = segment.out;
     const int positive = (values[0] >= 0) + (values[1] >= 0) + (values[2] >= 0);
     p.has_both_signs = positive == 1 || positive == 2;
@@ -152,20 +135,29 @@ class Tracer {
   const Surface& surface_;
   const ContourFunctions& functions_;
   const std::vector<int>& triangles_;
-  std::vector<Segment> segments_;  // of these triangles
-  TriangleIndex index_;
+  const std::vector<std::array<double, 3>>& g_;  // at their corners
+  std::vector<Segment> segments_;                // in them
   std::vector<std::uint8_t> traced_;
   LinearSilhouettes& result_;
 };
 
-SilhouetteSearch search(const ContourFunctions& functions, const DualSurface& dual) {
+SilhouetteSearch search(const Surface& surface, const ContourFunctions& functions,
+                        const DualSurface& dual) {
   SilhouetteSearch result;
-  for (const int t : dual.triangles(functions.camera())) {
-    ++result.visited;
-    const bool front = functions.front(t, 0);
-    if (functions.front(t, 1) != front || functions.front(t, 2) != front) {
-      result.triangles.push_back(t);
+  const std::vector<int> visited = dual.triangles(functions.camera());
+  result.visited = static_cast<std::int64_t>(visited.size());
+  result.triangles.reserve(visited.size());
+  result.g.reserve(visited.size());
+  for (const int t : visited) {
+    std::array<double, 3> g;
+    int fronts = surface.flips[idx(t)] & 7;  // a bit for each corner
+    for (int k = 0; k < 3; ++k) {
+      g[idx(k)] = functions.g(surface.triangles[idx(t)][idx(k)]);
+      fronts ^= (g[idx(k)] >= 0) << k;
     }
+    if (fronts == 0 || fronts == 7) continue;
+    result.triangles.push_back(t);
+    result.g.push_back(g);
   }
   return result;
 }
@@ -177,9 +169,12 @@ SilhouetteSearch scan(const Surface& surface, const ContourFunctions& functions)
   for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
     if (!surface.object_is_smooth[idx(surface.triangle_objects[idx(t)])]) continue;
     ++result.visited;
+    const Triangle& v = surface.triangles[idx(t)];
     int fronts = surface.flips[idx(t)] & 7;  // a bit for each corner
-    for (int k = 0; k < 3; ++k) fronts ^= front[idx(surface.triangles[idx(t)][idx(k)])] << k;
-    if (fronts != 0 && fronts != 7) result.triangles.push_back(t);
+    for (int k = 0; k < 3; ++k) fronts ^= front[idx(v[idx(k)])] << k;
+    if (fronts == 0 || fronts == 7) continue;
+    result.triangles.push_back(t);
+    result.g.push_back({functions.g(v[0]), functions.g(v[1]), functions.g(v[2])});
   }
   return result;
 }
@@ -189,16 +184,16 @@ SilhouetteSearch scan(const Surface& surface, const ContourFunctions& functions)
 SilhouetteSearch find_silhouette_triangles(const Surface& surface,
                                            const ContourFunctions& functions,
                                            const DualSurface* dual) {
-  return dual ? search(functions, *dual) : scan(surface, functions);
+  return dual ? search(surface, functions, *dual) : scan(surface, functions);
 }
 
 LinearSilhouettes linear_silhouettes(const Surface& surface, const ContourFunctions& functions,
                                      const DualSurface* dual) {
   SilhouetteSearch found = find_silhouette_triangles(surface, functions, dual);
   LinearSilhouettes result;
+  Tracer(surface, functions, found, result).run();
   result.triangles = std::move(found.triangles);
   result.triangles_visited = found.visited;
-  Tracer(surface, functions, result).run();
   return result;
 }
 

@@ -43,8 +43,9 @@ struct LinearSilhouettes {
 
 // What a view looked at to find the triangles that carry a segment.
 struct SilhouetteSearch {
-  std::vector<int> triangles;  // ascending
-  std::int64_t visited = 0;    // triangles whose corners were looked at
+  std::vector<int> triangles;            // ascending
+  std::vector<std::array<double, 3>> g;  // at their corners, each on its vertex's own sheet
+  std::int64_t visited = 0;              // triangles whose corners were looked at
 };
 
 // `dual`: of the same surface; time in proportion to what is found. Null: all triangles of smooth

@@ -178,6 +178,7 @@ struct LimitPatches::Data {
   Points points;
   std::unique_ptr<Far::TopologyRefiner> refiner;
   std::vector<int> ptex_faces;  // first of each base face
+  std::vector<int> base_faces;  // of each ptex face
   std::optional<SurfaceMaker> maker;
   std::mutex making;
   std::vector<std::shared_ptr<const FacePatches>> kept;
@@ -191,7 +192,11 @@ struct LimitPatches::Data {
         refiner(make_refiner(mesh, s)),
         ptex_faces(illustrate::ptex_faces(mesh, s)),
         faces(mesh.face_sizes.size()) {
-    if (refiner) maker.emplace(*refiner);
+    if (!refiner) return;
+    maker.emplace(*refiner);
+    for (std::size_t f = 0; f + 1 < ptex_faces.size(); ++f) {
+      base_faces.resize(idx(ptex_faces[f + 1]), static_cast<int>(f));
+    }
     recent.fill({none, nullptr});
   }
 
@@ -238,9 +243,8 @@ struct LimitPatches::Data {
 
   // The base face of a ptex face, none where there is no such.
   int base_face(int ptex_face) const {
-    if (!refiner || ptex_face < 0 || ptex_face >= ptex_faces.back()) return none;
-    const auto after = std::upper_bound(ptex_faces.begin(), ptex_faces.end(), ptex_face);
-    return static_cast<int>(after - ptex_faces.begin()) - 1;
+    const bool exists = ptex_face >= 0 && idx(ptex_face) < base_faces.size();
+    return exists ? base_faces[idx(ptex_face)] : none;
   }
 
   std::optional<LimitPoint> evaluate(const FacePatches& patches, int f,

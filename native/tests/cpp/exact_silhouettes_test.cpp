@@ -86,18 +86,6 @@ int self_crossings(const Silhouettes& found, const Camera& camera) {
   return count;
 }
 
-// Triangles with six round every vertex.
-PolygonMesh split_the_same_way(const PolygonMesh& quads) {
-  PolygonMesh mesh;
-  mesh.positions = quads.positions;
-  for (std::size_t f = 0; f < quads.face_sizes.size(); ++f) {
-    const int* c = quads.corner_vertices.data() + 4 * f;
-    shapes::add_face(mesh, {c[0], c[1], c[2]});
-    shapes::add_face(mesh, {c[0], c[2], c[3]});
-  }
-  return mesh;
-}
-
 // A torus whose tube is so thin, and a view so steep, that all three regimes are met (b = |axis .
 // view|, R = 1): r < b^2, b^2 < r < b, b < r.
 struct Regime {
@@ -117,7 +105,7 @@ std::vector<Camera> cameras_at(double b) {
 TEST(ExactSilhouettes, TorusInAllRegimes) {
   // Fine enough for the limit surface to have the torus's cusps and no others.
   const PolygonMesh quads = shapes::torus_mesh(1, .4, 64, 32);
-  for (const PolygonMesh& cage : {quads, split_the_same_way(quads)}) {
+  for (const PolygonMesh& cage : {quads, shapes::split_the_same_way(quads)}) {
     const Surface torus = refined(cage, at_level(-1));
     for (const Regime& regime : regimes) {
       for (const Camera& camera : cameras_at(regime.b)) {

@@ -55,6 +55,18 @@ PolygonMesh quads(int m, int n, Points positions, const Vertex& vertex) {
   return mesh;
 }
 
+// Every quad cut along the same diagonal: on a regular mesh every vertex has six neighbours.
+inline PolygonMesh split_the_same_way(const PolygonMesh& quads) {
+  PolygonMesh mesh;
+  mesh.positions = quads.positions;
+  for (std::size_t f = 0; f < quads.face_sizes.size(); ++f) {
+    const int* c = quads.corner_vertices.data() + 4 * f;
+    add_face(mesh, {c[0], c[1], c[2]});
+    add_face(mesh, {c[0], c[2], c[3]});
+  }
+  return mesh;
+}
+
 // z = height(x, y) over [-1, 1]^2, facing +z, open.
 template <class Height>
 PolygonMesh height_field(int m, int n, const Height& height) {

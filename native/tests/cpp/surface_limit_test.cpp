@@ -49,14 +49,7 @@ TEST(Limit, AgreesWithPatchesOnRegularMeshes) {
 }
 
 TEST(Limit, AgreesWithPatchesOfLoop) {
-  // All vertices have six neighbours when every quad of the torus is split the same way.
-  PolygonMesh torus = shapes::torus_mesh(2, .7, 12, 8), split;
-  split.positions = torus.positions;
-  for (std::size_t f = 0; f < torus.face_sizes.size(); ++f) {
-    const int* c = torus.corner_vertices.data() + 4 * f;
-    shapes::add_face(split, {c[0], c[1], c[2]});
-    shapes::add_face(split, {c[0], c[2], c[3]});
-  }
+  const PolygonMesh split = shapes::split_the_same_way(shapes::torus_mesh(2, .7, 12, 8));
   for (const int level : {0, 1, 2}) {
     const Deviation loop = from_patches(split, Scheme::loop, level);
     EXPECT_LT(loop.position, 1e-12);
