@@ -157,7 +157,7 @@ class Thinner {
     Added added{a, f, {}, {}};
     added.point.segment = drawn_[a].segment;
     const ExactKnot *from = drawn_.knot(a), *to = drawn_.knot(b);
-    if (from && to) {
+    if (from && to && share_segment(drawn_[a], drawn_[b])) {
       const PatchTriangle& patch = surface_.patches[idx(t)];
       added.knot = segment_.between(patch.ptex_face, from->leaving, to->arriving, f);
       if (!added.knot) return {};
@@ -168,6 +168,12 @@ class Thinner {
     added.point.position = drawn_[a].position + f * (drawn_[b].position - drawn_[a].position);
     added.point.on = locate(surface_, t, added.point.position);
     return added;
+  }
+
+  // Whether the way from a to b, from which points may be gone, lies within one triangle.
+  bool share_segment(const ExactPoint& a, const ExactPoint& b) const {
+    const int next = (a.segment + 1) % line_.edges;
+    return b.segment == a.segment || (b.segment == next && b.edge != none);
   }
 
   void put_together() {

@@ -217,6 +217,7 @@ void ExactChain::make_finer(int segment, double longest_px) {
 ExactPolyline ExactChain::polyline() {
   ExactPolyline line;
   line.closed = closed_;
+  line.edges = static_cast<int>(stations_.size());
   line.points.reserve(stations_.size() + samples_.size());
   line.knots.reserve(3 * samples_.size());
   std::optional<ExactKnot> here = knot_of(0);

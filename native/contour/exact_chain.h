@@ -24,6 +24,7 @@ struct ExactKnot {
 
 struct ExactPolyline {
   bool closed = false;
+  int edges = 0;  // that the linear chain crosses
   std::vector<ExactPoint> points;
   std::vector<ExactKnot> knots;
 };
