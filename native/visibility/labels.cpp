@@ -12,11 +12,13 @@ namespace {
 constexpr int most_rays = 60'000;              // of a view; a dense scan needs some thousands
 constexpr std::size_t most_arcs_asked = 1000;  // of one path, the longest ones
 constexpr double asked_thrice_px = 30;         // longer arcs are asked at three places
-constexpr double outline_weight = 1e9;     // the outside of the drawing is certain: px of length
-constexpr double beside_nothing_px = 100;  // an arc next to the empty background is nearly certain
-constexpr double hidden_break_px = 12;     // what a break costs, in px of wrong label
+constexpr double outline_weight = 1e9;      // the outside of the drawing is certain: px of length
+constexpr double beside_nothing_px = 100;   // an arc next to the empty background is nearly certain
+constexpr double beside_nothing_share = 3;  // of its length: a sliver may hide a short one
+constexpr double hidden_break_px = 12;      // what a break costs, in px of wrong label
 constexpr double visible_break_px = 30;
-constexpr double balanced_factor = 1e5;  // a path whose changes sum to zero hardly needs a break
+constexpr double balanced_factor = 1e5;  // a cycle whose changes sum to zero hardly needs a break
+constexpr double cyclic_factor = 10;     // any other cycle needs one, not many
 constexpr double free_change_px = 1;     // a change at a demoted crossing
 constexpr int most_layers = 64;
 constexpr std::size_t most_entries = 500'000;  // of a table; of larger ones only one is made
@@ -166,7 +168,8 @@ class Labeller {
     const std::vector<Evidence> evidence = gather(result.labels.arcs);
     const bool balanced = trusts_rules && path.cyclic && result.labels.residual == 0;
     if (balanced && !any_free(result.labels) && choose_base(evidence, result)) return result;
-    LeastContradiction(result, evidence, path.cyclic, balanced ? balanced_factor : 1).solve();
+    const double dear = balanced ? balanced_factor : path.cyclic ? cyclic_factor : 1;
+    LeastContradiction(result, evidence, path.cyclic, dear).solve();
     return result;
   }
 
@@ -212,10 +215,8 @@ class Labeller {
       return arcs[i].length_px != arcs[j].length_px ? arcs[i].length_px > arcs[j].length_px : i < j;
     });
     std::vector<Evidence> evidence(arcs.size(), {0, 0});
-    for (std::size_t k = 0; k < std::min(most_arcs_asked, order.size()); ++k) {
-      const PathArc& arc = arcs[order[k]];
-      evidence[order[k]] = remember(arc);
-    }
+    for (std::size_t k = 0; k < std::min(most_arcs_asked, order.size()); ++k)
+      evidence[order[k]] = remember(arcs[order[k]]);
     for (std::size_t i = 0; i < arcs.size(); ++i) {
       if (is_outline(arcs[i])) evidence[i] = {0, outline_weight};
     }
@@ -242,8 +243,8 @@ class Labeller {
     std::sort(counts.begin(), counts.end(), [](const LayerCount& a, const LayerCount& b) {
       return std::tie(a.layers, b.beside_nothing) < std::tie(b.layers, a.beside_nothing);
     });
-    const double extra = counts[1].beside_nothing ? beside_nothing_px : least_weight;
-    return {counts[1].layers, arc.length_px + extra};
+    const double sure = std::min(beside_nothing_px, beside_nothing_share * arc.length_px);
+    return {counts[1].layers, arc.length_px + least_weight + counts[1].beside_nothing * sure};
   }
 
   bool is_outline(const PathArc& arc) const {

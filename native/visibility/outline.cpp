@@ -82,12 +82,13 @@ class OutlineScan {
       high = std::max({high, s.a.dot(across_), s.b.dot(across_)});
     }
     row_ = std::max(row_px, (high - low_) / most_rows);
+    low_ = (std::floor(low_ / row_) - 0.5) * row_;
     lower_.assign(static_cast<std::size_t>((high - low_) / row_) + 2, {});
     upper_.assign(lower_.size(), {});
   }
 
-  // Scan lines run through the middle of rows; a segment that ends on one belongs to it at its
-  // lower end only.
+  // Scan lines run through the middle of rows, at multiples of a row's width; a segment that ends
+  // on one belongs to it at its lower end only.
   void cross_rows(int i) {
     const Segment& s = segments_[idx(i)];
     const Vec2 along(-across_.y(), across_.x());
