@@ -165,9 +165,13 @@ class Labeller {
   LabelledPath label(const Path& path, bool trusts_rules) {
     LabelledPath result;
     result.labels = relative_labels(arrangement_, path);
-    const std::vector<Evidence> evidence = gather(result.labels.arcs);
     const bool balanced = trusts_rules && path.cyclic && result.labels.residual == 0;
-    if (balanced && !any_free(result.labels) && choose_base(evidence, result)) return result;
+    const bool has_base = balanced && !any_free(result.labels);
+    std::vector<Evidence> evidence(result.labels.arcs.size(), {0, 0});
+    const bool is_outer = mark_outline(result.labels.arcs, evidence);
+    if (has_base && is_outer && choose_base(evidence, result)) return result;
+    gather(result.labels.arcs, evidence);
+    if (has_base && choose_base(evidence, result)) return result;
     const double dear = balanced ? balanced_factor : path.cyclic ? cyclic_factor : 1;
     LeastContradiction(result, evidence, path.cyclic, dear).solve();
     return result;
@@ -188,7 +192,7 @@ class Labeller {
       lowest = std::min(lowest, arcs[i].offset);
       most = std::max(most, evidence[i].layers - arcs[i].offset);
     }
-    path.costs.assign(idx(std::max(-lowest, most) + 1), impossible);
+    path.costs.assign(idx(std::max(-lowest, most) + 2), impossible);
     for (std::size_t base = idx(-lowest); base < path.costs.size(); ++base) {
       path.costs[base] = 0;
       for (std::size_t i = 0; i < arcs.size(); ++i) {
@@ -207,20 +211,28 @@ class Labeller {
     return true;
   }
 
-  // Evidence for the longest arcs, by rays; weight 0 for the others.
-  std::vector<Evidence> gather(const std::vector<PathArc>& arcs) {
+  // Arcs at the outside need no rays. Whether there are any.
+  bool mark_outline(const std::vector<PathArc>& arcs, std::vector<Evidence>& evidence) const {
+    bool any = false;
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      if (!is_outline(arcs[i])) continue;
+      evidence[i] = {0, outline_weight};
+      any = true;
+    }
+    return any;
+  }
+
+  // Evidence for the longest of the other arcs, by rays; weight 0 for what is left.
+  void gather(const std::vector<PathArc>& arcs, std::vector<Evidence>& evidence) {
     std::vector<std::size_t> order(arcs.size());
     std::iota(order.begin(), order.end(), 0U);
     std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
       return arcs[i].length_px != arcs[j].length_px ? arcs[i].length_px > arcs[j].length_px : i < j;
     });
-    std::vector<Evidence> evidence(arcs.size(), {0, 0});
-    for (std::size_t k = 0; k < std::min(most_arcs_asked, order.size()); ++k)
-      evidence[order[k]] = remember(arcs[order[k]]);
-    for (std::size_t i = 0; i < arcs.size(); ++i) {
-      if (is_outline(arcs[i])) evidence[i] = {0, outline_weight};
+    order.resize(std::min(most_arcs_asked, order.size()));
+    for (const std::size_t i : order) {
+      if (evidence[i].weight == 0) evidence[i] = remember(arcs[i]);
     }
-    return evidence;
   }
 
   Evidence remember(const PathArc& arc) {
