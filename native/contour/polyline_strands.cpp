@@ -210,7 +210,7 @@ void add_intersection_strands(const Surface& surface, const IntersectionCurves& 
 void add_curvature_strands(const Surface& surface, const CurvatureCurves& curves,
                            const CurvatureCurveOptions& options, const Joints& joints,
                            CurveNetwork& network) {
-  if (curves.lines.curves.empty()) return;
+  if (curves.lines.curves.size() == 0) return;  // the sizes need a look at the whole surface
   Strand strand;
   strand.left_layers = strand.right_layers = 1;
   CurveNetwork all;
