@@ -19,8 +19,18 @@ constexpr double most_dilation_px = 3;
 // degrees.
 constexpr double troubled_cos = 0.643;
 
+// A cusp that was found has a smaller |kappa|, and lies no farther beyond its triangle's edges.
+constexpr double lost_kappa = 0.1, beyond_edge = 0.01;
+
 Vec2 patch_uv(const PatchTriangle& patch, int corner, double fraction) {
   return (1 - fraction) * patch.uv(corner) + fraction * patch.uv(next_corner(corner));
+}
+
+// A little beyond its edges too.
+bool is_within(const PatchTriangle& patch, const Vec2& uv) {
+  const Vec2 a = patch.uv(1) - patch.uv(0), b = patch.uv(2) - patch.uv(0), p = uv - patch.uv(0);
+  const double area = cross(a, b), b1 = cross(p, b) / area, b2 = cross(a, p) / area;
+  return std::min({b1, b2, 1 - b1 - b2}) > -beyond_edge;
 }
 
 // The same point of the contour on the other sheet of a double cover.
@@ -194,7 +204,17 @@ void ExactChain::spread() {
   }
 }
 
-std::vector<int> ExactChain::troubled() const {
+// Whether the cusp that the signs at a segment's ends tell of is not found within its triangle: the
+// contour makes an excursion over an edge.
+bool ExactChain::has_lost_cusp(std::size_t i) {
+  if (sign(stations_[i]) == sign_at_end(i)) return false;
+  const PatchTriangle& patch = surface_.patches[idx(stations_[i].point.on.triangle)];
+  const std::optional<ExactKnot> from = knot_of(i), to = knot_of(after(i));
+  const ContourKnot cusp = segment_.cusp_between(patch.ptex_face, from->leaving, to->arriving);
+  return std::abs(cusp.sample.kappa) > lost_kappa || !is_within(patch, cusp.uv);
+}
+
+std::vector<int> ExactChain::troubled() {
   std::vector<int> triangles;
   for (std::size_t i = 0; i < segments(); ++i) {
     const Station &a = stations_[i], &b = stations_[after(i)];
@@ -202,7 +222,7 @@ std::vector<int> ExactChain::troubled() const {
     const ContourSample &from = samples_[idx(a.sample)], &to = samples_[idx(b.sample)];
     const Vec3 chord = (to.position - from.position).normalized();
     const double least = std::min(chord.dot(from.tangent), chord.dot(to.tangent));
-    if (least < troubled_cos) triangles.push_back(a.point.on.triangle);
+    if (least < troubled_cos || has_lost_cusp(i)) triangles.push_back(a.point.on.triangle);
   }
   return triangles;
 }

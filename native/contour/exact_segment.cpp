@@ -36,6 +36,11 @@ void ExactSegment::refine(int ptex_face, const ContourKnot& a, const ContourKnot
   refine(a, b, most_halvings);
 }
 
+ContourKnot ExactSegment::cusp_between(int ptex_face, const ContourKnot& a, const ContourKnot& b) {
+  ptex_face_ = ptex_face;
+  return find_cusp(a, b);
+}
+
 std::optional<ContourKnot> ExactSegment::between(int ptex_face, const ContourKnot& a,
                                                  const ContourKnot& b, double fraction) {
   const Vec2 chord = b.uv - a.uv;
