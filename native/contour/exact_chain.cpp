@@ -63,6 +63,8 @@ void ExactChain::solve(Span<const EdgePoint> linear, bool closed, bool everywher
     for (std::size_t i = 0; i < stations_.size(); ++i) solve_station(i);
     return;
   }
+  images_.clear();
+  for (const Station& s : stations_) images_.push_back(camera_.project(s.point.position).xy);
   for (const std::size_t i : near_suspects()) solve_station(i);
   spread();
 }
@@ -89,7 +91,14 @@ int ExactChain::sign_at_end(std::size_t i) const {
 
 bool ExactChain::is_suspect(std::size_t i) const {
   if (!closed_ && (i == 0 || i + 1 == segments())) return true;
-  return stations_[i].point.has_both_signs || sign(stations_[i]) != sign_at_end(i);
+  return stations_[i].point.has_both_signs || sign(stations_[i]) != sign_at_end(i) || turns_back(i);
+}
+
+// Whether the image turns back where the segment ends: as if at a cusp that nothing else tells of.
+bool ExactChain::turns_back(std::size_t i) const {
+  if (!closed_ && i + 1 == segments()) return false;
+  const Vec2 &from = images_[i], &here = images_[after(i)], &to = images_[after(after(i))];
+  return (here - from).dot(to - here) < 0;
 }
 
 double ExactChain::dilation_reach(const Station& station) const {
@@ -102,16 +111,13 @@ double ExactChain::dilation_reach(const Station& station) const {
 
 void ExactChain::want_around(std::size_t i, bool forward, std::vector<std::uint8_t>& wanted) const {
   const std::size_t count = stations_.size();
-  const Vec2 centre = camera_.project(stations_[i].point.position).xy;
+  const Vec2& centre = images_[i];
   const double reach = dilation_reach(stations_[i]);
   wanted[i] = 1;
   for (std::size_t step = 1; step < count; ++step) {
     if (!closed_ && i == (forward ? count - 1 : 0)) return;
     i = forward ? (i + 1) % count : (i + count - 1) % count;
-    if (step > dilation) {
-      const Vec2 image = camera_.project(stations_[i].point.position).xy;
-      if (!((image - centre).norm() < reach)) return;
-    }
+    if (step > dilation && !((images_[i] - centre).norm() < reach)) return;
     wanted[i] = 1;
   }
 }

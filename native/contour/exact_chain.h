@@ -83,6 +83,7 @@ class ExactChain {
 
   bool has_lost_cusp(std::size_t segment);
   bool is_suspect(std::size_t segment) const;
+  bool turns_back(std::size_t segment) const;
   double dilation_reach(const Station& station) const;
   void want_around(std::size_t station, bool forward, std::vector<std::uint8_t>& wanted) const;
   std::vector<std::size_t> near_suspects() const;
@@ -110,6 +111,7 @@ class ExactChain {
   ExactSegment segment_;
   bool closed_ = false;
   std::vector<Station> stations_;
+  std::vector<Vec2> images_;  // of the linear stations
   std::vector<ContourSample> samples_;
   std::vector<ContourKnot> between_;
 };
