@@ -1,7 +1,10 @@
 #include "visibility/repairs.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
+
+#include "visibility/potential.h"
 
 namespace illustrate {
 namespace {
@@ -61,12 +64,21 @@ class Repairer {
     }
   }
 
+  // Dropping one changes the sum of a closed path's changes: it has to come nearer to zero.
   int twists() {
     index_stops();
+    std::vector<int> sums;
+    for (const Path& path : arrangement_.paths) sums.push_back(imbalance(arrangement_, path));
     int dropped = 0;
-    for (std::size_t c = 0; c < arrangement_.crossings.size(); ++c) {
-      if (arrangement_.is_live(static_cast<int>(c)) && is_twist(static_cast<int>(c)))
-        dropped += drop(static_cast<int>(c));
+    for (int c = 0; c < static_cast<int>(arrangement_.crossings.size()); ++c) {
+      const Stop &front = stops_[2 * idx(c)], &back = stops_[2 * idx(c) + 1];
+      if (!arrangement_.is_live(c) || front.path != back.path) continue;
+      int& sum = sums[idx(back.path)];
+      const int without = sum - back_change(arrangement_, arrangement_.crossings[idx(c)]);
+      const bool is_cyclic = arrangement_.paths[idx(back.path)].cyclic;
+      if ((is_cyclic && std::abs(without) >= std::abs(sum)) || !is_twist(c)) continue;
+      sum = without;
+      dropped += drop(c);
     }
     arrangement_.forget_visits();
     return dropped;
@@ -165,7 +177,6 @@ class Repairer {
 
   bool is_twist(int c) {
     const Stop a = stops_[2 * idx(c)], b = stops_[2 * idx(c) + 1];
-    if (a.path != b.path) return false;
     return is_small_loop(c, a, b) || is_small_loop(c, b, a);
   }
 
