@@ -64,21 +64,11 @@ class Repairer {
     }
   }
 
-  // Dropping one changes the sum of a closed path's changes: it has to come nearer to zero.
   int twists() {
-    index_stops();
-    std::vector<int> sums;
-    for (const Path& path : arrangement_.paths) sums.push_back(imbalance(arrangement_, path));
+    start();
     int dropped = 0;
     for (int c = 0; c < static_cast<int>(arrangement_.crossings.size()); ++c) {
-      const Stop &front = stops_[2 * idx(c)], &back = stops_[2 * idx(c) + 1];
-      if (!arrangement_.is_live(c) || front.path != back.path) continue;
-      int& sum = sums[idx(back.path)];
-      const int without = sum - back_change(arrangement_, arrangement_.crossings[idx(c)]);
-      const bool is_cyclic = arrangement_.paths[idx(back.path)].cyclic;
-      if ((is_cyclic && std::abs(without) >= std::abs(sum)) || !is_twist(c)) continue;
-      sum = without;
-      dropped += drop(c);
+      if (arrangement_.is_live(c) && balances(c) && is_twist(c)) dropped += drop(c);
     }
     arrangement_.forget_visits();
     return dropped;
@@ -86,7 +76,7 @@ class Repairer {
 
   // All contradictory lenses, or those of the given crossings.
   int lenses(const std::vector<int>* wanted) {
-    index_stops();
+    start();
     int dropped = 0;
     for (std::size_t k = 0; k < (wanted ? wanted->size() : arrangement_.crossings.size()); ++k) {
       const int c = wanted ? (*wanted)[k] : static_cast<int>(k);
@@ -94,7 +84,7 @@ class Repairer {
       const int partner = lens_partner(c, wanted == nullptr);
       if (partner != none) {
         dropped += drop(c) + drop(partner);
-      } else if (wanted && ends_in_joint(c)) {
+      } else if (wanted && balances(c) && ends_in_joint(c)) {
         dropped += drop(c);
       }
     }
@@ -104,7 +94,9 @@ class Repairer {
 
  private:
   // stops_[2 c] where crossing c is front, stops_[2 c + 1] where it is back.
-  void index_stops() {
+  void start() {
+    sums_.clear();
+    for (const Path& path : arrangement_.paths) sums_.push_back(imbalance(arrangement_, path));
     stops_.assign(2 * arrangement_.crossings.size(), {none, none, none});
     for (std::size_t s = 0; s < arrangement_.visits.size(); ++s) {
       const std::vector<Visit>& visits = arrangement_.visits[s];
@@ -122,7 +114,20 @@ class Repairer {
     return arrangement_.visits[idx(strand(stop))][idx(stop.visit)];
   }
 
+  int without(int c) const {
+    return sums_[idx(stops_[2 * idx(c) + 1].path)] -
+           back_change(arrangement_, arrangement_.crossings[idx(c)]);
+  }
+
+  // Whether its back path, where closed, comes nearer to balance without a crossing.
+  bool balances(int c) const {
+    const int path = stops_[2 * idx(c) + 1].path;
+    return !arrangement_.paths[idx(path)].cyclic ||
+           std::abs(without(c)) < std::abs(sums_[idx(path)]);
+  }
+
   int drop(int c) {
+    sums_[idx(stops_[2 * idx(c) + 1].path)] = without(c);
     arrangement_.states[idx(c)] = CrossingState::dropped;
     return 1;
   }
@@ -177,6 +182,7 @@ class Repairer {
 
   bool is_twist(int c) {
     const Stop a = stops_[2 * idx(c)], b = stops_[2 * idx(c) + 1];
+    if (a.path != b.path) return false;
     return is_small_loop(c, a, b) || is_small_loop(c, b, a);
   }
 
@@ -270,6 +276,7 @@ class Repairer {
   std::vector<int> path_of_;
   std::vector<int> step_of_;
   std::vector<Stop> stops_;
+  std::vector<int> sums_;  // (paths) of their changes; closed ones should have 0
 };
 
 }  // namespace
