@@ -134,6 +134,13 @@ void bind_draw_options(py::module_& m) {
          "Look at every triangle for silhouettes instead of searching: slower, the same drawing");
   bind_curvature_curve_options(bound);
   OPTION("threads", values.threads, "0: all cores");
+  bound.def_property(
+      "visibility",
+      [](const PythonDrawOptions& options) { return name_of(options.values.visibility); },
+      [](PythonDrawOptions& options, const py::object& value) {
+        options.values.visibility = read_visibility(value, "visibility");
+      },
+      "'labels': they cannot contradict each other; 'vote': that of the paper, for comparison");
   bound.def_readwrite("styles", &PythonDrawOptions::styles, "One ObjectStyle per mesh, or None");
   bound.def_property(
       "hidden_lines",

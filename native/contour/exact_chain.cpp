@@ -145,6 +145,7 @@ void ExactChain::solve_station(std::size_t i) {
   if (surface_.patches[idx(t)].ptex_face == none) return;
   if (!(camera_.near_distance(p.position) > 0)) return;
   const SolvedEdge found = solved_edge(p);
+  station.at_pinch = found.at_pinch;
   if (!found.sample) return;
   station.sample = static_cast<int>(samples_.size());
   samples_.push_back(*found.sample);
@@ -193,8 +194,9 @@ SolvedEdge ExactChain::solve_edge(const EdgePoint& p) {
     f -= sample->g / sample->gradient.dot(along);
     if (!(f > low && f < high)) f = (low + high) / 2;
   }
+  if (std::abs(sample->g) > flat && sample->spread < pinch_spread) return {0, 1, {}, true};
   if (std::abs(sample->g) > flat || sample->tangent.isZero()) return {};
-  return {ascends(p) ? f : 1 - f, sheet_of(p), sample};
+  return {ascends(p) ? f : 1 - f, sheet_of(p), sample, false};
 }
 
 // Where an exact point and a linear one beside it disagree, the linear one must become exact too.
@@ -295,7 +297,8 @@ void ExactChain::add_between(std::size_t i, const std::optional<ExactKnot>& star
                              const std::optional<ExactKnot>& end, ExactPolyline& line) {
   const Station& from = stations_[i];
   if (!start || !end) {
-    if (sign(from) != sign_at_end(i)) add_linear_cusp(i, line);
+    const bool straight_on = from.at_pinch || stations_[after(i)].at_pinch;
+    if (sign(from) != sign_at_end(i) && !straight_on) add_linear_cusp(i, line);
     return;
   }
   const int t = from.point.on.triangle;

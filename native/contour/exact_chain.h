@@ -35,6 +35,7 @@ struct SolvedEdge {
   double fraction = 0;  // from the lower vertex
   double sheet = 1;     // sign of the lower vertex's normal on the sheet of the sample
   std::optional<ContourSample> sample;
+  bool at_pinch = false;  // no root: the normal turns over at a pinch point
 };
 using SolvedEdges = std::unordered_map<std::uint64_t, SolvedEdge>;
 
@@ -69,6 +70,7 @@ class ExactChain {
     // Beyond this point's segment: the sheet is the other one of a double cover.
     bool turns_over = false;
     bool is_tried = false;  // whether it was asked to be exact
+    bool at_pinch = false;
     int sample = none;
     double longest_px = std::numeric_limits<double>::infinity();  // between points up to the next
   };

@@ -51,7 +51,12 @@ class ExactSegment {
   void split(const ContourKnot& a, const ContourKnot& b, const ContourKnot& middle, int depth);
   bool needs_split(const ContourKnot& a, const ContourKnot& b) const;
   Vec2 image_tangent(const ContourKnot& knot, int sign) const;
-  ContourKnot find_cusp(const ContourKnot& a, const ContourKnot& b);
+  // Points of the contour between which kappa changes its sign.
+  struct SignChange {
+    ContourKnot before, behind;
+  };
+  void split_at_sign_change(const ContourKnot& a, const ContourKnot& b, int depth);
+  ContourKnot find_cusp(const ContourKnot& a, const ContourKnot& b, SignChange& nearest);
   ContourKnot linear_cusp(const ContourKnot& a, const ContourKnot& b) const;
 
   LimitContour& contour_;

@@ -299,6 +299,11 @@ class DrawOptions:
     """Draw outlines of flat areas."""
     scan_silhouettes: bool
     """Look at every triangle for silhouettes instead of searching: slower, the same drawing."""
+    visibility: str
+    """'labels', which cannot contradict each other, or 'vote', the paper's own, for comparison.
+
+    By vote every arc of the graph has 0 or 1 layers in front, and no rule holds between them.
+    """
     suggestive_contours: bool
     """Draw suggestive contours: where the surface nearly turns away from the eye."""
     ridges: bool

@@ -10,6 +10,7 @@
 #include "pipeline/stopwatch.h"
 #include "tone/visible_image.h"
 #include "visibility/label_network.h"
+#include "visibility/vote.h"
 
 namespace illustrate {
 namespace {
@@ -81,8 +82,10 @@ class View {
                            progress.part(0, 0.5, "contour"));
     });
     result_.graph = timed(result_.timings["visibility"], [&] {
-      return label_network(network, scene_.surface(), scene_.bvh(), camera_, result_.counts,
-                           progress.part(0.5, 1, "visibility"));
+      const bool by_vote = options_.visibility == VisibilityMethod::vote;
+      return (by_vote ? vote_network : label_network)(network, scene_.surface(), scene_.bvh(),
+                                                      camera_, result_.counts,
+                                                      progress.part(0.5, 1, "visibility"));
     });
   }
 

@@ -31,18 +31,19 @@ double line_width(const GraphArc& arc, const std::vector<double>& width_scale,
   return width * hidden * scale_of(width_scale, arc.object);
 }
 
-// The points of the chain's arcs, the shared ones at nodes once.
+// The points of the chain's arcs, those that arcs share at a node once.
 std::vector<StrokePoint> points_of(const LabelledGraph& graph, const Chain& chain, double width) {
   std::vector<StrokePoint> points;
   for (std::size_t i = 0; i < chain.arcs.size(); ++i) {
     const Span<const CurvePoint> curve = graph.points[idx(chain.arcs[i])];
     const Span<const Vec2> image = graph.image[idx(chain.arcs[i])];
-    for (std::size_t k = i == 0 ? 0 : 1; k < curve.size(); ++k) {
+    for (std::size_t k = 0; k < curve.size(); ++k) {
       const std::size_t p = chain.reversed[i] ? curve.size() - 1 - k : k;
-      points.push_back({curve[p].position, curve[p].on, image[p], width});
+      const bool is_shared = i > 0 && k == 0 && points.back().image == image[p];
+      if (!is_shared) points.push_back({curve[p].position, curve[p].on, image[p], width});
     }
   }
-  const bool repeats_first = chain.closed && graph.arcs[idx(chain.arcs[0])].start_node != none;
+  const bool repeats_first = chain.closed && points.front().image == points.back().image;
   if (repeats_first) points.pop_back();
   return points;
 }
@@ -57,7 +58,7 @@ std::vector<Stroke> line_strokes(const LabelledGraph& graph, const std::vector<d
                                  const StrokeOptions& options) {
   const std::vector<std::uint8_t> drawn = drawn_arcs(graph, undrawn, options);
   const Ragged<ArcEnd> ends = ends_at_nodes(graph, drawn);
-  const std::vector<Chain> chains = chain_arcs(graph, drawn, ends);
+  const std::vector<Chain> chains = chain_arcs(graph, drawn, ends, options.speck_px);
   const auto kept = chains_without_specks(graph, chains, ends, options.speck_px);
   std::vector<Stroke> strokes;
   for (std::size_t c = 0; c < chains.size(); ++c) {

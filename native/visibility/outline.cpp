@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace illustrate {
 namespace {
@@ -13,6 +14,7 @@ constexpr double row_px = 0.5;
 constexpr int most_rows = 8192;  // a drawing that reaches far out of the frame gets wider rows
 constexpr double clear_px =
     0.05;  // nearer curves on a scan line are one line: neither is certain to be first
+constexpr int finer_rows = 16;  // in a row where they are
 
 // The nearest two curves to one end of a scan line.
 struct RowEnd {
@@ -65,11 +67,8 @@ class OutlineScan {
     across_ = Vec2(std::cos(angle), std::sin(angle));
     set_rows();
     for (std::size_t i = 0; i < segments_.size(); ++i) cross_rows(static_cast<int>(i));
-    for (const std::vector<RowEnd>* ends : {&lower_, &upper_}) {
-      for (const RowEnd& e : *ends) {
-        if (e.segment != none && e.second - e.first > clear_px) hits_[idx(e.segment)] = e.fraction;
-      }
-    }
+    note_hits();
+    if (find_unclear_rows()) scan_finer();
   }
 
   // Fraction along each segment at which it was first or last, -1 where it never was.
@@ -100,16 +99,66 @@ class OutlineScan {
   void cross_rows(int i) {
     const Segment& s = segments_[idx(i)];
     const auto [first, end] = std::minmax(next_line_[idx(s.a)], next_line_[idx(s.b)]);
-    if (first == end) return;
-    const Vec2 &from = points_[idx(s.a)], &to = points_[idx(s.b)];
-    const Vec2 along(-across_.y(), across_.x());
     const double a = rows_[idx(s.a)], b = rows_[idx(s.b)];
-    for (int row = first; row < end; ++row) {
-      const double fraction = (row + 0.5 - a) / (b - a);
-      const double v = (from + fraction * (to - from)).dot(along);
-      lower_[idx(row)].offer(v, i, fraction);
-      upper_[idx(row)].offer(-v, i, fraction);
+    for (int row = first; row < end; ++row) offer(i, (row + 0.5 - a) / (b - a), idx(row));
+  }
+
+  void note_hits() {
+    for (const std::vector<RowEnd>* ends : {&lower_, &upper_}) {
+      for (const RowEnd& e : *ends) {
+        if (e.segment != none && e.second - e.first > clear_px) hits_[idx(e.segment)] = e.fraction;
+      }
     }
+  }
+
+  // Curves that run close together on the outside change places between two rows. Whether there
+  // are any; numbers the rows where they may.
+  bool find_unclear_rows() {
+    const auto is_unclear = [](const RowEnd& e) { return e.second - e.first <= clear_px; };
+    const std::size_t count = lower_.size();
+    finer_.assign(count + 1, 0);
+    for (std::size_t row = 0; row < count; ++row) {
+      if (!is_unclear(lower_[row]) && !is_unclear(upper_[row])) continue;
+      for (std::size_t k = row == 0 ? 0 : row - 1; k <= std::min(row + 1, count - 1); ++k)
+        finer_[k] = 1;
+    }
+    int next = 0;
+    for (int& number : finer_) next += std::exchange(number, next);
+    return next > 0;
+  }
+
+  // finer_[row + 1] - finer_[row] tells whether a row is scanned again.
+  void scan_finer() {
+    const std::size_t count = idx(finer_.back()) * finer_rows;
+    lower_.assign(count, {});
+    upper_.assign(count, {});
+    for (std::size_t i = 0; i < segments_.size(); ++i) cross_finer_rows(static_cast<int>(i));
+    note_hits();
+  }
+
+  void cross_finer_rows(int i) {
+    const Segment& s = segments_[idx(i)];
+    const double a = rows_[idx(s.a)], b = rows_[idx(s.b)];
+    const auto first = static_cast<std::size_t>(std::min(a, b));
+    const auto last = static_cast<std::size_t>(std::max(a, b));
+    if (finer_[first] == finer_[last + 1]) return;
+    const double width = 1.0 / finer_rows;
+    for (std::size_t row = first; row <= last; ++row) {
+      if (finer_[row] == finer_[row + 1]) continue;
+      for (int k = 0; k < finer_rows; ++k) {
+        const double at = static_cast<double>(row) + (k + 0.5) * width;
+        if ((at < a) == (at < b)) continue;
+        offer(i, (at - a) / (b - a), idx(finer_[row]) * finer_rows + idx(k));
+      }
+    }
+  }
+
+  void offer(int i, double fraction, std::size_t row) {
+    const Segment& s = segments_[idx(i)];
+    const Vec2 &a = points_[idx(s.a)], &b = points_[idx(s.b)];
+    const double v = (a + fraction * (b - a)).dot(Vec2(-across_.y(), across_.x()));
+    lower_[row].offer(v, i, fraction);
+    upper_[row].offer(-v, i, fraction);
   }
 
   const std::vector<Segment>& segments_;
@@ -120,6 +169,7 @@ class OutlineScan {
   std::vector<double> hits_;
   std::vector<RowEnd> lower_;  // the first curve of each row
   std::vector<RowEnd> upper_;  // the last one
+  std::vector<int> finer_;     // (rows + 1) how many of the rows before are scanned again
 };
 
 bool is_cut_open(const CurveNetwork& network) {

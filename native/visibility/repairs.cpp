@@ -74,6 +74,19 @@ class Repairer {
     return dropped;
   }
 
+  // Between a contour and another curve that runs through it, next to their joint.
+  int touches() {
+    start();
+    int dropped = 0;
+    for (std::size_t c = 0; c < arrangement_.crossings.size(); ++c) {
+      const int crossing = static_cast<int>(c);
+      if (arrangement_.is_live(crossing) && is_of_contour(crossing) && ends_in_joint(crossing))
+        dropped += drop(crossing);
+    }
+    arrangement_.forget_visits();
+    return dropped;
+  }
+
   // All contradictory lenses, or those of the given crossings.
   int lenses(const std::vector<int>* wanted) {
     start();
@@ -180,6 +193,15 @@ class Repairer {
     return from.step == to.step && from.visit >= to.visit;
   }
 
+  // Whether one of its two strands is a contour, the other one not.
+  bool is_of_contour(int c) const {
+    const Crossing& x = arrangement_.crossings[idx(c)];
+    const auto is_contour = [&](int strand) {
+      return arrangement_.network->strands[idx(strand)].kind == Kind::silhouette;
+    };
+    return is_contour(x.front.strand) != is_contour(x.back.strand);
+  }
+
   bool is_twist(int c) {
     const Stop a = stops_[2 * idx(c)], b = stops_[2 * idx(c) + 1];
     if (a.path != b.path) return false;
@@ -222,27 +244,36 @@ class Repairer {
     return is_thin(one, two, lens_px);
   }
 
-  // Whether both strands run from the crossing into one joint without anything in between, close
-  // together.
+  // Whether both strands run from the crossing into one joint without crossing each other again,
+  // close together.
   bool ends_in_joint(int c) {
     const Stop a = stops_[2 * idx(c)], b = stops_[2 * idx(c) + 1];
     for (const bool a_forward : {true, false}) {
       for (const bool b_forward : {true, false}) {
-        const int node = end_behind(a, a_forward);
-        if (node == none || node != end_behind(b, b_forward)) continue;
-        if (is_thin(way_to_end(a, a_forward), way_to_end(b, b_forward), joint_lens_px)) return true;
+        const int node = end_node(a, a_forward);
+        if (node == none || node != end_node(b, b_forward)) continue;
+        const Stretch one = way_to_end(a, a_forward), two = way_to_end(b, b_forward);
+        if (!one.found || !two.found || meets_behind(a, a_forward, strand(b))) continue;
+        if (is_thin(one, two, joint_lens_px)) return true;
       }
     }
     return false;
   }
 
-  // The node that the strand ends in behind (before) a stop, none if there is another crossing
-  // first.
-  int end_behind(const Stop& stop, bool forward) const {
+  int end_node(const Stop& stop, bool forward) const {
     const Strand& s = arrangement_.network->strands[idx(strand(stop))];
-    const int last = static_cast<int>(arrangement_.visits[idx(strand(stop))].size()) - 1;
-    if (stop.visit != (forward ? last : 0)) return none;
     return forward ? s.end_node : s.start_node;
+  }
+
+  // Whether a strand crosses another one between a stop and the strand's end (start).
+  bool meets_behind(const Stop& stop, bool forward, int other) const {
+    const std::vector<Visit>& visits = arrangement_.visits[idx(strand(stop))];
+    const int last = static_cast<int>(visits.size()) - 1;
+    for (int v = forward ? stop.visit + 1 : 0; v <= (forward ? last : stop.visit - 1); ++v) {
+      const Crossing& x = arrangement_.crossings[idx(visits[idx(v)].crossing)];
+      if ((visits[idx(v)].front ? x.back : x.front).strand == other) return true;
+    }
+    return false;
   }
 
   Stretch way_to_end(const Stop& stop, bool forward) const {
@@ -288,6 +319,15 @@ int drop_twists_and_lenses(Arrangement& arrangement, double& moved_px) {
     const int dropped = repairer.twists() + repairer.lenses(nullptr);
     total += dropped;
     if (dropped == 0) break;
+  }
+  return total;
+}
+
+int drop_touches(Arrangement& arrangement, double& moved_px) {
+  Repairer repairer(arrangement, moved_px);
+  int total = 0;
+  for (int dropped = repairer.touches(); dropped > 0; dropped = repairer.touches()) {
+    total += dropped;
   }
   return total;
 }

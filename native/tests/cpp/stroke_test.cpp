@@ -240,6 +240,65 @@ TEST(MakeStrokes, ChainOfDanglingSpecksGoesWhole) {
   EXPECT_EQ(count_of(strokes_of(b.graph)), 1U);
 }
 
+// A swallowtail on an outline: the line from the left passes over itself at the crossing and ends
+// at a cusp, `tail_px` on; the line that goes on to the right comes out from under it there.
+struct SwallowtailGraph : GraphBuilder {
+  explicit SwallowtailGraph(double tail_px, const Vec2& onward = {90, 53}, int object = 0) {
+    const int left = node(NodeKind::joint, {10, 50});
+    const int right = node(NodeKind::joint, onward);
+    const int crossing = node(NodeKind::crossing, {50, 50});
+    const int near_cusp = node(NodeKind::cusp, {50 + tail_px, 50});
+    const int far_cusp = node(NodeKind::cusp, {50 - tail_px, 50});
+    const int front_in = line(left, crossing);
+    const int front_out = line(crossing, near_cusp);
+    const int folded = line(near_cusp, far_cusp, 1);
+    const int back_in = line(far_cusp, crossing, 2, Kind::silhouette, object);
+    const int back_out = line(crossing, right, 0, Kind::silhouette, object);
+    const auto arcs_of = [&](int n) -> auto& { return graph.nodes[idx(n)].arcs; };
+    arcs_of(crossing) = {front_in, front_out, back_in, back_out};
+    arcs_of(near_cusp) = {front_out, folded, none, none};
+    arcs_of(far_cusp) = {folded, back_in, none, none};
+  }
+};
+
+TEST(MakeStrokes, OutlineRunsOnPastASwallowtail) {
+  const Drawing drawing = strokes_of(SwallowtailGraph(2.5).graph);
+  ASSERT_EQ(count_of(drawing), 1U);
+  EXPECT_EQ(first_of(drawing, 0), Vec2(10, 50));
+  EXPECT_EQ(last_of(drawing, 0), Vec2(90, 53));
+  for (std::size_t i = 0; i < drawing.points.size(); ++i) {
+    const double x = drawing.image[i].x();
+    if (x > 17 && x < 83) {
+      EXPECT_FLOAT_EQ(drawing.widths[i], 2.0F) << "thinner at " << x;
+    }
+  }
+  EXPECT_EQ(drawing.image[drawing.points.size() / 2], Vec2(50, 50));
+}
+
+TEST(MakeStrokes, TailsThatAreLongOrTurnAwayOrBelongToOthersStay) {
+  for (const SwallowtailGraph& b : {SwallowtailGraph(3.5), SwallowtailGraph(2.5, {50, 90}),
+                                    SwallowtailGraph(2.5, {90, 53}, 1)}) {
+    const Drawing drawing = strokes_of(b.graph);
+    ASSERT_EQ(count_of(drawing), 2U);
+    EXPECT_EQ(last_of(drawing, 0), b.graph.nodes[3].image) << "the cusp";
+    EXPECT_EQ(first_of(drawing, 1), Vec2(50, 50));
+  }
+}
+
+TEST(MakeStrokes, FreeEndsThatFaceEachOtherAreOneLine) {
+  const auto count = [](const Vec2& end, const Vec2& far, double depth) {
+    GraphBuilder b;
+    b.line(b.node(NodeKind::cusp, {10, 50}), b.node(NodeKind::cusp, {50, 50}));
+    b.line(b.node(NodeKind::joint, end), b.node(NodeKind::cusp, far));
+    for (std::size_t i = 2; i < 4; ++i) b.graph.points.values[i].position.z() -= depth;
+    return count_of(strokes_of(b.graph));
+  };
+  EXPECT_EQ(count({50.8, 50.2}, {90, 52}, 0), 1U);
+  EXPECT_EQ(count({51.3, 50}, {90, 52}, 0), 2U) << "a gap that is seen";
+  EXPECT_EQ(count({50.8, 50.2}, {50.8, 90}, 0), 2U) << "a corner";
+  EXPECT_EQ(count({50.8, 50.2}, {90, 52}, 30), 2U) << "one behind the other";
+}
+
 TEST(MakeStrokes, ClosedStrokeIsCutAtFrame) {
   GraphBuilder b;
   b.arc(circle({50, 50}, 60, 400), none, none);

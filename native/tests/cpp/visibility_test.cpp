@@ -9,6 +9,7 @@
 #include "visibility/crossings.h"
 #include "visibility/label_network.h"
 #include "visibility/outline.h"
+#include "visibility/repairs.h"
 
 namespace illustrate {
 namespace {
@@ -82,6 +83,33 @@ TEST(Outline, IsTheOuterOfTwoNestedSquares) {
   EXPECT_EQ(outline[1].size(), 4U) << "each of its sides";
 }
 
+// From a joint over a cusp `reach_px` away to a far end.
+Arrangement cusp_near_an_end(CurveNetwork& network, double reach_px) {
+  Arrangement arrangement;
+  for (const Vec2& p : {Vec2(0, 0), Vec2(reach_px, 0), Vec2(reach_px, 0), Vec2(-50, 3)}) {
+    network.points.push({Vec3::Zero(), {}});
+    arrangement.image.image.push_back(p);
+    if (network.points.values.size() % 2 == 0) network.points.close_list();
+  }
+  network.strands = {{Kind::silhouette, 0, 0, 1, 2, 0}, {Kind::silhouette, 0, 1, 2, 2, 0}};
+  arrangement.network = &network;
+  arrangement.visits.resize(2);
+  arrangement.paths.push_back({{0, 1}, {0, 1}, false, {0, 0}});
+  return arrangement;
+}
+
+TEST(Swallowtails, CuspsAtTheEndOfAnOpenPathAreDropped) {
+  for (const double reach_px : {0.01, 0.5}) {
+    CurveNetwork network;
+    Arrangement arrangement = cusp_near_an_end(network, reach_px);
+    double moved_px = 0;
+    const bool at_end = reach_px < 0.1;
+    EXPECT_EQ(collapse_swallowtails(arrangement, moved_px), at_end ? 1 : 0);
+    EXPECT_EQ(arrangement.paths[0].jumps[1], at_end ? 0 : 1);
+    EXPECT_DOUBLE_EQ(moved_px, at_end ? reach_px : 0);
+  }
+}
+
 TEST(Labels, OfASphereAreZero) {
   Counts counts;
   const LabelledGraph graph = graph_of(shapes::sphere_surface(1, 4),
@@ -107,6 +135,22 @@ TEST(Labels, OfANestedSphereComeFromARay) {
   const LabelledGraph graph = graph_of(pair, cameras::orthographic(Vec3(0, -1, 0), 3), counts);
   EXPECT_EQ(counts["crossings"], 0);
   EXPECT_EQ(most_hidden(graph), 2);
+}
+
+// A bead behind a ball, its outline a pixel inside that of the ball: a ray two pixels beside the
+// bead's outline passes by the ball too and knows nothing of it.
+TEST(Labels, NearAnotherOutlineAreNotThoseBeyondIt) {
+  const double pixel = 1.5 / 500, bead = 4 * pixel;
+  for (int i = 0; i < 12; ++i) {
+    const double angle = 2 * shapes::pi * i / 12, reach = 1 - bead - 1.4 * pixel;
+    const Vec3 centre(reach * std::cos(angle), 5, reach * std::sin(angle));
+    const Surface pair = shapes::joined(shapes::sphere_surface(1, 5, Vec3(0, 0, 0)),
+                                        shapes::sphere_surface(bead, 2, centre));
+    Counts counts;
+    const LabelledGraph graph = graph_of(pair, cameras::orthographic(Vec3(0, -1, 0), 1.5), counts);
+    EXPECT_EQ(counts["crossings"], 0);
+    EXPECT_EQ(most_hidden(graph), 2) << "at " << angle;
+  }
 }
 
 // R = 1, r = 0.4: the labels round the inner loop in the three regimes (method, section 4).
