@@ -37,6 +37,12 @@ void ExactSegment::refine(int ptex_face, const ContourKnot& a, const ContourKnot
   refine(a, b, most_halvings);
 }
 
+ContourKnot ExactSegment::cusp_between(int ptex_face, const ContourKnot& a, const ContourKnot& b) {
+  ptex_face_ = ptex_face;
+  SignChange nearest{a, b};
+  return find_cusp(a, b, nearest);
+}
+
 std::optional<ContourKnot> ExactSegment::between(int ptex_face, const ContourKnot& a,
                                                  const ContourKnot& b, double fraction) {
   const Vec2 chord = b.uv - a.uv;

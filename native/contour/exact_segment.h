@@ -37,6 +37,10 @@ class ExactSegment {
   void refine(int ptex_face, const ContourKnot& a, const ContourKnot& b, double longest_px,
               std::vector<ContourKnot>& between);
 
+  // The cusp between a and b, whose signs differ; where it is not found the place on the chord at
+  // which kappa would vanish.
+  ContourKnot cusp_between(int ptex_face, const ContourKnot& a, const ContourKnot& b);
+
   // The point of the contour across from `fraction` of the chord from a to b.
   std::optional<ContourKnot> between(int ptex_face, const ContourKnot& a, const ContourKnot& b,
                                      double fraction);

@@ -10,29 +10,42 @@ namespace {
 constexpr int most_rays = 60'000;              // of a view; a dense scan needs some thousands
 constexpr std::size_t most_arcs_asked = 1000;  // of one path, the longest ones
 constexpr double asked_thrice_px = 30;         // longer arcs are asked at three places
-constexpr double beside_nothing_px = 100;  // an arc next to the empty background is nearly certain
-constexpr double least_weight = 1e-6;      // an arc without length still prefers its ray
+constexpr double beside_nothing_px = 100;   // an arc next to the empty background is nearly certain
+constexpr double beside_nothing_share = 3;  // of its length: a sliver may hide a short one
+constexpr double least_weight = 1e-6;       // an arc without length still prefers its ray
+
+bool is_before(const StrandPlace& a, const StrandPlace& b) {
+  return std::tie(a.segment, a.fraction) < std::tie(b.segment, b.fraction);
+}
+
+bool is_outline(const Arrangement& arrangement, const PathArc& arc) {
+  const std::vector<Visit>& visits = arrangement.visits[idx(arc.strand)];
+  const bool closed = arrangement.network->strands[idx(arc.strand)].closed();
+  const bool wraps = closed && arc.begin != none && arc.end <= arc.begin;
+  const auto contains = [&](const StrandPlace& place) {
+    const bool behind = arc.begin == none || is_before(visits[idx(arc.begin)].place, place);
+    const bool before = arc.end == none || is_before(place, visits[idx(arc.end)].place);
+    return wraps ? behind || before : behind && before;
+  };
+  const std::vector<StrandPlace>& places = arrangement.outline[idx(arc.strand)];
+  return std::any_of(places.begin(), places.end(), contains);
+}
 
 class Witness {
  public:
   Witness(const Arrangement& arrangement, LayerRays& rays, KnownEvidence& known)
       : arrangement_(arrangement), rays_(rays), known_(known) {}
 
-  std::vector<Evidence> gather(const std::vector<PathArc>& arcs) {
+  void gather(const std::vector<PathArc>& arcs, std::vector<Evidence>& evidence) {
     std::vector<std::size_t> order(arcs.size());
     std::iota(order.begin(), order.end(), 0U);
     std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
       return arcs[i].length_px != arcs[j].length_px ? arcs[i].length_px > arcs[j].length_px : i < j;
     });
-    std::vector<Evidence> evidence(arcs.size(), {0, 0, 0});
-    for (std::size_t k = 0; k < std::min(most_arcs_asked, order.size()); ++k) {
-      const PathArc& arc = arcs[order[k]];
-      evidence[order[k]] = remember(arc);
+    order.resize(std::min(most_arcs_asked, order.size()));
+    for (const std::size_t i : order) {
+      if (evidence[i].weight == 0) evidence[i] = remember(arcs[i]);
     }
-    for (std::size_t i = 0; i < arcs.size(); ++i) {
-      if (is_outline(arcs[i])) evidence[i] = {0, 0, outline_weight};
-    }
-    return evidence;
   }
 
  private:
@@ -56,26 +69,9 @@ class Witness {
     std::sort(counts.begin(), counts.end(), [](const LayerCount& a, const LayerCount& b) {
       return std::tie(a.layers, b.beside_nothing) < std::tie(b.layers, a.beside_nothing);
     });
-    const double extra =
-        counts[1].beside_nothing ? std::min(beside_nothing_px, 10 * arc.length_px) : 0;
+    const double sure = std::min(beside_nothing_px, beside_nothing_share * arc.length_px);
+    const double extra = counts[1].beside_nothing ? sure : 0;
     return {counts[1].layers, counts[1].unsure, arc.length_px + extra + least_weight};
-  }
-
-  bool is_outline(const PathArc& arc) const {
-    const std::vector<Visit>& visits = arrangement_.visits[idx(arc.strand)];
-    const bool closed = arrangement_.network->strands[idx(arc.strand)].closed();
-    const bool wraps = closed && arc.begin != none && arc.end <= arc.begin;
-    const auto contains = [&](const StrandPlace& place) {
-      const bool behind = arc.begin == none || is_before(visits[idx(arc.begin)].place, place);
-      const bool before = arc.end == none || is_before(place, visits[idx(arc.end)].place);
-      return wraps ? behind || before : behind && before;
-    };
-    const std::vector<StrandPlace>& places = arrangement_.outline[idx(arc.strand)];
-    return std::any_of(places.begin(), places.end(), contains);
-  }
-
-  static bool is_before(const StrandPlace& a, const StrandPlace& b) {
-    return std::tie(a.segment, a.fraction) < std::tie(b.segment, b.fraction);
   }
 
   const Arrangement& arrangement_;
@@ -85,10 +81,18 @@ class Witness {
 
 }  // namespace
 
-std::vector<Evidence> gather_evidence(const Arrangement& arrangement,
-                                      const std::vector<PathArc>& arcs, LayerRays& rays,
-                                      KnownEvidence& known) {
-  return Witness(arrangement, rays, known).gather(arcs);
+std::vector<Evidence> outline_evidence(const Arrangement& arrangement,
+                                       const std::vector<PathArc>& arcs) {
+  std::vector<Evidence> evidence(arcs.size(), {0, 0, 0});
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    if (is_outline(arrangement, arcs[i])) evidence[i] = {0, 0, outline_weight};
+  }
+  return evidence;
+}
+
+void ask_rays(const Arrangement& arrangement, const std::vector<PathArc>& arcs, LayerRays& rays,
+              KnownEvidence& known, std::vector<Evidence>& evidence) {
+  Witness(arrangement, rays, known).gather(arcs, evidence);
 }
 
 }  // namespace illustrate

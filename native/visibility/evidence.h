@@ -27,10 +27,13 @@ struct Evidence {
 // ends).
 using KnownEvidence = std::map<std::array<int, 3>, Evidence>;
 
-// One for each arc, by rays for the longest ones, weight 0 for the others. Arcs at the outside of
-// the drawing have 0 layers for certain.
-std::vector<Evidence> gather_evidence(const Arrangement& arrangement,
-                                      const std::vector<PathArc>& arcs, LayerRays& rays,
-                                      KnownEvidence& known);
+// One for each arc: those at the outside of the drawing have 0 layers for certain, the others have
+// weight 0.
+std::vector<Evidence> outline_evidence(const Arrangement& arrangement,
+                                       const std::vector<PathArc>& arcs);
+
+// Adds what rays say of the longest of the other arcs.
+void ask_rays(const Arrangement& arrangement, const std::vector<PathArc>& arcs, LayerRays& rays,
+              KnownEvidence& known, std::vector<Evidence>& evidence);
 
 }  // namespace illustrate

@@ -11,9 +11,8 @@ namespace illustrate {
 namespace {
 
 std::int64_t count_unbalanced(const Arrangement& arrangement) {
-  return std::count_if(arrangement.paths.begin(), arrangement.paths.end(), [&](const Path& path) {
-    return path.cyclic && relative_labels(arrangement, path).residual != 0;
-  });
+  return std::count_if(arrangement.paths.begin(), arrangement.paths.end(),
+                       [&](const Path& path) { return imbalance(arrangement, path) != 0; });
 }
 
 std::int64_t count_breaks(const std::vector<LabelledPath>& labels) {

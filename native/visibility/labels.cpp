@@ -24,10 +24,15 @@ LabelledPath label_path(const Arrangement& arrangement, const Path& path, bool t
                         LayerRays& rays, KnownEvidence& known) {
   LabelledPath result;
   result.labels = relative_labels(arrangement, path);
-  const std::vector<Evidence> evidence =
-      gather_evidence(arrangement, result.labels.arcs, rays, known);
+  const std::vector<PathArc>& arcs = result.labels.arcs;
   const bool balanced = trusts_rules && (!path.cyclic || result.labels.residual == 0);
-  if (balanced && !any_free(result.labels) && choose_base(evidence, result)) return result;
+  const bool has_base = balanced && !any_free(result.labels);
+  std::vector<Evidence> evidence = outline_evidence(arrangement, arcs);
+  const bool is_outer =
+      std::any_of(evidence.begin(), evidence.end(), [](const Evidence& e) { return e.weight > 0; });
+  if (has_base && is_outer && choose_base(evidence, result)) return result;
+  ask_rays(arrangement, arcs, rays, known, evidence);
+  if (has_base && choose_base(evidence, result)) return result;
   const double dear = !trusts_rules ? 1 : path.cyclic && balanced ? balanced_factor : broken_factor;
   label_with_breaks(result, evidence, path.cyclic, dear);
   return result;

@@ -1,7 +1,10 @@
 #include "visibility/repairs.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
+
+#include "visibility/potential.h"
 
 namespace illustrate {
 namespace {
@@ -62,11 +65,10 @@ class Repairer {
   }
 
   int twists() {
-    index_stops();
+    start();
     int dropped = 0;
-    for (std::size_t c = 0; c < arrangement_.crossings.size(); ++c) {
-      if (arrangement_.is_live(static_cast<int>(c)) && is_twist(static_cast<int>(c)))
-        dropped += drop(static_cast<int>(c));
+    for (int c = 0; c < static_cast<int>(arrangement_.crossings.size()); ++c) {
+      if (arrangement_.is_live(c) && balances(c) && is_twist(c)) dropped += drop(c);
     }
     arrangement_.forget_visits();
     return dropped;
@@ -74,7 +76,7 @@ class Repairer {
 
   // Between a contour and another curve that runs through it, next to their joint.
   int touches() {
-    index_stops();
+    start();
     int dropped = 0;
     for (std::size_t c = 0; c < arrangement_.crossings.size(); ++c) {
       const int crossing = static_cast<int>(c);
@@ -87,7 +89,7 @@ class Repairer {
 
   // All contradictory lenses, or those of the given crossings.
   int lenses(const std::vector<int>* wanted) {
-    index_stops();
+    start();
     int dropped = 0;
     for (std::size_t k = 0; k < (wanted ? wanted->size() : arrangement_.crossings.size()); ++k) {
       const int c = wanted ? (*wanted)[k] : static_cast<int>(k);
@@ -95,7 +97,7 @@ class Repairer {
       const int partner = lens_partner(c, wanted == nullptr);
       if (partner != none) {
         dropped += drop(c) + drop(partner);
-      } else if (wanted && ends_in_joint(c)) {
+      } else if (wanted && balances(c) && ends_in_joint(c)) {
         dropped += drop(c);
       }
     }
@@ -105,7 +107,9 @@ class Repairer {
 
  private:
   // stops_[2 c] where crossing c is front, stops_[2 c + 1] where it is back.
-  void index_stops() {
+  void start() {
+    sums_.clear();
+    for (const Path& path : arrangement_.paths) sums_.push_back(imbalance(arrangement_, path));
     stops_.assign(2 * arrangement_.crossings.size(), {none, none, none});
     for (std::size_t s = 0; s < arrangement_.visits.size(); ++s) {
       const std::vector<Visit>& visits = arrangement_.visits[s];
@@ -123,7 +127,20 @@ class Repairer {
     return arrangement_.visits[idx(strand(stop))][idx(stop.visit)];
   }
 
+  int without(int c) const {
+    return sums_[idx(stops_[2 * idx(c) + 1].path)] -
+           back_change(arrangement_, arrangement_.crossings[idx(c)]);
+  }
+
+  // Whether its back path, where closed, comes nearer to balance without a crossing.
+  bool balances(int c) const {
+    const int path = stops_[2 * idx(c) + 1].path;
+    return !arrangement_.paths[idx(path)].cyclic ||
+           std::abs(without(c)) < std::abs(sums_[idx(path)]);
+  }
+
   int drop(int c) {
+    sums_[idx(stops_[2 * idx(c) + 1].path)] = without(c);
     arrangement_.states[idx(c)] = CrossingState::dropped;
     return 1;
   }
@@ -290,6 +307,7 @@ class Repairer {
   std::vector<int> path_of_;
   std::vector<int> step_of_;
   std::vector<Stop> stops_;
+  std::vector<int> sums_;  // (paths) of their changes; closed ones should have 0
 };
 
 }  // namespace

@@ -64,7 +64,7 @@ int collapse_swallowtails(Arrangement& arrangement, double& moved_px) {
   int collapsed = 0;
   for (Path& path : arrangement.paths) {
     collapsed += drop_cusps_at_ends(arrangement, path, moved_px);
-    int residual = path.cyclic ? relative_labels(arrangement, path).residual : 0;
+    int residual = imbalance(arrangement, path);
     if (std::abs(residual) < 2) continue;
     const int jump = residual > 0 ? 1 : -1;
     for (const Swallowtail& s : swallowtails_of(arrangement, path, jump)) {
