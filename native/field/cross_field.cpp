@@ -2,6 +2,7 @@
 
 #include "core/errors.h"
 #include "core/parallel.h"
+#include "field/change.h"
 #include "field/last_field.h"
 #include "field/minimise.h"
 #include "field/portfolio.h"
@@ -13,6 +14,9 @@ namespace {
 
 // A part leaves its start only for a share of energy that rounding cannot explain.
 constexpr double least_gain = 1e-9;
+
+// Near the last field, a search that takes longer needs to look at all scales.
+constexpr int few_evaluations = 8;
 
 struct Solution {
   CrossNumbers z;
@@ -33,16 +37,17 @@ std::vector<std::uint8_t> settled_vertices(const FieldProblem& p) {
 }
 
 FieldGraph graph_of(const FieldProblem& p, Pulls used, const std::vector<std::uint8_t>& is_held,
-                    const CrossNumbers& z, std::vector<int>& vertices) {
+                    const CrossNumbers& z, std::vector<int>& vertices, const Progress& progress) {
   std::vector<FieldEdge> edges;
   CrossNumbers pulls(z.size(), 0);
   if (used != Pulls::none) pulls = p.guide_pulls;
-  if (used != Pulls::all) return free_graph(p.edges, pulls, is_held, z, vertices);
+  if (used != Pulls::all) return free_graph(p.edges, pulls, is_held, z, vertices, progress);
   for (std::size_t i = 0; i < pulls.size(); ++i) pulls[i] += p.alignment.pulls[i];
-  if (p.alignment.couplings.empty()) return free_graph(p.edges, pulls, is_held, z, vertices);
+  if (p.alignment.couplings.empty())
+    return free_graph(p.edges, pulls, is_held, z, vertices, progress);
   edges = p.edges;
   edges.insert(edges.end(), p.alignment.couplings.begin(), p.alignment.couplings.end());
-  return free_graph(edges, pulls, is_held, z, vertices);
+  return free_graph(edges, pulls, is_held, z, vertices, progress);
 }
 
 // A minimum near `nearby` (n), or where that is empty, the best that the search finds. Settled
@@ -52,21 +57,28 @@ Solution solve(const FieldProblem& p, Pulls pulls, const CrossNumbers& nearby,
                const Progress& progress) {
   progress.report(0);
   std::vector<int> vertices;
-  const FieldGraph graph = graph_of(p, pulls, is_settled, p.initial, vertices);
-  progress.report(0.02);
+  const FieldGraph graph =
+      graph_of(p, pulls, is_settled, p.initial, vertices, progress.part(0, 0.02));
   const auto of_free = [&](const CrossNumbers& z) {
     CrossNumbers result;
     result.reserve(vertices.size());
     for (const int vertex : vertices) result.push_back(z[idx(vertex)]);
     return result;
   };
+  Solution solution{p.initial, {}};
   CrossNumbers z = of_free(nearby.empty() ? p.initial : nearby);
   if (nearby.empty()) {
     z = portfolio_start(graph, {of_free(p.principal.z), z}, progress.part(0.02, 0.7));
+  } else if (options.start == FieldStart::search) {
+    solution.result =
+        minimise(graph, few_evaluations, options.threads, z, progress.part(0.02, 0.1));
+    if (!solution.result.converged) relax_at_all_scales(graph, z, progress.part(0.1, 0.7));
   }
-  Solution solution{p.initial, {}};
-  solution.result =
-      minimise(graph, options.max_evaluations, options.threads, z, progress.part(0.7, 1));
+  if (!solution.result.converged) {
+    const MinimiseResult last =
+        minimise(graph, options.max_evaluations, options.threads, z, progress.part(0.7, 1));
+    solution.result = {last.converged, solution.result.evaluations + last.evaluations};
+  }
   for (std::size_t i = 0; i < vertices.size(); ++i) solution.z[idx(vertices[i])] = z[i];
   return solution;
 }

@@ -170,7 +170,7 @@ CrossNumbers portfolio_start(const FieldGraph& graph, const std::vector<CrossNum
                              const Progress& progress) {
   const std::size_t coarse_size =
       std::clamp(graph.size() / vertices_per_aggregate, least_coarse_size, most_coarse_size);
-  const Hierarchy hierarchy(graph, coarse_size, progress.part(0, 0.2));
+  const Hierarchy hierarchy(graph, coarse_size, Pairing::parallel, progress.part(0, 0.2));
   const FieldGraph& coarsest = hierarchy.graph(hierarchy.coarsest());
   Pool given;
   for (const CrossNumbers& start : starts) given.push_back(hierarchy.restricted(start));
@@ -181,11 +181,12 @@ CrossNumbers portfolio_start(const FieldGraph& graph, const std::vector<CrossNum
   for (std::size_t level = hierarchy.coarsest(); level-- > 0;) {
     const FieldGraph& finer = hierarchy.graph(level);
     parts = hierarchy.prolonged(parts, level);
+    const double done = static_cast<double>(finer.size()) / static_cast<double>(2 * graph.size());
+    way_down.report(done);
     for (CrossNumbers& z : pool) {
-      way_down.report(static_cast<double>(finer.size()) / static_cast<double>(graph.size()));
       z = hierarchy.prolonged(z, level);
       if (finer.size() <= diffused_size) diffuse(finer, near_tau, z);
-      sweep(finer, sweeps_per_level, z);
+      sweep(finer, sweeps_per_level, z, way_down.part(done, done));
     }
     const std::size_t kept = std::max<std::size_t>(1, carried_crosses / finer.size());
     if (pool.size() > 1) pool = ranked(finer, parts, count, pool, kept);

@@ -80,7 +80,7 @@ TEST(FieldEnergy, HeldCrossesPullTheirNeighbours) {
 TEST(FieldHierarchy, AggregatesHaveTheSameEnergyUpToAConstant) {
   for (const Surface& surface : {smooth_cube(3), unorientable(shapes::klein_mesh(60, 24))}) {
     const FieldGraph fine = whole_graph(surface, random_crosses(surface.positions.size(), 1));
-    const Hierarchy hierarchy(fine, fine.size() - 1, {});
+    const Hierarchy hierarchy(fine, fine.size() - 1, Pairing::parallel, {});
     ASSERT_EQ(hierarchy.coarsest(), 1U);
     const FieldGraph& coarse = hierarchy.graph(1);
     EXPECT_LT(coarse.size(), fine.size() * 2 / 3);
