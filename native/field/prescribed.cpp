@@ -25,24 +25,29 @@ std::size_t part_of(const Surface& surface, const FieldParts& parts, int triangl
   return idx(parts.of_vertex[idx(surface.triangles[idx(triangle)][0])]);
 }
 
-// Finds triangles for single singularities, none of which shares a vertex with another.
+// How far apart single singularities have to be.
+enum class Apart { by_edges, by_vertices };
+
+// Finds triangles for single singularities, none of which shares an edge with another.
 class Placer {
  public:
   Placer(const Surface& surface, const TriangleEdges& edges, const FieldParts& parts)
       : surface_(surface),
         edges_(edges),
         parts_(parts),
-        is_taken_(surface.positions.size(), 0),
+        has_vertex_(surface.positions.size(), 0),
+        has_edge_(edges.size(), 0),
         seen_in_(surface.triangles.size(), 0) {}
 
-  // The nearest triangle in steps over edges from `start`, none where all are taken.
-  int place_near(int start) {
+  // The nearest triangle in steps over edges from `start`, none where there is no room.
+  int place_near(int start, Apart apart) {
     ++search_;
     std::vector<int> queue{start};
     seen_in_[idx(start)] = search_;
     for (std::size_t k = 0; k < queue.size(); ++k) {
-      if (is_free(queue[k])) {
-        for (const int vertex : surface_.triangles[idx(queue[k])]) is_taken_[idx(vertex)] = 1;
+      if (is_free(queue[k], apart)) {
+        for (const int vertex : surface_.triangles[idx(queue[k])]) has_vertex_[idx(vertex)] = 1;
+        for (const int edge : edges_.of_triangle[idx(queue[k])]) has_edge_[idx(edge)] = 1;
         return queue[k];
       }
       for (const int next : surface_.neighbours[idx(queue[k])]) {
@@ -58,17 +63,19 @@ class Placer {
   }
 
  private:
-  bool is_free(int triangle) const {
+  bool is_free(int triangle, Apart apart) const {
     const Triangle& t = surface_.triangles[idx(triangle)];
     const auto& sides = edges_.of_triangle[idx(triangle)];
-    return !is_taken_[idx(t[0])] && !is_taken_[idx(t[1])] && !is_taken_[idx(t[2])] &&
-           sides[0] != none && sides[1] != none && sides[2] != none;
+    const auto is_taken_edge = [&](int edge) { return edge == none || has_edge_[idx(edge)]; };
+    const auto is_taken_vertex = [&](int vertex) { return has_vertex_[idx(vertex)] != 0; };
+    return std::none_of(sides.begin(), sides.end(), is_taken_edge) &&
+           (apart == Apart::by_edges || std::none_of(t.begin(), t.end(), is_taken_vertex));
   }
 
   const Surface& surface_;
   const TriangleEdges& edges_;
   const FieldParts& parts_;
-  std::vector<std::uint8_t> is_taken_;
+  std::vector<std::uint8_t> has_vertex_, has_edge_;
   std::vector<int> seen_in_;
   int search_ = 0;
 };
@@ -169,7 +176,8 @@ PlacedSingularities place_singularities(const Surface& surface, const TriangleEd
     const SurfacePoint foot =
         bvh.nearest(prescribed.positions[k], std::numeric_limits<double>::max());
     for (int left = prescribed.indices[k]; left != 0; left -= left > 0 ? 1 : -1) {
-      const int triangle = foot.triangle == none ? none : placer.place_near(foot.triangle);
+      const Apart apart = left == prescribed.indices[k] ? Apart::by_edges : Apart::by_vertices;
+      const int triangle = foot.triangle == none ? none : placer.place_near(foot.triangle, apart);
       if (triangle == none) {
         throw InvalidInput("singularities: there is no room for singularities[" +
                            std::to_string(k) + "]: its part of the surface has too few triangles");

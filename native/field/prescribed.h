@@ -21,9 +21,10 @@ struct PlacedSingularities {
 };
 
 // A triangle cannot turn the cross by more than a quarter, nor can neighbours that both do be told
-// apart: an index of several quarter turns becomes as many single ones in triangles close by that
-// share no vertex. Throws InvalidInput where there is no room, and for a closed part whose indices
-// do not sum to 4 chi, naming both sums.
+// apart: what is prescribed in a triangle beside another goes to the next one, and an index of
+// several quarter turns becomes as many single ones in triangles close by that share no vertex.
+// Throws InvalidInput where there is no room, and for a closed part whose indices do not sum to
+// 4 chi, naming both sums.
 PlacedSingularities place_singularities(const Surface& surface, const TriangleEdges& edges,
                                         const FieldParts& parts, const Bvh& bvh,
                                         const std::vector<double>& excess,
