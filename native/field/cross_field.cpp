@@ -79,6 +79,7 @@ Solution solve(const FieldProblem& p, Pulls pulls, const CrossNumbers& nearby,
         minimise(graph, options.max_evaluations, options.threads, z, progress.part(0.7, 1));
     solution.result = {last.converged, solution.result.evaluations + last.evaluations};
   }
+  progress.report(1);
   for (std::size_t i = 0; i < vertices.size(); ++i) solution.z[idx(vertices[i])] = z[i];
   return solution;
 }
@@ -100,8 +101,9 @@ void keep_better_parts(const FieldProblem& p, const CrossNumbers& solution, Cros
 // Parts that features have kept from improving, although they are not parallel.
 bool features_are_in_the_way(const FieldProblem& p, const CrossNumbers& z,
                              const std::vector<std::uint8_t>& improved) {
-  const std::vector<double> energies = part_energies(p, z), least = least_energies(p);
   const std::vector<std::uint8_t> has_features = parts_with_features(p);
+  if (std::find(has_features.begin(), has_features.end(), 1) == has_features.end()) return false;
+  const std::vector<double> energies = part_energies(p, z), least = least_energies(p);
   for (std::size_t part = 0; part < energies.size(); ++part) {
     const bool is_parallel = energies[part] <= least[part] * (1 - least_gain);
     if (has_features[part] && !improved[part] && !is_parallel) return true;
@@ -255,6 +257,7 @@ CrossField solve_cross_field(const Surface& surface, const Curvature& curvature,
   std::vector<std::uint8_t> improved(idx(p.parts.count), 0);
   Solution solution = solve(p, Pulls::all, nearby, is_settled, options, progress.part(0.2, 0.7));
   keep_better_parts(p, solution.z, z, improved);
+  progress.report(0.7);
   CrossField field;
   field.evaluations = solution.result.evaluations;
   if (options.alignment_weight > 0 && features_are_in_the_way(p, z, improved)) {
