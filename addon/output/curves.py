@@ -71,9 +71,7 @@ def _our_ink() -> Any:
     mine = (
         material
         for material in bpy.data.materials
-        if is_ours(material)
-        and not material.is_grease_pencil
-        and field_overlay.INK not in material
+        if is_ours(material) and not material.is_grease_pencil and field_overlay.INK not in material
     )
     return next(mine, None)
 
