@@ -129,8 +129,8 @@ void turn_improved_parts(const FieldProblem& p, const Curvature& curvature,
   turn_parts(p.parts, improved, wanted, z);
 }
 
-// (parts) 1: where the singularities are not those that are prescribed; -1 in `triangle` or one of
-// them.
+// (parts) 1: where the singularities are not those that are prescribed; `triangle` becomes one of
+// those that differ, or none.
 std::vector<std::uint8_t> disobedient_parts(const Surface& surface, const FieldProblem& p,
                                             const std::vector<int>& indices, int& triangle) {
   std::vector<std::uint8_t> disobedient(idx(p.parts.count), 0);
@@ -145,28 +145,40 @@ std::vector<std::uint8_t> disobedient_parts(const Surface& surface, const FieldP
 }
 
 // Prescribed singularities come before everything that pulls: parts that would have others are
-// solved again from the parallel field, without features and then without guides.
+// solved again without features; they get the parallel field that they started from where that has
+// the right ones, and else what is parallel without guides.
 void obey_prescription(const Surface& surface, const FieldProblem& p, const FieldOptions& options,
                        CrossNumbers& z, const Progress& progress) {
   const std::vector<FieldEdge> plain = plain_edges(p);
   int triangle = none;
-  const auto disobedient = [&] {
+  std::vector<std::uint8_t> parts, is_held(z.size());
+  const auto obeys = [&] {
     const std::vector<int> indices =
         triangle_indices(surface, p.triangle_edges, plain, p.excess, z, options.threads, progress);
-    return disobedient_parts(surface, p, indices, triangle);
-  };
-  for (const Pulls pulls : {Pulls::guides, Pulls::none}) {
-    const std::vector<std::uint8_t> parts = disobedient();
-    if (triangle == none) return;
-    std::vector<std::uint8_t> is_held(z.size());
+    parts = disobedient_parts(surface, p, indices, triangle);
     for (std::size_t i = 0; i < z.size(); ++i) is_held[i] = !parts[idx(p.parts.of_vertex[i])];
-    const CrossNumbers again = solve(p, pulls, p.initial, is_held, options, progress).z;
+    return triangle == none;
+  };
+  const auto take_over = [&](const CrossNumbers& other) {
     for (std::size_t i = 0; i < z.size(); ++i) {
-      if (!is_held[i]) z[i] = again[i];
+      if (!is_held[i]) z[i] = other[i];
     }
-  }
-  disobedient();
-  if (triangle == none) return;
+  };
+  const auto solved = [&](Pulls pulls) {
+    CrossNumbers again = solve(p, pulls, p.initial, is_held, options, progress).z;
+    if (pulls == Pulls::guides) return again;
+    std::vector<std::uint8_t> may_turn = parts_that_may_turn(p);
+    for (std::size_t part = 0; part < parts.size(); ++part) may_turn[part] &= parts[part];
+    turn_parts(p.parts, may_turn, p.guide_pulls, again);
+    return again;
+  };
+  if (obeys()) return;
+  take_over(solved(Pulls::guides));
+  if (obeys()) return;
+  take_over(p.initial);
+  if (obeys()) return;
+  take_over(solved(Pulls::none));
+  if (obeys()) return;
   const Vec3 at = position_at(surface, {triangle, 1.0 / 3, 1.0 / 3});
   throw InvalidInput("singularities: the mesh is too coarse for them near (" +
                      std::to_string(at.x()) + ", " + std::to_string(at.y()) + ", " +
