@@ -144,7 +144,10 @@ Pool coarse_pool(const FieldGraph& graph, const std::vector<int>& parts, int cou
     return z;
   };
   for (const CrossNumbers& z : given) {
-    for (const double tau : {far_tau, middle_tau}) pool.push_back(diffused(z, tau));
+    for (const double tau : {far_tau, middle_tau}) {
+      progress.report(0);
+      pool.push_back(diffused(z, tau));
+    }
   }
   const std::size_t room = pool_crosses / std::max<std::size_t>(1, graph.size());
   const std::size_t random_starts = std::min(most_random_starts, room);
@@ -175,7 +178,11 @@ CrossNumbers portfolio_start(const FieldGraph& graph, const std::vector<CrossNum
   const Hierarchy hierarchy(graph, coarse_size, Pairing::parallel, progress.part(0, 0.2));
   const FieldGraph& coarsest = hierarchy.graph(hierarchy.coarsest());
   Pool given;
-  for (const CrossNumbers& start : starts) given.push_back(hierarchy.restricted(start));
+  for (const CrossNumbers& start : starts) {
+    progress.report(0.2);
+    given.push_back(hierarchy.restricted(start));
+  }
+  progress.report(0.2);
   int count = 0;
   std::vector<int> parts = parts_of(coarsest, count);
   const std::size_t pool_crosses =
