@@ -56,6 +56,7 @@ def illustrate(scene: Any, depsgraph: Any, progress: Progress | None = None) -> 
         depsgraph,
         selected_only=chosen.source == "SELECTION",
         use_lights=chosen.lighting == "SCENE",
+        auto_exposure=chosen.auto_exposure,
     )
     seconds = {"read": time.perf_counter() - start}
     try:
@@ -66,15 +67,23 @@ def illustrate(scene: Any, depsgraph: Any, progress: Progress | None = None) -> 
         drawing = ill.draw(
             prepared,
             ill.Camera(**vars(arrays.camera)),
-            settings.draw_options(chosen),
+            settings.draw_options(chosen, arrays.camera.width_px),
             progress=progress,
-            lights=[ill.Light(**vars(light)) for light in arrays.lights],
+            lights=_lights(chosen, arrays),
         )
     except ill.InvalidInput as error:
         raise IllustrateError(f'Scene "{scene.name}" cannot be drawn: {error}') from error
     seconds.update(prepared.timings)
     seconds.update(drawing.timings)
     return Illustration(drawing, arrays, _warnings(arrays, prepared.reports), seconds)
+
+
+def _lights(chosen: Any, arrays: SceneArrays) -> list[Any]:
+    """`illustrate_native.Light` of the scene or the side light; none is the headlight."""
+    light = native.load().Light
+    if chosen.lighting == "SIDE":
+        return [light("side")]
+    return [light(**vars(each)) for each in arrays.lights]
 
 
 def _nothing_is_left(

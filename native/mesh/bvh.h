@@ -27,6 +27,9 @@ class Bvh {
   void hits(const Vec3& origin, const Vec3& direction, double low, double high,
             std::vector<RayHit>& found) const;
 
+  // Whether there is any such hit.
+  bool is_hit(const Vec3& origin, const Vec3& direction, double low, double high) const;
+
   // Calls visit(a, b), a < b, for every pair of triangles whose boxes overlap, touch or are at most
   // `margin` apart along each axis; each pair once, in a fixed order.
   void overlapping_pairs(const std::function<void(int, int)>& visit, double margin = 0) const;
@@ -43,6 +46,10 @@ class Bvh {
   };
   class Builder;
   class Pairs;
+  // Calls visit(RayHit) for the hits of a ray until it returns true; whether it did.
+  template <class Visit>
+  bool any_hit(const Vec3& origin, const Vec3& direction, double low, double high,
+               const Visit& visit) const;
   static constexpr std::size_t depth_limit = 128;  // no path from the root is longer
 
   const Points* positions_ = nullptr;

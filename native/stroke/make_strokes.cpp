@@ -74,6 +74,14 @@ std::vector<Stroke> line_strokes(const LabelledGraph& graph, const std::vector<d
   return strokes;
 }
 
+// How much thicker (1, in the dark) or thinner (-1, at the highlights) than usual a hatch is: it
+// changes evenly with the light within either level, and is 0 where shadow and midtone meet.
+double swelling(double light, const ToneMap& tone) {
+  const double shadow = tone.shadow_threshold, highlight = tone.highlight_threshold;
+  if (light <= shadow) return shadow > 0 ? 1 - light / shadow : 1;
+  return highlight > shadow ? -std::min(1.0, (light - shadow) / (highlight - shadow)) : -1;
+}
+
 // Width by light; where the tone map sees nothing, the light of the point before counts on.
 class HatchWidth {
  public:
@@ -83,16 +91,16 @@ class HatchWidth {
   double operator()(const Vec2& image) {
     const int cell = tone_.cell_of(image);
     if (cell != none && tone_.level[idx(cell)] != Tone::nothing) {
-      light_ = static_cast<double>(tone_.brightness[idx(cell)]);
+      swelling_ = swelling(static_cast<double>(tone_.brightness[idx(cell)]), tone_);
     }
-    return width_ * (1 + by_light_ * (1 - 2 * light_));
+    return width_ * (1 + by_light_ * swelling_);
   }
 
  private:
   const ToneMap& tone_;
   double width_;
   double by_light_;
-  double light_ = 0.5;
+  double swelling_ = 0;
 };
 
 std::vector<Stroke> hatch_strokes(const Hatches& hatches, const ToneMap& tone,
