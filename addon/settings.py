@@ -240,12 +240,12 @@ class ILLUSTRATE_PG_settings(bpy.types.PropertyGroup):
         default=True,
         description="Leave a narrow band along the near side of a fold white",
     )
-    undercut_px: _pixels("Undercut Width", "Width of the dense hatching behind a fold", 10.0, 0.0)
+    undercut_px: _pixels("Undercut Width", "Width of the dense hatching behind a fold", 14.0, 0.0)
     undercut_mm: _millimetres(
-        "Undercut Width", "Width of the dense hatching behind a fold", 1.0, 0.0
+        "Undercut Width", "Width of the dense hatching behind a fold", 1.4, 0.0
     )
-    mach_band_px: _pixels("Mach Band Width", "Width of the white band along a fold", 4.0, 0.0)
-    mach_band_mm: _millimetres("Mach Band Width", "Width of the white band along a fold", 0.4, 0.0)
+    mach_band_px: _pixels("Mach Band Width", "Width of the white band along a fold", 6.0, 0.0)
+    mach_band_mm: _millimetres("Mach Band Width", "Width of the white band along a fold", 0.6, 0.0)
 
     triangle_budget: IntProperty(
         name="Triangle Budget",

@@ -83,15 +83,17 @@ double swelling(double light, const ToneMap& tone) {
 }
 
 // Width by light; where the tone map sees nothing, the light of the point before counts on.
+// Undercuts, which are to be dark, do not thin out in the light.
 class HatchWidth {
  public:
-  HatchWidth(const ToneMap& tone, double width, double by_light)
-      : tone_(tone), width_(width), by_light_(by_light) {}
+  HatchWidth(const ToneMap& tone, double width, double by_light, Kind kind)
+      : tone_(tone), width_(width), by_light_(by_light), least_(kind == Kind::undercut ? 0 : -1) {}
 
   double operator()(const Vec2& image) {
     const int cell = tone_.cell_of(image);
     if (cell != none && tone_.level[idx(cell)] != Tone::nothing) {
-      swelling_ = swelling(static_cast<double>(tone_.brightness[idx(cell)]), tone_);
+      swelling_ =
+          std::max(least_, swelling(static_cast<double>(tone_.brightness[idx(cell)]), tone_));
     }
     return width_ * (1 + by_light_ * swelling_);
   }
@@ -100,6 +102,7 @@ class HatchWidth {
   const ToneMap& tone_;
   double width_;
   double by_light_;
+  double least_;
   double swelling_ = 0;
 };
 
@@ -109,7 +112,7 @@ std::vector<Stroke> hatch_strokes(const Hatches& hatches, const ToneMap& tone,
   std::vector<Stroke> strokes;
   for (std::size_t h = 0; h < hatches.curves.size(); ++h) {
     const double width = options.hatch_width_px * scale_of(width_scale, hatches.objects[h]);
-    HatchWidth width_at(tone, width, options.hatch_width_by_light);
+    HatchWidth width_at(tone, width, options.hatch_width_by_light, hatches.kinds[h]);
     StrokePath path;
     path.free_start = path.free_end = true;
     for (const HatchPoint& p : hatches.curves[h]) {

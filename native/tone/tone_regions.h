@@ -25,8 +25,8 @@ struct ToneOptions {
   bool cast_shadows = false;  // whether surfaces keep the light from others
   bool mach_bands = true;
   bool undercuts = true;
-  double mach_band_px = 4;  // in [0, 100]
-  double undercut_px = 10;  // in [0, 100]
+  double mach_band_px = 6;  // in [0, 100]
+  double undercut_px = 14;  // in [0, 100]
   int threads = 0;
 };
 void validate(const ToneOptions& options);  // throws InvalidInput naming the field

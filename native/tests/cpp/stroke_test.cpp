@@ -374,11 +374,15 @@ TEST(MakeStrokes, WidthFollowsTheLightWithinEachLevel) {
   Hatches hatches;
   for (int i = 0; i <= 98; ++i) hatches.curves.push({Vec3::Zero(), {}, Vec2(0.5 + i, 30)});
   hatches.curves.close_list();
-  hatches.kinds = {Kind::cross_hatch};
   hatches.objects = {0};
   StrokeOptions options;
   options.taper_px = 0;
   options.simplify_px = 0;
+  hatches.kinds = {Kind::undercut};
+  for (const float width : make_strokes({}, hatches, tone, flat_camera(), {}, {}, options).widths) {
+    EXPECT_GE(width, 1) << "undercuts stay dark in the light";
+  }
+  hatches.kinds = {Kind::cross_hatch};
   const Drawing drawing = make_strokes({}, hatches, tone, flat_camera(), {}, {}, options);
   ASSERT_EQ(count_of(drawing), 1U);
   for (std::size_t i = 0; i < drawing.image.size(); ++i) {

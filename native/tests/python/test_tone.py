@@ -55,17 +55,17 @@ def check_bands(
 def test_overlapping_balls_have_both_bands(balls: ill.Prepared) -> None:
     drawing = ill.draw(balls, CAMERA)
     outside = distance_to_outline(balls, drawing)
-    check_bands(outside, drawing.tone.band, 4, 10)
+    check_bands(outside, drawing.tone.band, 6, 14)
     check_drawing(drawing, CAMERA)
     bright = drawing.tone.level == 0
     assert (drawing.tone.band[bright] == 2).any(), "undercuts lie in highlights too"
 
 
 def test_bands_may_be_given_in_millimetres(balls: ill.Prepared) -> None:
-    lengths = ill.lengths_in_pixels(SIZE_PX / 64, mach_band_mm=1.5, undercut_mm=3.5)
-    assert lengths == {"mach_band_px": 6, "undercut_px": 14}
+    lengths = ill.lengths_in_pixels(SIZE_PX / 64, mach_band_mm=2.0, undercut_mm=4.5)
+    assert lengths == {"mach_band_px": 8, "undercut_px": 18}
     drawing = ill.draw(balls, CAMERA, ill.DrawOptions(**lengths))
-    check_bands(distance_to_outline(balls, drawing), drawing.tone.band, 6, 14)
+    check_bands(distance_to_outline(balls, drawing), drawing.tone.band, 8, 18)
 
 
 @pytest.mark.parametrize(
