@@ -26,7 +26,7 @@ class LightArrays:
     blend: float = 0.0
     falloff_distance: float = 0.0
     edges: Any = None  # (2, 3)
-    round: bool = False
+    ellipse: bool = False
     casts_shadows: bool = True
 
     def strength_at(self, place: Any) -> float:
@@ -47,7 +47,7 @@ def read_light(data: Any, matrix: Any) -> LightArrays:
     elif data.type == "AREA":
         light = LightArrays("area", position, watts / (4 * math.pi), -backward)
         light.edges = _edges(data, matrix)
-        light.round = data.shape in ("DISK", "ELLIPSE")
+        light.ellipse = data.shape in ("DISK", "ELLIPSE")
     elif data.type == "SPOT":
         strength = watts / (4 * math.pi**2)
         light = LightArrays("spot", position, strength, -backward, data.spot_size / 2)

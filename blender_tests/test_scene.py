@@ -311,10 +311,10 @@ def test_an_area_light_has_its_extent(scene: Any) -> None:
     bpy.context.view_layer.update()
     (light,) = read(scene).lights
     assert light.edges == pytest.approx(np.array([[4, 0, 0], [0, 3, 0]]), abs=1e-6)
-    assert light.round and not light.casts_shadows
+    assert light.ellipse and not light.casts_shadows
 
 
-LAMPS = {
+LAMPS: dict[str, dict[str, Any]] = {
     "SUN": {"energy": 2.0, "angle": 0.0},
     "POINT": {"energy": 300.0, "shadow_soft_size": 0.0},
     "SPOT": {"energy": 600.0, "shadow_soft_size": 0.0, "spot_size": 1.2, "spot_blend": 0.6},

@@ -142,14 +142,14 @@ void require(const py::object& argument, const char* name, LightKind kind) {
 // What a light of any kind may have besides its place, strength and direction.
 struct LightDetails {
   py::object blend, falloff_distance, edges;
-  bool round, casts_shadows;
+  bool ellipse, casts_shadows;
 };
 
 void read_details(Light& light, const LightDetails& details) {
   read_if_given(details.blend, "light.blend", light.blend, read_number);
   read_if_given(details.falloff_distance, "light.falloff_distance", light.falloff_distance,
                 read_number);
-  light.round = details.round;
+  light.ellipse = details.ellipse;
   light.casts_shadows = details.casts_shadows;
   if (details.edges.is_none()) return;
   const Points edges = read_points(details.edges, "light.edges");
@@ -190,13 +190,13 @@ void bind_light(py::module_& m) {
       .def(py::init([](const std::string& kind, const py::object& vector, double strength,
                        const py::object& direction, const py::object& angle_rad,
                        const py::object& blend, const py::object& falloff_distance,
-                       const py::object& edges, bool round, bool casts_shadows) {
+                       const py::object& edges, bool ellipse, bool casts_shadows) {
              return make_light(kind, vector, strength, direction, angle_rad,
-                               {blend, falloff_distance, edges, round, casts_shadows});
+                               {blend, falloff_distance, edges, ellipse, casts_shadows});
            }),
            "kind"_a, "vector"_a = none, "strength"_a = 1.0, "direction"_a = none,
            "angle_rad"_a = none, "blend"_a = 0.0, "falloff_distance"_a = 0.0, "edges"_a = none,
-           "round"_a = false, "casts_shadows"_a = true)
+           "ellipse"_a = false, "casts_shadows"_a = true)
       .def_property_readonly("kind", [](const Light& light) { return name_of(light.kind); })
       .def_property_readonly("vector",
                              [=](const Light& light) { return vector_array(light.vector); })
@@ -210,7 +210,7 @@ void bind_light(py::module_& m) {
                              [](const Light& light) {
                                return array_of(Points{light.edge_u, light.edge_v});
                              })
-      .def_readonly("round", &Light::round)
+      .def_readonly("ellipse", &Light::ellipse)
       .def_readonly("casts_shadows", &Light::casts_shadows);
 }
 

@@ -162,7 +162,7 @@ class Light:
         blend: float = 0.0,
         falloff_distance: float = 0.0,
         edges: ArrayLike | None = None,
-        round: bool = False,
+        ellipse: bool = False,
         casts_shadows: bool = True,
     ) -> None:
         """Copies its arguments.
@@ -180,7 +180,7 @@ class Light:
                 `strength`, falling with the square of the distance; 0: as strong everywhere.
             edges: (2, 3) sides of the rectangle that an area light is, world, centred at its
                 position; None: no larger than a point.
-            round: the ellipse that touches the rectangle's sides instead.
+            ellipse: the ellipse that touches the rectangle's sides instead.
             casts_shadows: where DrawOptions.cast_shadows asks for them.
 
         Raises:
@@ -212,7 +212,7 @@ class Light:
     def edges(self) -> _Doubles:
         """(2, 3); 0 where none were given."""
     @property
-    def round(self) -> bool:
+    def ellipse(self) -> bool:
         """As given."""
     @property
     def casts_shadows(self) -> bool:
@@ -582,7 +582,7 @@ class ToneMap:
         """(h, w) in [0, 1]; 0 where there is no surface."""
     @property
     def extra(self) -> _Codes:
-        """(h, w) 1 to extra_levels in the deeper shadows, 0 elsewhere; (0, 0) without extra_levels."""
+        """(h, w) 1 to extra_levels in the deeper shadows, else 0; (0, 0) without extra_levels."""
     @property
     def highlight_threshold(self) -> float:
         """Brighter is highlight: as given, or what gives its share."""

@@ -20,7 +20,7 @@ struct Polygon {
 Polygon outline(const Light& light, const Vec3& seen_from) {
   const Vec3 centre = light.vector - seen_from;
   Polygon polygon;
-  if (!light.round) {
+  if (!light.ellipse) {
     for (const auto& [u, v] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}) {
       polygon.add(centre + u * light.edge_u + v * light.edge_v);
     }
@@ -63,7 +63,7 @@ double lambert_sum(const Polygon& polygon, const Vec3& normal) {
 
 double area_of(const Light& light) {
   const double rectangle = light.edge_u.cross(light.edge_v).norm();
-  return light.round ? rectangle * pi / 4 : rectangle;
+  return light.ellipse ? rectangle * pi / 4 : rectangle;
 }
 
 // From [-1, 1]^2 to the unit disk, squares about the centre to circles about it (Shirley and Chiu).
@@ -83,7 +83,7 @@ double mean_form_factor(const Light& light, const Vec3& position, const Vec3& no
 }
 
 Vec3 point_on(const Light& light, double u, double v) {
-  const Vec2 place = light.round ? on_disk(2 * u - 1, 2 * v - 1) : Vec2(2 * u - 1, 2 * v - 1);
+  const Vec2 place = light.ellipse ? on_disk(2 * u - 1, 2 * v - 1) : Vec2(2 * u - 1, 2 * v - 1);
   return light.vector + 0.5 * (place.x() * light.edge_u + place.y() * light.edge_v);
 }
 

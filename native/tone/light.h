@@ -21,7 +21,7 @@ struct Light {
   double falloff_distance = 0;
   Vec3 edge_u = Vec3::Zero();  // area: sides of its rectangle, centred at its position; both zero:
   Vec3 edge_v = Vec3::Zero();  // no larger than a point
-  bool round = false;          // area: the ellipse that touches the rectangle's sides instead
+  bool ellipse = false;        // area: the ellipse that touches the rectangle's sides instead
   bool casts_shadows = true;   // where shadows are asked for
 
   bool has_extent() const { return !edge_u.isZero(0) || !edge_v.isZero(0); }

@@ -89,7 +89,7 @@ TEST(Lights, AgreeWithAPathTracer) {
   EXPECT_NEAR(floor_light(strip, 0), 3.404, 4e-3);
   EXPECT_NEAR(floor_light(strip, 2), 0.84716, 1e-3);
   Light disk = area_lamp(1, panel, 2, 2);
-  disk.round = true;
+  disk.ellipse = true;
   EXPECT_NEAR(floor_light(disk, 0), 3.979, 8e-3);
   EXPECT_NEAR(floor_light(disk, 3), 0.09474, 2e-4);
 }
@@ -181,7 +181,7 @@ TEST(Shadows, HalfAnAreaBehindAnEdgeGivesHalf) {
   EXPECT_EQ(share(-0.3), 1);
   EXPECT_EQ(share(0.3), 0);
   EXPECT_NEAR(share(-0.125), 0.75, 1e-12);  // the edge hides what is right of x = .125
-  light.round = true;
+  light.ellipse = true;
   EXPECT_NEAR(share(0), 0.5, 1e-12);
   light = lamp(LightKind::point, 1, 1);
   EXPECT_EQ(share(-0.01), 1);

@@ -86,7 +86,8 @@ TEST(Levels, ShadowOfABoxHasItsOutline) {
   int shadowed = 0;
   for (int cell = 0; cell < 200 * 200; ++cell) {
     if (scene.surface.triangle_objects[idx(scene.visible.triangle[idx(cell)])] != 0) continue;
-    const double x = (cell % 200 + 0.5) / 100 - 1, y = 1 - (cell / 200 + 0.5) / 100;
+    const int row = cell / 200, column = cell % 200;
+    const double x = (column + 0.5) / 100 - 1, y = 1 - (row + 0.5) / 100;
     const bool is_inside = x > -1 && x < -0.3 && std::abs(y) < 0.3;  // from -.3 - .7
     EXPECT_NEAR(tone.brightness[idx(cell)], is_inside ? 0 : std::sqrt(0.5), 1e-6) << x << " " << y;
     shadowed += is_inside ? 1 : 0;
