@@ -72,7 +72,7 @@ def illustrate_frame(package: ModuleType, name: str, chosen: Any) -> str:
         made.arrays.camera,
         made.names,
         strokes,
-        chosen.width_mm,
+        chosen.width_mm or scene.illustrate.page_width_mm,
         chosen.svg_style,
     )
     made.seconds["strokes"] = time.perf_counter() - drawn
@@ -167,7 +167,9 @@ def _parser() -> argparse.ArgumentParser:
         help="what files are called: FILE is the .blend, # the frame's number",
     )
     parser.add_argument(
-        "--width-mm", type=_millimetres, default=200.0, help="the width of the page of an SVG"
+        "--width-mm",
+        type=_millimetres,
+        help="the width of the page of an SVG; that of the scene's settings when left out",
     )
     parser.add_argument(
         "--svg-style",

@@ -59,9 +59,9 @@ def illustrate(scene: Any, depsgraph: Any, progress: Progress | None = None) -> 
         drawing = ill.draw(
             prepared,
             ill.Camera(**vars(arrays.camera)),
-            settings.draw_options(chosen),
+            settings.draw_options(chosen, arrays.camera.width_px),
             progress=progress,
-            lights=[ill.Light(**vars(light)) for light in arrays.lights],
+            lights=_lights(chosen, arrays),
         )
     seconds.update(prepared.timings)
     seconds.update(drawing.timings)
@@ -86,6 +86,7 @@ def _read(scene: Any, depsgraph: Any) -> SceneArrays:
         selected_only=chosen.source == "SELECTION",
         use_lights=chosen.lighting == "SCENE",
         guides=chosen.guides,
+        auto_exposure=chosen.auto_exposure,
     )
 
 
@@ -106,6 +107,14 @@ def _explained(scene: Any) -> Iterator[None]:
         yield
     except native.load().InvalidInput as error:
         raise IllustrateError(f'Scene "{scene.name}" cannot be drawn: {error}') from error
+
+
+def _lights(chosen: Any, arrays: SceneArrays) -> list[Any]:
+    """`illustrate_native.Light` of the scene or the side light; none is the headlight."""
+    light = native.load().Light
+    if chosen.lighting == "SIDE":
+        return [light("side")]
+    return [light(**vars(each)) for each in arrays.lights]
 
 
 def _nothing_is_left(

@@ -9,7 +9,7 @@ from .operators import (
     ILLUSTRATE_OT_illustrate,
     ILLUSTRATE_OT_show_field,
 )
-from .settings import LINE_KINDS
+from .settings import LINE_KINDS, unused_fields
 
 
 class _SidePanel:
@@ -36,8 +36,10 @@ class _Fields(_SidePanel):
 def _show(layout: Any, settings: Any, fields: tuple[str, ...]) -> None:
     layout.use_property_split = True
     layout.use_property_decorate = False
+    unused = unused_fields(settings)
     for field in fields:
-        layout.prop(settings, field)
+        if field not in unused:
+            layout.prop(settings, field)
 
 
 class ILLUSTRATE_PT_main(_SidePanel, bpy.types.Panel):
@@ -45,7 +47,16 @@ class ILLUSTRATE_PT_main(_SidePanel, bpy.types.Panel):
 
     bl_idname = "ILLUSTRATE_PT_main"
     bl_label = "Illustrate"
-    fields = ("source", "output", "lighting", "line_width_px", "hatching", "spacing_px")
+    fields = (
+        "source",
+        "output",
+        "lighting",
+        "line_width_px",
+        "line_width_mm",
+        "hatching",
+        "spacing_px",
+        "spacing_mm",
+    )
 
     def draw(self, context: Any) -> None:
         """Shows the button and the first settings."""
@@ -61,7 +72,10 @@ class ILLUSTRATE_PT_lines(_Fields, bpy.types.Panel):
     bl_idname = "ILLUSTRATE_PT_lines"
     bl_label = "Lines"
     fields = (
+        "unit",
+        "page_width_mm",
         "feature_width_px",
+        "feature_width_mm",
         *LINE_KINDS,
         "hidden",
         "hidden_layers",
@@ -75,10 +89,26 @@ class ILLUSTRATE_PT_hatching(_Fields, bpy.types.Panel):
     bl_label = "Hatching"
     fields = (
         "hatch_width_px",
+        "hatch_width_mm",
+        "hatch_width_by_light",
+        "taper_px",
+        "taper_mm",
+        "auto_exposure",
+        "cast_shadows",
+        "tones",
         "highlight_threshold",
+        "highlight_share",
         "shadow_threshold",
+        "shadow_share",
+        "extra_levels",
         "undercuts",
+        "undercut_px",
+        "undercut_mm",
+        "undercut_spacing_px",
+        "undercut_spacing_mm",
         "mach_bands",
+        "mach_band_px",
+        "mach_band_mm",
     )
 
 

@@ -1,9 +1,8 @@
 """A Blender scene as arrays: evaluated meshes, camera, lights.
 
-With mesh_arrays.py and guide_arrays.py the only code that reads scene data.
+With mesh_arrays.py, guide_arrays.py and light_arrays.py the only code that reads scene data.
 """
 
-import math
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -13,12 +12,12 @@ import bpy
 import numpy as np
 
 from .guide_arrays import read_guides
+from .light_arrays import LightArrays, exposed, read_light
 from .mesh_arrays import MeshArrays, read_mesh
 from .messages import IllustrateError, quoted
 from .ownership import is_ours
 
 EDGE_LENGTH_PX = 3.0  # of refined surfaces, where the object is nearest to the camera
-LUMINANCE = (0.2126, 0.7152, 0.0722)
 
 
 @dataclass(frozen=True)
@@ -40,17 +39,6 @@ class CameraArrays:
         """Clip w of the near plane."""
         p = self.projection
         return 1.0 if p[3, 2] == 0 else float(p[2, 3] / (p[2, 2] - 1))
-
-
-@dataclass
-class LightArrays:
-    """Arguments of `illustrate_native.Light`."""
-
-    kind: str
-    vector: Any  # (3,)
-    strength: float
-    direction: Any = None  # (3,)
-    angle_rad: float | None = None
 
 
 @dataclass
@@ -79,12 +67,15 @@ def read_scene(
     selected_only: bool = False,
     use_lights: bool = True,
     guides: Any = None,
+    auto_exposure: bool = True,
 ) -> SceneArrays:
     """The evaluated scene as the camera's render would show it, meshes in the depsgraph's order.
 
     A Subdivision modifier that ends an object's stack is taken out: its cage is read, to be
     subdivided to the limit. Left out are objects hidden from viewport or render, illustrations,
-    and the objects of the collection `guides`, whose strokes are read as guides.
+    and the objects of the collection `guides`, whose strokes are read as guides. auto_exposure:
+    lights are scaled so that the strongest is white in the middle of the meshes; without, they are
+    as strong as in a render of white surfaces.
     Raises IllustrateError for a scene without a usable camera or without anything to draw.
     """
     arrays = SceneArrays(read_camera(scene, depsgraph))
@@ -102,7 +93,7 @@ def read_scene(
     if guides is not None:
         arrays.guides = read_guides(guides, scene.frame_current)
     if use_lights:
-        arrays.lights = _read_lights(depsgraph, _centre(arrays.meshes))
+        arrays.lights = _read_lights(scene, depsgraph, _centre(arrays.meshes), auto_exposure)
     return arrays
 
 
@@ -162,38 +153,18 @@ def read_camera(scene: Any, depsgraph: Any) -> CameraArrays:
 # --- Lights -------------------------------------------------------------------------------------
 
 
-def _read_lights(depsgraph: Any, centre: Any) -> list[LightArrays]:
-    """Lights of the render, as strong as they are at `centre` (3,); the strongest is 1."""
+def _read_lights(scene: Any, depsgraph: Any, centre: Any, auto_exposure: bool) -> list[LightArrays]:
+    """Lights of the render; `auto_exposure`: the strongest at `centre` (3,) gives 1 there."""
     lights = []
     for instance in depsgraph.object_instances:
         lamp = instance.object
         if lamp.type == "LIGHT" and instance.show_self and not lamp.original.hide_render:
-            lights.append(_light(lamp.data, np.array(instance.matrix_world), centre))
-    strongest = max((light.strength for light in lights), default=0.0)
-    lights = [light for light in lights if light.strength > 0]
+            lights.append(read_light(lamp.data, np.array(instance.matrix_world)))
+    if auto_exposure:
+        return exposed(lights, centre)
     for light in lights:
-        light.strength /= strongest
+        light.strength *= 2.0**scene.view_settings.exposure
     return lights
-
-
-def _light(data: Any, matrix: Any, centre: Any) -> LightArrays:
-    """One light with its irradiance at `centre`, facing it. Lights shine along their own -z."""
-    power = data.energy * float(np.dot(LUMINANCE, data.color))
-    position, backward = matrix[:3, 3], _unit(matrix[:3, 2])
-    if data.type == "SUN":
-        return LightArrays("sun", backward, power)
-    squared = max(float(np.sum((position - centre) ** 2)), 1e-12)
-    if data.type == "AREA":
-        return LightArrays("area", position, power / (math.pi * squared), -backward)
-    strength = power / (4 * math.pi * squared)
-    if data.type == "SPOT":
-        return LightArrays("spot", position, strength, -backward, data.spot_size / 2)
-    return LightArrays("point", position, strength)
-
-
-def _unit(vector: Any) -> Any:
-    length = np.linalg.norm(vector)
-    return vector / length if length > 0 else np.array([0.0, 0.0, 1.0])
 
 
 def _centre(meshes: list[MeshArrays]) -> Any:

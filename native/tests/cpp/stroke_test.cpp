@@ -368,6 +368,38 @@ TEST(MakeStrokes, HatchesSwellInTheDarkAndThinOut) {
   EXPECT_LT(drawing.widths.back(), 0.3F);
 }
 
+// Light that grows from 0 to 1 from the left to the right, shadow below .25, highlight above .75.
+TEST(MakeStrokes, WidthFollowsTheLightWithinEachLevel) {
+  ToneMap tone = half_lit();
+  tone.shadow_threshold = 0.25;
+  tone.highlight_threshold = 0.75;
+  for (int i = 0; i < size_px * size_px; ++i) {
+    tone.brightness[static_cast<std::size_t>(i)] =
+        (static_cast<float>(i % size_px) + 0.5F) / size_px;
+  }
+  Hatches hatches;
+  for (int i = 0; i <= 98; ++i) hatches.curves.push({Vec3::Zero(), {}, Vec2(0.5 + i, 30)});
+  hatches.curves.close_list();
+  hatches.objects = {0};
+  StrokeOptions options;
+  options.taper_px = 0;
+  options.simplify_px = 0;
+  hatches.kinds = {Kind::undercut};
+  for (const float width : make_strokes({}, hatches, tone, flat_camera(), {}, {}, options).widths) {
+    EXPECT_GE(width, 1) << "undercuts stay dark in the light";
+  }
+  hatches.kinds = {Kind::cross_hatch};
+  const Drawing drawing = make_strokes({}, hatches, tone, flat_camera(), {}, {}, options);
+  ASSERT_EQ(count_of(drawing), 1U);
+  for (std::size_t i = 0; i < drawing.image.size(); ++i) {
+    const double light = drawing.image[i].x() / size_px;
+    const double swelling = light <= 0.25   ? 1 - light / 0.25
+                            : light <= 0.75 ? -(light - 0.25) / 0.5
+                                            : -1.0;
+    EXPECT_NEAR(drawing.widths[i], 1 + 0.4 * swelling, 1e-5) << light;
+  }
+}
+
 TEST(StrokeOptions, WrongFieldIsNamed) {
   StrokeOptions options;
   options.speck_px = NAN;
