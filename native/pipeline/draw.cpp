@@ -5,6 +5,7 @@
 
 #include "contour/network.h"
 #include "contour/silhouettes.h"
+#include "hatch/even_hatches.h"
 #include "hatch/reduce_hatches.h"
 #include "pipeline/seen_scene.h"
 #include "pipeline/stopwatch.h"
@@ -86,6 +87,12 @@ class View {
     });
   }
 
+  // `curves`: not used with the paper's seeding. `first`: strokes to begin with.
+  void hatch_along(Ragged<SurfacePoint> curves, Ragged<SurfacePoint> first) {
+    curves_ = std::move(curves);
+    first_ = std::move(first);
+  }
+
   void hatch(const CrossField& field, const std::vector<Light>& lights, const Progress& progress) {
     const Surface& surface = scene_.surface();
     const Progress tone_progress = progress.part(0, 0.3, "tone");
@@ -100,9 +107,7 @@ class View {
                           tone_progress);
     });
     const Hatches placed = timed(result_.timings["hatch"], [&] {
-      return place_hatches(surface, field, camera_, visible, result_.tone, result_.graph,
-                           spacing_scales(options_.styles), unhatched_objects(options_.styles),
-                           options_.hatch, result_.counts, progress.part(0.3, 1, "hatch"));
+      return place(field, visible, progress.part(0.3, 1, "hatch"));
     });
     hatches_ = timed(result_.timings["hatch"], [&] {
       return reduce_hatches(placed, surface, result_.tone, result_.graph, options_.hatch,
@@ -124,9 +129,24 @@ class View {
   }
 
  private:
+  Hatches place(const CrossField& field, const VisibleImage& visible, const Progress& progress) {
+    const std::vector<double> spacing_scale = spacing_scales(options_.styles);
+    const Mask unhatched = unhatched_objects(options_.styles);
+    const Surface& surface = scene_.surface();
+    if (options_.hatch.seeding == HatchSeeding::critical_curves) {
+      return place_hatches(surface, field, camera_, visible, result_.tone, result_.graph,
+                           spacing_scale, unhatched, options_.hatch, result_.counts, progress);
+    }
+    const HatchScene hatch_scene{surface,      field,         camera_,       visible,
+                                 result_.tone, result_.graph, spacing_scale, unhatched};
+    return even_hatches(hatch_scene, curves_, first_, options_.hatch, options_.threads,
+                        result_.counts, progress);
+  }
+
   const SeenScene& scene_;
   const Camera& camera_;
   const DrawOptions& options_;
+  Ragged<SurfacePoint> curves_, first_;
   Hatches hatches_;
   DrawResult result_;
 };
@@ -142,7 +162,12 @@ DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOption
   const CrossField* field = hatching ? &prepared.field(progress.part(0.1, 0.3)) : nullptr;
   View view(scene, camera, options);
   view.label_curves(progress.part(0.3, hatching ? 0.5 : 0.95));
-  if (hatching) view.hatch(*field, lights, progress.part(0.5, 0.95));
+  if (hatching) {
+    if (options.hatch.seeding == HatchSeeding::surface_curves) {
+      view.hatch_along(scene.seen_parts(prepared.hatch_curves().curves), {});
+    }
+    view.hatch(*field, lights, progress.part(0.5, 0.95));
+  }
   return std::move(view).strokes(progress.part(0.95, 1, "stroke"));
 }
 

@@ -31,6 +31,7 @@ Prepared::Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions&
     : options_(with_threads(options)),
       curvature_(std::make_shared<Lazy<Curvature>>()),
       field_(std::make_shared<Lazy<CrossField>>()),
+      hatch_curves_(std::make_shared<Lazy<SurfaceCurves>>()),
       derivative_(std::make_shared<Lazy<CurvatureDerivative>>()) {
   timings_ = {
       {"sanitize", 0}, {"surface", 0}, {"curvature", 0}, {"field", 0}, {"intersections", 0}};
@@ -60,7 +61,9 @@ void Prepared::take_over(const Prepared& previous) {
   if (!is_same(options_.jet, previous.options_.jet)) return;
   curvature_ = previous.curvature_;
   derivative_ = previous.derivative_;
-  if (is_same(options_.cross_field, previous.options_.cross_field)) field_ = previous.field_;
+  if (!is_same(options_.cross_field, previous.options_.cross_field)) return;
+  field_ = previous.field_;
+  hatch_curves_ = previous.hatch_curves_;
 }
 
 std::vector<SoundMesh> Prepared::sanitize_all(Geometry& geometry, const Progress& progress) const {
@@ -135,6 +138,15 @@ const CrossField& Prepared::field(const Progress& progress) const {
     return timed("field", [&] {
       return solve_cross_field(surface(), curvature, options_.cross_field,
                                progress.part(0.2, 1, "field"));
+    });
+  });
+}
+
+const SurfaceCurves& Prepared::hatch_curves(const Progress& progress) const {
+  return hatch_curves_->get([&] {
+    const CrossField& cross_field = field(progress.part(0, 0.5));
+    return timed("hatch_curves", [&] {
+      return surface_curves(surface(), cross_field, progress.part(0.5, 1, "hatch curves"));
     });
   });
 }

@@ -30,6 +30,10 @@ class SeenScene {
     return prepared_.curvature_derivative();
   }
 
+  // Curves on the whole surface, as far as their triangles are in this scene, with their numbers in
+  // it.
+  Ragged<SurfacePoint> seen_parts(const Ragged<SurfacePoint>& curves) const;
+
   // From triangles of this scene to those of `prepared`.
   void restore_triangles(std::vector<SurfacePoint>& points) const;
 
@@ -37,6 +41,7 @@ class SeenScene {
   struct Part {
     Surface surface;
     std::vector<int> sources;  // (t) triangle of the whole surface
+    std::vector<int> numbers;  // (triangles of the whole surface) here, none for ignored ones
     Bvh bvh;
     Lazy<DualSurface> dual_surface;
     std::vector<FeatureEdge> features;
