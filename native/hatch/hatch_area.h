@@ -45,6 +45,7 @@ class HatchArea {
   SurfacePoint visible_point(const Vec2& image) const;
 
  private:
+  double cell_size(const Vec3& p) const { return visible_.cell_px * camera_.pixel_size(p); }
   template <class Use>
   void around(const Vec2& image, const Use& use) const;
 

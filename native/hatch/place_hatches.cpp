@@ -239,7 +239,7 @@ class Placer {
   // ratio round the list.
   void fill(Area area) {
     const double base = area == Area::undercut ? options_.undercut_spacing_px : options_.spacing_px;
-    const double step = std::max(1.0, seed_step * base);
+    const double step = std::max(0.25, seed_step * base);
     const auto columns = static_cast<std::int64_t>(camera_.width_px() / step);
     const std::int64_t count = columns * static_cast<std::int64_t>(camera_.height_px() / step);
     if (count < 1) return;

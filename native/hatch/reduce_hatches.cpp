@@ -6,6 +6,7 @@
 
 #include "hatch/choose_family.h"
 #include "hatch/critical_curves.h"
+#include "hatch/hatch_runs.h"
 #include "hatch/neighbour_grid.h"
 
 namespace illustrate {
@@ -38,18 +39,6 @@ constexpr int shadow_link = 6;
 // the longer strokes are to be kept: what each spacing of length is worth.
 constexpr double slight_bend = 0.005;
 constexpr double worth_of_length = 1e-6;
-
-// The region a point of a hatch lies in. Beyond all, where a cell at the outline is empty, a point
-// goes with the one before it.
-enum class Region : std::uint8_t { neither, single, shadow, undercut };
-
-double length_px(Span<const HatchPoint> curve) {
-  double length = 0;
-  for (std::size_t i = 1; i < curve.size(); ++i) {
-    length += (curve[i].image - curve[i - 1].image).norm();
-  }
-  return length;
-}
 
 class Reducer {
  public:
@@ -85,12 +74,6 @@ class Reducer {
   }
 
  private:
-  // Points [from, to) of a hatch.
-  struct Run {
-    int from;
-    int to;
-  };
-
   int count() const { return static_cast<int>(hatches_.kinds.size()); }
   int begin(int hatch) const { return hatches_.curves.offsets[hatch]; }
   int end(int hatch) const { return hatches_.curves.offsets[hatch + 1]; }
@@ -103,14 +86,6 @@ class Reducer {
 
   double length_of(const Run& run) const {
     return length_px({&points_[run.from], static_cast<std::size_t>(run.to - run.from)});
-  }
-
-  static Region region_of(const ToneMap& tone, const Vec2& image) {
-    const int cell = tone.cell_of(image);
-    if (cell == none || tone.band[cell] == Band::mach_band) return Region::neither;
-    if (tone.band[cell] == Band::undercut) return Region::undercut;
-    if (tone.level[cell] == Tone::midtone) return Region::single;
-    return tone.level[cell] == Tone::shadow ? Region::shadow : Region::neither;
   }
 
   // A hatch's regions, and its pieces: what is in single-hatch regions, deleted at first.
@@ -347,17 +322,6 @@ class Reducer {
     if (length_of(run) >= speck * spacing) return true;
     return any_neighbour(longer, (run.from + run.to) / 2, company * spacing,
                          [&](int, bool parallel) { return parallel; });
-  }
-
-  // The longest runs of points that are `chosen`.
-  template <class Chosen>
-  static std::vector<Run> runs(const Run& within, const Chosen& chosen) {
-    std::vector<Run> result;
-    for (int from = within.from, to; from < within.to; from = to + 1) {
-      for (to = from; to < within.to && chosen(to);) ++to;
-      if (to > from) result.push_back({from, to});
-    }
-    return result;
   }
 
   void add(Hatches& result, const Run& run) const {
