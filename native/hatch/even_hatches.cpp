@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "hatch/cut_streamlines.h"
 #include "hatch/finish_streamlines.h"
@@ -15,6 +16,9 @@ namespace {
 
 // Seeds on the whole surface for each square of a spacing, seen face on.
 constexpr double seeds_per_square = 3;
+
+// Of the lattice of the image that helps where seeds on the surface are too few, in spacings.
+constexpr double lattice_step = 0.5;
 
 // World length of a pixel, on average over what is seen; 0 where nothing is.
 double mean_pixel(const HatchScene& scene) {
@@ -34,6 +38,35 @@ std::size_t seed_count(const HatchScene& scene, double area, double spacing_px) 
   const double spacing = mean_pixel(scene) * spacing_px;
   const double count = spacing > 0 ? seeds_per_square * area / (spacing * spacing) : 0;
   return static_cast<std::size_t>(std::min(count, 1e9));
+}
+
+// What is seen under a lattice of the image, in an order that spreads: steps of the golden ratio.
+std::vector<SurfacePoint> lattice_places(const HatchScene& scene, const HatchView& view,
+                                         double step_px) {
+  const auto columns = static_cast<std::int64_t>(scene.camera.width_px() / step_px);
+  const std::int64_t count =
+      columns * static_cast<std::int64_t>(scene.camera.height_px() / step_px);
+  auto stride = static_cast<std::int64_t>(0.6180339887498949 * static_cast<double>(count)) | 1;
+  while (count > 0 && std::gcd(stride, count) != 1) stride += 2;
+  std::vector<SurfacePoint> places;
+  for (std::int64_t i = 0, at = 0; i < count; ++i, at = (at + stride) % count) {
+    const Vec2 cell(static_cast<double>(at % columns), static_cast<double>(at / columns));
+    const SurfacePoint on = view.area.visible_point((cell + Vec2(0.5, 0.5)) * step_px);
+    if (on.triangle != none) places.push_back(on);
+  }
+  return places;
+}
+
+// From places fixed on the surface; so near that they lie too far apart, from the image too.
+std::vector<StreamlineNode> all_seeds(const HatchScene& scene, const HatchView& view,
+                                      const SurfaceCurves& curves, double spacing_px) {
+  const std::size_t count = seed_count(scene, curves.area, spacing_px);
+  std::vector<StreamlineNode> seeds = seed_nodes(view, curves.seeds, count);
+  if (count <= curves.seeds.size()) return seeds;
+  const std::vector<SurfacePoint> more = lattice_places(scene, view, lattice_step * spacing_px);
+  const std::vector<StreamlineNode> nodes = seed_nodes(view, more, more.size());
+  seeds.insert(seeds.end(), nodes.begin(), nodes.end());
+  return seeds;
 }
 
 // A drawing that stands alone.
@@ -88,8 +121,7 @@ Hatches even_hatches(const HatchScene& scene, const SurfaceCurves& curves,
   progress.report(0);
   const HatchView view(scene.surface, scene.field, scene.camera, scene.visible, scene.tone,
                        scene.graph, scene.spacing_scale, scene.unhatched, options);
-  const std::vector<StreamlineNode> seeds =
-      seed_nodes(view, curves.seeds, seed_count(scene, curves.area, options.spacing_px));
+  const std::vector<StreamlineNode> seeds = all_seeds(scene, view, curves, options.spacing_px);
   StreamlineSet set(view);
   if (first.empty()) {
     place_anew(set, view, curves.curves, seeds, threads, progress.part(0.1, 0.7));

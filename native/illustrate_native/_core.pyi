@@ -468,8 +468,9 @@ class Prepared:
         """What was mended in each mesh, with its 'name'."""
     @property
     def timings(self) -> dict[str, float]:
-        """Seconds of 'sanitize', 'surface', 'curvature', 'field', 'intersections', 'hatch_curves' so far.
+        """Seconds per stage, so far.
 
+        'sanitize', 'surface', 'curvature', 'field', 'intersections' and 'hatch_curves'.
         What was taken over from `previous` took none.
         """
 

@@ -58,6 +58,17 @@ TEST(EvenHatches, KeepToTheCross) {
   EXPECT_LT(far_off, all / 50);
 }
 
+// A hundredth of the plane fills the frame: neither curves nor seeds lie so densely.
+TEST(EvenHatches, CloseViewsAreCoveredToo) {
+  Scene scene = scene_of(shapes::plain_surface(shapes::plane(13, 11)),
+                         cameras::orthographic(Vec3::UnitZ(), 0.012, 240),
+                         [](const Vec3&) { return Vec3(std::cos(0.35), std::sin(0.35), 0); });
+  const Hatches hatches = scene.even();
+  double length = 0;
+  for (std::size_t h = 0; h < hatches.curves.size(); ++h) length += length_px(hatches.curves[h]);
+  EXPECT_NEAR(length * 8 / (2 * 240 * 240), 1, 0.2);
+}
+
 // The same view in half as many pixels, at half the spacing.
 TEST(EvenHatches, DoNotDependOnThePixels) {
   Scene fine = torus_scene();
