@@ -254,7 +254,10 @@ class DrawOptions:
     undercut_spacing_px: float
     """Between hatches inside undercuts."""
     test_factor: float
-    """A hatch ends this share of the spacing away from a parallel one."""
+    """A hatch ends this share of the spacing away from a parallel one.
+
+    Like step_px and min_length_px for the paper's seeding, and in undercuts.
+    """
     step_px: float
     """Length of a tracing step."""
     max_turn_deg: float
