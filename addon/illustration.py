@@ -1,7 +1,8 @@
 """From a scene to a drawing: reads, prepares and draws."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -51,18 +52,10 @@ def illustrate(scene: Any, depsgraph: Any, progress: Progress | None = None) -> 
     chosen = scene.illustrate
     ill = native.load()
     start = time.perf_counter()
-    arrays = read_scene(
-        scene,
-        depsgraph,
-        selected_only=chosen.source == "SELECTION",
-        use_lights=chosen.lighting == "SCENE",
-    )
+    arrays = _read(scene, depsgraph)
     seconds = {"read": time.perf_counter() - start}
-    try:
-        meshes = [ill.PolygonMesh(**vars(mesh)) for mesh in arrays.meshes]
-        prepared = ill.prepare(meshes, settings.prepare_options(chosen), progress=progress)
-        if not len(prepared.surface.triangles):
-            raise _nothing_is_left(scene, arrays, prepared.reports)
+    with _explained(scene):
+        prepared = _prepare(scene, arrays, progress)
         drawing = ill.draw(
             prepared,
             ill.Camera(**vars(arrays.camera)),
@@ -70,11 +63,49 @@ def illustrate(scene: Any, depsgraph: Any, progress: Progress | None = None) -> 
             progress=progress,
             lights=[ill.Light(**vars(light)) for light in arrays.lights],
         )
-    except ill.InvalidInput as error:
-        raise IllustrateError(f'Scene "{scene.name}" cannot be drawn: {error}') from error
     seconds.update(prepared.timings)
     seconds.update(drawing.timings)
-    return Illustration(drawing, arrays, _warnings(arrays, prepared.reports), seconds)
+    warnings = _warnings(arrays, prepared.reports) + _guide_warnings(scene, arrays)
+    return Illustration(drawing, arrays, warnings, seconds)
+
+
+def prepare_scene(scene: Any, depsgraph: Any, progress: Progress | None = None) -> Any:
+    """`illustrate_native.Prepared` of a scene with its own settings; nothing is drawn.
+
+    Raises IllustrateError where `illustrate` does.
+    """
+    with _explained(scene):
+        return _prepare(scene, _read(scene, depsgraph), progress)
+
+
+def _read(scene: Any, depsgraph: Any) -> SceneArrays:
+    chosen = scene.illustrate
+    return read_scene(
+        scene,
+        depsgraph,
+        selected_only=chosen.source == "SELECTION",
+        use_lights=chosen.lighting == "SCENE",
+        guides=chosen.guides,
+    )
+
+
+def _prepare(scene: Any, arrays: SceneArrays, progress: Progress | None) -> Any:
+    ill = native.load()
+    meshes = [ill.PolygonMesh(**vars(mesh)) for mesh in arrays.meshes]
+    options = settings.prepare_options(scene.illustrate, arrays.guides)
+    prepared = ill.prepare(meshes, options, progress=progress)
+    if not len(prepared.surface.triangles):
+        raise _nothing_is_left(scene, arrays, prepared.reports)
+    return prepared
+
+
+@contextmanager
+def _explained(scene: Any) -> Iterator[None]:
+    """What the native module refuses, in words for the artist."""
+    try:
+        yield
+    except native.load().InvalidInput as error:
+        raise IllustrateError(f'Scene "{scene.name}" cannot be drawn: {error}') from error
 
 
 def _nothing_is_left(
@@ -87,6 +118,16 @@ def _nothing_is_left(
         f'Nothing in scene "{scene.name}" can be drawn: no face of {names} has an area. Check '
         f"the coordinates of the vertices and the scale of the objects. {found}".strip()
     )
+
+
+def _guide_warnings(scene: Any, arrays: SceneArrays) -> list[str]:
+    collection = scene.illustrate.guides
+    if collection is None or arrays.guides:
+        return []
+    return [
+        f'Collection "{collection.name}" guides nothing: it has no curve or Grease Pencil stroke '
+        f"at frame {scene.frame_current}"
+    ]
 
 
 def _warnings(arrays: SceneArrays, reports: list[dict[str, Any]]) -> list[str]:

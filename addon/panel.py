@@ -4,7 +4,11 @@ from typing import Any
 
 import bpy
 
-from .operators import ILLUSTRATE_OT_illustrate
+from .operators import (
+    ILLUSTRATE_OT_hide_field,
+    ILLUSTRATE_OT_illustrate,
+    ILLUSTRATE_OT_show_field,
+)
 from .settings import LINE_KINDS
 
 
@@ -78,6 +82,28 @@ class ILLUSTRATE_PT_hatching(_Fields, bpy.types.Panel):
     )
 
 
+class ILLUSTRATE_PT_directions(_Fields, bpy.types.Panel):
+    """Where hatches run."""
+
+    bl_idname = "ILLUSTRATE_PT_directions"
+    bl_label = "Hatch Directions"
+    fields = (
+        "guides",
+        "guide_weight",
+        "rings",
+        "parabolic_ratio",
+        "least_curvature",
+        "largest_energy",
+    )
+
+    def draw(self, context: Any) -> None:
+        """Shows the fields and the buttons for the overlay."""
+        super().draw(context)
+        row = self.layout.row(align=True)
+        row.operator(ILLUSTRATE_OT_show_field.bl_idname)
+        row.operator(ILLUSTRATE_OT_hide_field.bl_idname)
+
+
 class ILLUSTRATE_PT_performance(_Fields, bpy.types.Panel):
     """How much is computed."""
 
@@ -90,6 +116,7 @@ CLASSES = (
     ILLUSTRATE_PT_main,
     ILLUSTRATE_PT_lines,
     ILLUSTRATE_PT_hatching,
+    ILLUSTRATE_PT_directions,
     ILLUSTRATE_PT_performance,
 )
 

@@ -1,6 +1,6 @@
 """A Blender scene as arrays: evaluated meshes, camera, lights.
 
-With mesh_arrays.py the only code that reads scene data.
+With mesh_arrays.py and guide_arrays.py the only code that reads scene data.
 """
 
 import math
@@ -12,6 +12,7 @@ from typing import Any
 import bpy
 import numpy as np
 
+from .guide_arrays import read_guides
 from .mesh_arrays import MeshArrays, read_mesh
 from .messages import IllustrateError, quoted
 from .ownership import is_ours
@@ -59,6 +60,7 @@ class SceneArrays:
     camera: CameraArrays
     meshes: list[MeshArrays] = field(default_factory=list)
     lights: list[LightArrays] = field(default_factory=list)
+    guides: list[Any] = field(default_factory=list)  # (k, 3) world, polylines
     without_faces: list[str] = field(default_factory=list)  # objects that were left out
 
 
@@ -72,17 +74,22 @@ class _Placed:
 
 
 def read_scene(
-    scene: Any, depsgraph: Any, selected_only: bool = False, use_lights: bool = True
+    scene: Any,
+    depsgraph: Any,
+    selected_only: bool = False,
+    use_lights: bool = True,
+    guides: Any = None,
 ) -> SceneArrays:
     """The evaluated scene as the camera's render would show it, meshes in the depsgraph's order.
 
     A Subdivision modifier that ends an object's stack is taken out: its cage is read, to be
-    subdivided to the limit. Left out are objects hidden from viewport or render, and
-    illustrations.
+    subdivided to the limit. Left out are objects hidden from viewport or render, illustrations,
+    and the objects of the collection `guides`, whose strokes are read as guides.
     Raises IllustrateError for a scene without a usable camera or without anything to draw.
     """
     arrays = SceneArrays(read_camera(scene, depsgraph))
-    placed = _placed_meshes(depsgraph, selected_only)
+    guiding = set(guides.all_objects) if guides is not None else set()
+    placed = _placed_meshes(depsgraph, selected_only, guiding)
     cages = _read_cages([p.original for p in placed if p.geometry is None], scene)
     for p in placed:
         geometry = p.geometry or cages[p.original]
@@ -92,6 +99,8 @@ def read_scene(
             arrays.without_faces.append(geometry.name)
     if not arrays.meshes:
         raise _nothing_to_draw(scene, selected_only, arrays.without_faces)
+    if guides is not None:
+        arrays.guides = read_guides(guides, scene.frame_current)
     if use_lights:
         arrays.lights = _read_lights(depsgraph, _centre(arrays.meshes))
     return arrays
@@ -200,7 +209,7 @@ def _finite(points: Any) -> Any:
 # --- Meshes -------------------------------------------------------------------------------------
 
 
-def _placed_meshes(depsgraph: Any, selected_only: bool) -> list[_Placed]:
+def _placed_meshes(depsgraph: Any, selected_only: bool, left_out: set[Any]) -> list[_Placed]:
     """Every mesh and instance that is seen; curves, texts and metaballs come as instances."""
     placed = []
     for instance in depsgraph.object_instances:
@@ -208,7 +217,7 @@ def _placed_meshes(depsgraph: Any, selected_only: bool) -> list[_Placed]:
         if thing.type != "MESH" or not instance.show_self:
             continue
         owner = (instance.parent if instance.is_instance else thing).original
-        if is_ours(owner) or owner.hide_render or thing.original.hide_render:
+        if is_ours(owner) or owner in left_out or owner.hide_render or thing.original.hide_render:
             continue
         if selected_only and not owner.select_get():
             continue

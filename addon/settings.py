@@ -160,6 +160,52 @@ class ILLUSTRATE_PG_settings(bpy.types.PropertyGroup):
         description="Leave a narrow band along the near side of a fold white",
     )
 
+    guides: PointerProperty(
+        type=bpy.types.Collection,
+        name="Guides",
+        description="Hatches follow the curves and Grease Pencil strokes of this collection, "
+        "drawn on the surfaces or near them; its objects are not drawn",
+    )
+    guide_weight: FloatProperty(
+        name="Guide Weight",
+        default=10.0,
+        min=0.0,
+        soft_max=100.0,
+        description="How closely hatches follow the guides; 10 is nearly exact",
+    )
+    rings: IntProperty(
+        name="Smoothing",
+        default=3,
+        min=1,
+        max=10,
+        description="Rings of neighbours that directions are computed from: "
+        "more for meshes with fine detail that the hatches should not follow",
+    )
+    parabolic_ratio: FloatProperty(
+        name="Parabolic Ratio",
+        default=0.2,
+        min=0.0,
+        soft_max=1.0,
+        description="Hatches keep to the curvature where the smaller one is at most this share of "
+        "the larger; 0 smooths all directions",
+    )
+    least_curvature: FloatProperty(
+        name="Least Curvature",
+        default=1.0,
+        min=0.0,
+        soft_max=20.0,
+        description="Where an object bends less, measured against its size, directions are "
+        "smoothed",
+    )
+    largest_energy: FloatProperty(
+        name="Largest Energy",
+        default=0.05,
+        min=0.0,
+        max=2.0,
+        description="Where directions of curvature disagree more with their neighbours, they are "
+        "smoothed",
+    )
+
     triangle_budget: IntProperty(
         name="Triangle Budget",
         default=250_000,
@@ -182,10 +228,23 @@ def _fill(options: Any, settings: Any, names: tuple[str, ...]) -> Any:
     return options
 
 
-def prepare_options(settings: Any) -> Any:
-    """`illustrate_native.PrepareOptions` of the settings (an ILLUSTRATE_PG_settings)."""
-    options = _fill(native.load().PrepareOptions(), settings, ("triangle_budget", "threads"))
+def prepare_options(settings: Any, guides: list[Any]) -> Any:
+    """`illustrate_native.PrepareOptions` of the settings (an ILLUSTRATE_PG_settings).
+
+    guides: polylines (k, 3) in world space.
+    """
+    names = (
+        "rings",
+        "parabolic_ratio",
+        "least_curvature",
+        "largest_energy",
+        "triangle_budget",
+        "threads",
+    )
+    ill = native.load()
+    options = _fill(ill.PrepareOptions(), settings, names)
     options.field = settings.hatching
+    options.guides = [ill.Guide(points, settings.guide_weight) for points in guides]
     return options
 
 

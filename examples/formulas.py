@@ -30,11 +30,38 @@ def sphere(radius: float, cells: int = 24) -> tuple[Any, Any]:
     sides = [(one, a, b), (-one, b, a), (b, one, a), (a, -one, b), (a, b, one), (b, a, -one)]
     points = np.concatenate([np.stack(side, axis=-1).reshape(-1, 3) for side in sides])
     points *= radius / np.linalg.norm(points, axis=1, keepdims=True)
-    _, first, same = np.unique(
-        np.round(points / radius, 9), axis=0, return_index=True, return_inverse=True
+    return _welded(points / radius, points, cells + 1)
+
+
+def _welded(keys: Any, points: Any, side: int) -> tuple[Any, Any]:
+    """Square sides of side x side points each, joined where their keys are the same."""
+    _, first, same = np.unique(np.round(keys, 9), axis=0, return_index=True, return_inverse=True)
+    index = same.reshape(-1, side, side)
+    return points[first], np.concatenate([_grid_quads(each) for each in index])
+
+
+def cylinder(radius: float = 1.0, height: float = 3.0, rows: int = 96) -> tuple[Any, Any]:
+    """An open cylinder round the z axis."""
+    u, z = np.meshgrid(
+        2 * np.pi * np.arange(rows) / rows, np.linspace(0, height, rows // 2), indexing="ij"
     )
-    index = same.reshape(6, cells + 1, cells + 1)
-    return points[first], np.concatenate([_grid_quads(side) for side in index])
+    positions = np.stack([radius * np.cos(u), radius * np.sin(u), z], axis=-1)
+    index = np.pad(np.arange(u.size).reshape(u.shape), ((0, 1), (0, 0)), mode="wrap")
+    return positions.reshape(-1, 3), _grid_quads(index)
+
+
+def smooth_corner(roundness: float = 5.0, cells: int = 48) -> tuple[Any, Any]:
+    """Three walls that meet in a rounded corner (paper figure 10).
+
+    Part of |x|^p + |y|^p + |z|^p = 1, p the roundness.
+    """
+    line = np.linspace(-0.3, 1, cells + 1)
+    a, b = np.meshgrid(line, line, indexing="ij")
+    one = np.ones_like(a)
+    sides = [(one, a, b), (b, one, a), (a, b, one)]
+    points = np.concatenate([np.stack(side, axis=-1).reshape(-1, 3) for side in sides])
+    norm = (np.abs(points) ** roundness).sum(axis=1, keepdims=True) ** (1 / roundness)
+    return _welded(points, points / norm, cells + 1)
 
 
 def klein_bottle(rows: int = 128, columns: int = 40) -> tuple[Any, Any]:

@@ -6,6 +6,7 @@ import bpy
 import numpy as np
 
 from ..ownership import is_ours, mark
+from . import field_overlay
 from .strokes import StrokeGroup
 
 COLLECTION = "Illustration"
@@ -70,7 +71,9 @@ def _our_ink() -> Any:
     mine = (
         material
         for material in bpy.data.materials
-        if is_ours(material) and not material.is_grease_pencil
+        if is_ours(material)
+        and not material.is_grease_pencil
+        and field_overlay.INK not in material
     )
     return next(mine, None)
 

@@ -1,6 +1,7 @@
 // The options of all stages, flattened into attributes.
 #include <pybind11/stl.h>
 
+#include "bindings/arrays.h"
 #include "bindings/bind.h"
 #include "bindings/draw_options.h"
 #include "bindings/names.h"
@@ -13,6 +14,76 @@
 
 namespace illustrate::bindings {
 namespace {
+
+constexpr std::array<const char*, 2> start_names{"search", "principal"};
+
+FieldStart start_named(const std::string& name) {
+  for (std::size_t i = 0; i < start_names.size(); ++i) {
+    if (name == start_names[i]) return static_cast<FieldStart>(i);
+  }
+  throw InvalidInput("field_start is '" + name + "', expected 'search' or 'principal'");
+}
+
+void bind_guide(py::module_& m) {
+  using namespace py::literals;
+  py::class_<Guide>(m, "Guide", "A stroke for the field to follow. Immutable.")
+      .def(py::init([](const py::object& points, const py::object& weight) {
+             return Guide{read_points(points, "guide.points"), read_number(weight, "guide.weight")};
+           }),
+           "points"_a, "weight"_a = Guide{}.weight)
+      .def_property_readonly("points", [](const Guide& guide) { return array_of(guide.points); })
+      .def_readonly("weight", &Guide::weight);
+}
+
+std::vector<Guide> read_guides(const py::object& value) {
+  std::vector<Guide> guides;
+  if (value.is_none()) return guides;
+  if (!py::isinstance<py::sequence>(value)) throw InvalidInput("guides must be a list of Guide");
+  for (const py::handle guide : py::sequence(value)) {
+    if (!py::isinstance<Guide>(guide)) {
+      throw InvalidInput("guides[" + std::to_string(guides.size()) + "] is not a Guide");
+    }
+    guides.push_back(guide.cast<Guide>());
+  }
+  return guides;
+}
+
+PrescribedSingularities read_singularities(const py::object& value) {
+  if (value.is_none()) return {};
+  if (!py::isinstance<py::sequence>(value) || py::len(value) != 2) {
+    throw InvalidInput("singularities must be (positions, quarter turns) or None");
+  }
+  const py::sequence pair(value);
+  PrescribedSingularities read{read_points(pair[0], "singularities: positions"),
+                               read_indices(pair[1], "singularities: quarter turns")};
+  if (read.positions.size() != read.indices.size()) {
+    throw InvalidInput("singularities has " + std::to_string(read.positions.size()) +
+                       " positions but " + std::to_string(read.indices.size()) + " quarter turns");
+  }
+  return read;
+}
+
+void bind_guidance(py::class_<PrepareOptions>& bound) {
+  bound.def_property(
+      "guides", [](const PrepareOptions& options) { return py::cast(options.cross_field.guides); },
+      [](PrepareOptions& options, const py::object& value) {
+        options.cross_field.guides = read_guides(value);
+      },
+      "Strokes for the field to follow");
+  OPTION("guide_radius", cross_field.guide_radius,
+         "No vertex so near a guide is reliable; share of the object's diagonal");
+  bound.def_property(
+      "singularities",
+      [](const PrepareOptions& options) -> py::object {
+        const PrescribedSingularities& s = options.cross_field.singularities;
+        if (s.empty()) return py::none();
+        return py::make_tuple(array_of(s.positions), array_of(s.indices));
+      },
+      [](PrepareOptions& options, const py::object& value) {
+        options.cross_field.singularities = read_singularities(value);
+      },
+      "(positions (k, 3), quarter turns (k,)) that the field is to have, or None");
+}
 
 void bind_prepare_options(py::module_& m) {
   py::class_<PrepareOptions> bound(m, "PrepareOptions", "How meshes are prepared.");
@@ -36,6 +107,18 @@ void bind_prepare_options(py::module_& m) {
   OPTION("largest_energy", cross_field.largest_energy,
          "Reliable where the mean of 1 + e over the edges is at most this, in [0, 2]");
   OPTION("alignment_weight", cross_field.alignment_weight, "Soft pull of creases and boundaries");
+  OPTION("inverse_length_weights", cross_field.inverse_length_weights,
+         "Edges count in inverse proportion to their length");
+  bound.def_property(
+      "field_start",
+      [](const PrepareOptions& options) {
+        return start_names[static_cast<std::size_t>(options.cross_field.start)];
+      },
+      [](PrepareOptions& options, const std::string& name) {
+        options.cross_field.start = start_named(name);
+      },
+      "'search': the best of many fields; 'principal': near the principal directions");
+  bind_guidance(bound);
   OPTION("max_evaluations", cross_field.max_evaluations, "Of the field's energy");
   bound.def_property(
       "default_direction",
@@ -166,6 +249,7 @@ DrawOptions read_draw_options(const PythonDrawOptions& options) {
 
 void bind_options(py::module_& m) {
   bind_object_style(m);
+  bind_guide(m);
   bind_prepare_options(m);
   bind_draw_options(m);
 }

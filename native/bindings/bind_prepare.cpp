@@ -152,6 +152,7 @@ void bind_field(py::module_& m) {
   part("directions", &CrossField::directions);
   part("singular_triangles", &CrossField::singular_triangles);
   part("singular_indices", &CrossField::singular_indices);
+  part("singular_positions", &CrossField::singular_positions);
   bound.def_property_readonly("reliable", [](const FieldHandle& handle) {
     return view_of_flags(handle.field, handle.field->reliable);
   });
@@ -213,8 +214,10 @@ FieldHandle solve(const Prepared& prepared, const std::optional<PrepareOptions>&
   FieldOptions field_options = used.cross_field;
   field_options.threads = used.threads;
   const Curvature& curvature = prepared.hatch_curvature(reported.part(0, 0.2));
+  FieldAids aids;
+  if (needs_tree(field_options)) aids.bvh = &prepared.bvh();
   return {std::make_shared<const CrossField>(solve_cross_field(
-      prepared.surface(), curvature, field_options, reported.part(0.2, 1, "field")))};
+      prepared.surface(), curvature, field_options, aids, reported.part(0.2, 1, "field")))};
 }
 
 }  // namespace

@@ -21,6 +21,12 @@ class Lazy {
     return *value_;
   }
 
+  // Null where nobody has asked yet.
+  const T* peek() {
+    const std::lock_guard<std::recursive_mutex> lock(mutex_);
+    return value_.get();
+  }
+
  private:
   std::recursive_mutex mutex_;
   std::unique_ptr<const T> value_;

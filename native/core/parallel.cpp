@@ -11,6 +11,9 @@ namespace {
 // Below this many elements a thread costs more than it saves.
 constexpr std::size_t smallest_share = 2048;
 
+// Elements between two reports of progress.
+constexpr std::size_t piece = 65536;
+
 std::size_t thread_count(std::size_t count, int threads) {
   const std::size_t asked = threads > 0 ? static_cast<std::size_t>(threads)
                                         : std::max(1U, std::thread::hardware_concurrency());
@@ -40,6 +43,15 @@ void parallel_for(std::size_t count, int threads,
   for (std::thread& worker : workers) worker.join();
   for (const std::exception_ptr& failure : failures) {
     if (failure) std::rethrow_exception(failure);
+  }
+}
+
+void parallel_for(std::size_t count, int threads, const Progress& progress,
+                  const std::function<void(std::size_t, std::size_t)>& body) {
+  for (std::size_t done = 0; done < count; done += piece) {
+    progress.report(static_cast<double>(done) / static_cast<double>(count));
+    parallel_for(std::min(piece, count - done), threads,
+                 [&](std::size_t begin, std::size_t end) { body(done + begin, done + end); });
   }
 }
 

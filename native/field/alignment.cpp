@@ -5,6 +5,8 @@
 namespace illustrate {
 namespace {
 
+constexpr std::size_t triangles_per_report = 262144;
+
 // A side of a triangle where copies of the same two points may meet.
 struct FeatureSide {
   Edge places;  // lower first
@@ -55,7 +57,8 @@ void couple(const Surface& surface, const TangentFrames& frames, const FeatureSi
 }  // namespace
 
 Alignment align_to_features(const Surface& surface, const TangentFrames& frames,
-                            const std::vector<double>& diagonals, double weight) {
+                            const std::vector<double>& diagonals, double weight,
+                            const Progress& progress) {
   Alignment result{CrossNumbers(frames.size(), 0), {}};
   if (weight <= 0) return result;
   const auto side_weight = [&](const FeatureSide& side) {
@@ -65,6 +68,9 @@ Alignment align_to_features(const Surface& surface, const TangentFrames& frames,
   };
   std::vector<FeatureSide> sides;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    if (t % triangles_per_report == 0) {
+      progress.report(static_cast<double>(t) / static_cast<double>(surface.triangles.size()));
+    }
     for (int k = 0; k < 3; ++k) {
       const EdgeKind kind = surface.edge_kinds[t][static_cast<std::size_t>(k)];
       if (!may_have_copies(kind)) continue;

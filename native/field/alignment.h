@@ -16,6 +16,7 @@ struct Alignment {
 
 // diagonals: (n) diagonal of the box of each vertex's object.
 Alignment align_to_features(const Surface& surface, const TangentFrames& frames,
-                            const std::vector<double>& diagonals, double weight);
+                            const std::vector<double>& diagonals, double weight,
+                            const Progress& progress = {});
 
 }  // namespace illustrate

@@ -1,10 +1,13 @@
 #include "field/cross_field.h"
 
 #include "core/errors.h"
+#include "core/parallel.h"
+#include "field/change.h"
+#include "field/last_field.h"
 #include "field/minimise.h"
 #include "field/portfolio.h"
+#include "field/problem.h"
 #include "field/singularities.h"
-#include "field/starts.h"
 
 namespace illustrate {
 namespace {
@@ -12,142 +15,93 @@ namespace {
 // A part leaves its start only for a share of energy that rounding cannot explain.
 constexpr double least_gain = 1e-9;
 
-// Everything the stages of the solution share.
-struct Problem {
-  TangentFrames frames;
-  TriangleEdges triangle_edges;
-  std::vector<FieldEdge> edges;
-  std::vector<double> diagonals;
-  Alignment alignment;
-  FieldParts parts;
-  CrossNumbers by_default;
-  PrincipalCrosses principal;
-  std::vector<std::uint8_t> reliable;  // (n)
-  CrossNumbers initial;
-};
-
-Problem state_problem(const Surface& surface, const Curvature& curvature,
-                      const FieldOptions& options, const Progress& progress) {
-  Problem p;
-  p.frames = tangent_frames(surface.normals, options.threads);
-  progress.report(0.1);
-  p.triangle_edges = triangle_edges(surface);
-  progress.report(0.4);
-  p.edges = field_edges(surface, p.triangle_edges, p.frames, options.threads);
-  progress.report(0.5);
-  p.diagonals = object_diagonals(surface);
-  p.alignment = align_to_features(surface, p.frames, p.diagonals, options.alignment_weight);
-  p.parts = connected_parts(p.frames.size(), p.edges);
-  progress.report(0.8);
-  p.by_default = default_crosses(p.frames, options.default_direction);
-  p.principal = principal_crosses(p.frames, curvature, p.by_default);
-  p.reliable = reliable_vertices(curvature, p.edges, p.principal, p.diagonals, options);
-  return p;
-}
-
-// (parts) 1: nothing is held, and all crosses may turn by one angle without a change of energy.
-std::vector<std::uint8_t> parts_that_may_turn(const Problem& p) {
-  std::vector<std::uint8_t> may_turn(static_cast<std::size_t>(p.parts.count), 1);
-  const auto part_of = [&](int vertex) {
-    return static_cast<std::size_t>(p.parts.of_vertex[static_cast<std::size_t>(vertex)]);
-  };
-  for (std::size_t i = 0; i < p.reliable.size(); ++i) {
-    if (p.reliable[i]) may_turn[part_of(static_cast<int>(i))] = 0;
-  }
-  for (const FieldEdge& edge : p.edges) {
-    if (edge.mirrored) may_turn[part_of(edge.from)] = 0;
-  }
-  return may_turn;
-}
-
-// Principal directions; in a part without a reliable vertex the default direction, turned towards
-// its features.
-CrossNumbers initial_field(const Problem& p) {
-  std::vector<std::uint8_t> has_reliable(static_cast<std::size_t>(p.parts.count), 0);
-  for (std::size_t i = 0; i < p.reliable.size(); ++i) {
-    if (p.reliable[i]) has_reliable[static_cast<std::size_t>(p.parts.of_vertex[i])] = 1;
-  }
-  CrossNumbers z = p.principal.z;
-  for (std::size_t i = 0; i < z.size(); ++i) {
-    if (!has_reliable[static_cast<std::size_t>(p.parts.of_vertex[i])]) z[i] = p.by_default[i];
-  }
-  turn_parts(p.parts, parts_that_may_turn(p), p.alignment.pulls, z);
-  return z;
-}
+// Near the last field, a search that takes longer needs to look at all scales.
+constexpr int few_evaluations = 8;
 
 struct Solution {
   CrossNumbers z;
   MinimiseResult result;
 };
 
-Solution solve(const Problem& p, bool aligned, const FieldOptions& options,
-               const Progress& progress) {
-  std::vector<FieldEdge> edges = p.edges;
-  CrossNumbers pulls(p.initial.size(), 0);
-  if (aligned) {
-    edges.insert(edges.end(), p.alignment.couplings.begin(), p.alignment.couplings.end());
-    pulls = p.alignment.pulls;
+enum class Pulls { all, guides, none };  // all: of features, too
+
+// (n) 1: held, or nothing is to be gained, since the part is parallel and follows its guides.
+std::vector<std::uint8_t> settled_vertices(const FieldProblem& p) {
+  const std::vector<double> energies = part_energies(p, p.initial), least = least_energies(p);
+  std::vector<std::uint8_t> is_settled = p.reliable;
+  for (std::size_t i = 0; i < is_settled.size(); ++i) {
+    const std::size_t part = idx(p.parts.of_vertex[i]);
+    if (energies[part] <= least[part] * (1 - least_gain)) is_settled[i] = 1;
   }
-  std::vector<int> vertices;
+  return is_settled;
+}
+
+FieldGraph graph_of(const FieldProblem& p, Pulls used, const std::vector<std::uint8_t>& is_held,
+                    const CrossNumbers& z, std::vector<int>& vertices, const Progress& progress) {
+  std::vector<FieldEdge> edges;
+  CrossNumbers pulls(z.size(), 0);
+  if (used != Pulls::none) pulls = p.guide_pulls;
+  if (used != Pulls::all) return free_graph(p.edges, pulls, is_held, z, vertices, progress);
+  for (std::size_t i = 0; i < pulls.size(); ++i) pulls[i] += p.alignment.pulls[i];
+  if (p.alignment.couplings.empty())
+    return free_graph(p.edges, pulls, is_held, z, vertices, progress);
+  edges = p.edges;
+  edges.insert(edges.end(), p.alignment.couplings.begin(), p.alignment.couplings.end());
+  return free_graph(edges, pulls, is_held, z, vertices, progress);
+}
+
+// A minimum near `nearby` (n), or where that is empty, the best that the search finds. Settled
+// vertices stay as they are at the start.
+Solution solve(const FieldProblem& p, Pulls pulls, const CrossNumbers& nearby,
+               const std::vector<std::uint8_t>& is_settled, const FieldOptions& options,
+               const Progress& progress) {
   progress.report(0);
-  const FieldGraph graph = free_graph(edges, pulls, p.reliable, p.initial, vertices);
-  progress.report(0.02);
+  std::vector<int> vertices;
+  const FieldGraph graph =
+      graph_of(p, pulls, is_settled, p.initial, vertices, progress.part(0, 0.02));
   const auto of_free = [&](const CrossNumbers& z) {
     CrossNumbers result;
-    for (const int vertex : vertices) result.push_back(z[static_cast<std::size_t>(vertex)]);
+    result.reserve(vertices.size());
+    for (const int vertex : vertices) result.push_back(z[idx(vertex)]);
     return result;
   };
-  const std::vector<CrossNumbers> starts{of_free(p.principal.z), of_free(p.initial)};
-  CrossNumbers z = portfolio_start(graph, starts, progress.part(0.02, 0.7));
   Solution solution{p.initial, {}};
-  solution.result =
-      minimise(graph, options.max_evaluations, options.threads, z, progress.part(0.7, 1));
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    solution.z[static_cast<std::size_t>(vertices[i])] = z[i];
+  CrossNumbers z = of_free(nearby.empty() ? p.initial : nearby);
+  if (nearby.empty()) {
+    z = portfolio_start(graph, {of_free(p.principal.z), z}, progress.part(0.02, 0.7));
+  } else if (options.start == FieldStart::search) {
+    solution.result =
+        minimise(graph, few_evaluations, options.threads, z, progress.part(0.02, 0.1));
+    if (!solution.result.converged) relax_at_all_scales(graph, z, progress.part(0.1, 0.7));
   }
+  if (!solution.result.converged) {
+    const MinimiseResult last =
+        minimise(graph, options.max_evaluations, options.threads, z, progress.part(0.7, 1));
+    solution.result = {last.converged, solution.result.evaluations + last.evaluations};
+  }
+  for (std::size_t i = 0; i < vertices.size(); ++i) solution.z[idx(vertices[i])] = z[i];
   return solution;
 }
 
 // Takes over into z the parts in which the solution has clearly less energy, and marks them.
-void keep_better_parts(const Problem& p, const CrossNumbers& solution, CrossNumbers& z,
+void keep_better_parts(const FieldProblem& p, const CrossNumbers& solution, CrossNumbers& z,
                        std::vector<std::uint8_t>& improved) {
-  const std::vector<double> before = part_energies(p.parts, p.edges, z);
-  const std::vector<double> after = part_energies(p.parts, p.edges, solution);
+  const std::vector<double> before = part_energies(p, z), after = part_energies(p, solution);
   std::vector<std::uint8_t> better(before.size());
   for (std::size_t part = 0; part < before.size(); ++part) {
     better[part] = after[part] < before[part] - least_gain * std::abs(before[part]);
     if (better[part]) improved[part] = 1;
   }
   for (std::size_t i = 0; i < z.size(); ++i) {
-    if (better[static_cast<std::size_t>(p.parts.of_vertex[i])]) z[i] = solution[i];
+    if (better[idx(p.parts.of_vertex[i])]) z[i] = solution[i];
   }
-}
-
-// (parts) 1: some crosses are pulled or coupled by creases, boundaries or seams.
-std::vector<std::uint8_t> parts_with_features(const Problem& p) {
-  std::vector<std::uint8_t> has_features(static_cast<std::size_t>(p.parts.count), 0);
-  const auto mark = [&](std::size_t vertex) {
-    has_features[static_cast<std::size_t>(p.parts.of_vertex[vertex])] = 1;
-  };
-  for (std::size_t i = 0; i < p.alignment.pulls.size(); ++i) {
-    if (std::norm(p.alignment.pulls[i]) > 0) mark(i);
-  }
-  for (const FieldEdge& edge : p.alignment.couplings) {
-    mark(static_cast<std::size_t>(edge.from));
-    mark(static_cast<std::size_t>(edge.to));
-  }
-  return has_features;
 }
 
 // Parts that features have kept from improving, although they are not parallel.
-bool features_are_in_the_way(const Problem& p, const CrossNumbers& z,
+bool features_are_in_the_way(const FieldProblem& p, const CrossNumbers& z,
                              const std::vector<std::uint8_t>& improved) {
-  const std::vector<double> energies = part_energies(p.parts, p.edges, z);
+  const std::vector<double> energies = part_energies(p, z), least = least_energies(p);
   const std::vector<std::uint8_t> has_features = parts_with_features(p);
-  std::vector<double> least(energies.size(), 0);
-  for (const FieldEdge& edge : p.edges) {
-    least[static_cast<std::size_t>(p.parts.of_vertex[static_cast<std::size_t>(edge.from)])] -= 1;
-  }
   for (std::size_t part = 0; part < energies.size(); ++part) {
     const bool is_parallel = energies[part] <= least[part] * (1 - least_gain);
     if (has_features[part] && !improved[part] && !is_parallel) return true;
@@ -157,74 +111,166 @@ bool features_are_in_the_way(const Problem& p, const CrossNumbers& z,
 
 // Where the energy leaves the angle of a whole part open, features decide, else the principal
 // directions.
-void turn_improved_parts(const Problem& p, const Curvature& curvature,
+void turn_improved_parts(const FieldProblem& p, const Curvature& curvature,
                          std::vector<std::uint8_t> improved, CrossNumbers& z) {
   const std::vector<std::uint8_t> may_turn = parts_that_may_turn(p);
   const std::vector<std::uint8_t> has_features = parts_with_features(p);
   for (std::size_t part = 0; part < improved.size(); ++part) improved[part] &= may_turn[part];
   CrossNumbers wanted = p.alignment.pulls;
   for (std::size_t i = 0; i < z.size(); ++i) {
-    if (has_features[static_cast<std::size_t>(p.parts.of_vertex[i])]) continue;
+    const std::size_t part = idx(p.parts.of_vertex[i]);
+    if (p.guide_pulls[i] != CrossNumber(0)) improved[part] = 0;
+    if (has_features[part]) continue;
     const double anisotropy = std::abs(curvature.k1[i]) - std::abs(curvature.k2[i]);
     wanted[i] = p.principal.defined[i] ? anisotropy * p.principal.z[i] : CrossNumber(0);
   }
   turn_parts(p.parts, improved, wanted, z);
 }
 
-void describe(const Surface& surface, const Problem& p, const CrossNumbers& z, int threads,
-              CrossField& field) {
+// (parts) 1: where the singularities are not those that are prescribed; -1 in `triangle` or one of
+// them.
+std::vector<std::uint8_t> disobedient_parts(const Surface& surface, const FieldProblem& p,
+                                            const std::vector<int>& indices, int& triangle) {
+  std::vector<std::uint8_t> disobedient(idx(p.parts.count), 0);
+  triangle = none;
+  for (std::size_t t = 0; t < indices.size(); ++t) {
+    const std::size_t part = idx(p.parts.of_vertex[idx(surface.triangles[t][0])]);
+    if (!p.prescribed.has_parts[part] || indices[t] == p.prescribed.index_of_triangle[t]) continue;
+    disobedient[part] = 1;
+    triangle = static_cast<int>(t);
+  }
+  return disobedient;
+}
+
+// Prescribed singularities come before everything that pulls: parts that would have others are
+// solved again from the parallel field, without features and then without guides.
+void obey_prescription(const Surface& surface, const FieldProblem& p, const FieldOptions& options,
+                       CrossNumbers& z, const Progress& progress) {
+  const std::vector<FieldEdge> plain = plain_edges(p);
+  int triangle = none;
+  const auto disobedient = [&] {
+    const std::vector<int> indices =
+        triangle_indices(surface, p.triangle_edges, plain, p.excess, z, options.threads, progress);
+    return disobedient_parts(surface, p, indices, triangle);
+  };
+  for (const Pulls pulls : {Pulls::guides, Pulls::none}) {
+    const std::vector<std::uint8_t> parts = disobedient();
+    if (triangle == none) return;
+    std::vector<std::uint8_t> is_held(z.size());
+    for (std::size_t i = 0; i < z.size(); ++i) is_held[i] = !parts[idx(p.parts.of_vertex[i])];
+    const CrossNumbers again = solve(p, pulls, p.initial, is_held, options, progress).z;
+    for (std::size_t i = 0; i < z.size(); ++i) {
+      if (!is_held[i]) z[i] = again[i];
+    }
+  }
+  disobedient();
+  if (triangle == none) return;
+  const Vec3 at = position_at(surface, {triangle, 1.0 / 3, 1.0 / 3});
+  throw InvalidInput("singularities: the mesh is too coarse for them near (" +
+                     std::to_string(at.x()) + ", " + std::to_string(at.y()) + ", " +
+                     std::to_string(at.z()) + "): subdivide it, or move them apart");
+}
+
+double total(const std::vector<double>& energies) {
+  double sum = 0;
+  for (const double energy : energies) sum += energy;
+  return sum;
+}
+
+// The branch that is a principal direction where the vertex is reliable.
+void describe(const Surface& surface, const FieldProblem& p, const CrossNumbers& z, int threads,
+              const Progress& progress, CrossField& field) {
   field.reference = p.frames.x;
   field.reliable = p.reliable;
   field.theta.resize(z.size());
   field.directions.resize(z.size());
-  for (std::size_t i = 0; i < z.size(); ++i) {
-    field.theta[i] = std::arg(z[i]) / 4;
-    field.directions[i] = p.frames.direction(i, field.theta[i]);
+  parallel_for(z.size(), threads, progress.part(0, 0.3), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const bool is_kept = field.reliable[i] != 0;
+      field.theta[i] = is_kept ? std::arg(p.principal.directions[i]) : std::arg(z[i]) / 4;
+      field.directions[i] = p.frames.direction(i, field.theta[i]);
+    }
+  });
+  const std::vector<FieldEdge> plain = p.turns.empty() ? std::vector<FieldEdge>() : plain_edges(p);
+  const std::vector<int> indices =
+      triangle_indices(surface, p.triangle_edges, plain.empty() ? p.edges : plain, p.excess, z,
+                       threads, progress.part(0.3, 1));
+  for (std::size_t t = 0; t < indices.size(); ++t) {
+    if (indices[t] == 0) continue;
+    field.singular_triangles.push_back(static_cast<int>(t));
+    field.singular_indices.push_back(indices[t]);
+    field.singular_positions.push_back(
+        position_at(surface, {static_cast<int>(t), 1.0 / 3, 1.0 / 3}));
   }
-  find_singularities(surface, p.triangle_edges, p.frames, threads, field);
+}
+
+// Near which field the search is to stay; empty: anywhere.
+CrossNumbers start_of(const Surface& surface, const FieldProblem& p, const FieldOptions& options,
+                      const FieldAids& aids, const Progress& progress) {
+  CrossNumbers last = last_crosses(surface, p.frames, p.triangle_edges, aids, progress);
+  if (!last.empty() || options.start == FieldStart::search) return last;
+  return p.initial;
 }
 
 }  // namespace
 
 void validate(const FieldOptions& options) {
-  const auto require = [](bool holds, const char* message) {
+  const auto require = [](bool holds, const std::string& message) {
     if (!holds) throw InvalidInput(message);
   };
   const auto is_share = [](double value) { return std::isfinite(value) && value >= 0; };
+  const auto are_finite = [](const Points& points) {
+    return std::all_of(points.begin(), points.end(), [](const Vec3& p) { return p.allFinite(); });
+  };
   require(is_share(options.parabolic_ratio), "parabolic_ratio must be finite and not negative");
   require(is_share(options.least_curvature), "least_curvature must be finite and not negative");
   require(is_share(options.largest_energy), "largest_energy must be finite and not negative");
   require(is_share(options.alignment_weight), "alignment_weight must be finite and not negative");
   const double length = options.default_direction.norm();
   require(std::isfinite(length) && length > 0, "default_direction must be finite and not zero");
+  for (std::size_t g = 0; g < options.guides.size(); ++g) {
+    const Guide& guide = options.guides[g];
+    const std::string name = "guides[" + std::to_string(g) + "]";
+    require(is_share(guide.weight), name + ".weight must be finite and not negative");
+    require(are_finite(guide.points), name + ".points must be finite");
+  }
+  require(is_share(options.guide_radius), "guide_radius must be finite and not negative");
+  require(options.singularities.positions.size() == options.singularities.indices.size(),
+          "singularities must have as many indices as positions");
+  require(are_finite(options.singularities.positions), "singularities: positions must be finite");
   require(options.max_evaluations >= 0, "max_evaluations must not be negative");
   require(options.threads >= 0, "threads must not be negative");
 }
 
 CrossField solve_cross_field(const Surface& surface, const Curvature& curvature,
-                             const FieldOptions& options, const Progress& progress) {
+                             const FieldOptions& options, const FieldAids& aids,
+                             const Progress& progress) {
   validate(options);
   progress.report(0);
-  Problem p = state_problem(surface, curvature, options, progress.part(0, 0.1));
-  p.initial = initial_field(p);
+  const FieldProblem p =
+      state_problem(surface, curvature, options, aids.bvh, progress.part(0, 0.15));
+  const CrossNumbers nearby = start_of(surface, p, options, aids, progress.part(0.15, 0.2));
+  const std::vector<std::uint8_t> is_settled = settled_vertices(p);
   CrossNumbers z = p.initial;
-  std::vector<std::uint8_t> improved(static_cast<std::size_t>(p.parts.count), 0);
-  Solution solution = solve(p, true, options, progress.part(0.1, 0.7));
+  std::vector<std::uint8_t> improved(idx(p.parts.count), 0);
+  Solution solution = solve(p, Pulls::all, nearby, is_settled, options, progress.part(0.2, 0.7));
   keep_better_parts(p, solution.z, z, improved);
   CrossField field;
   field.evaluations = solution.result.evaluations;
   if (options.alignment_weight > 0 && features_are_in_the_way(p, z, improved)) {
-    solution = solve(p, false, options, progress.part(0.7, 0.9));
+    solution = solve(p, Pulls::guides, nearby, is_settled, options, progress.part(0.7, 0.85));
     keep_better_parts(p, solution.z, z, improved);
     field.evaluations += solution.result.evaluations;
   }
   field.converged = solution.result.converged;
-  progress.report(0.95);
+  progress.report(0.85);
   turn_improved_parts(p, curvature, improved, z);
-  field.energy_initial = energy(p.edges, p.initial);
-  if (energy(p.edges, z) > field.energy_initial) z = p.initial;
-  field.energy = energy(p.edges, z);
-  describe(surface, p, z, options.threads, field);
+  field.energy_initial = total(part_energies(p, p.initial));
+  if (total(part_energies(p, z)) > field.energy_initial) z = p.initial;
+  progress.report(0.87);
+  if (!p.turns.empty()) obey_prescription(surface, p, options, z, progress.part(0.87, 0.9));
+  field.energy = total(part_energies(p, z));
+  describe(surface, p, z, options.threads, progress.part(0.9, 1), field);
   return field;
 }
 

@@ -121,8 +121,9 @@ void anneal(const FieldGraph& graph, double heat, int sweeps, SeededNumbers& num
   }
 }
 
-void sweep(const FieldGraph& graph, int count, CrossNumbers& z) {
+void sweep(const FieldGraph& graph, int count, CrossNumbers& z, const Progress& progress) {
   for (int k = 0; k < count; ++k) {
+    progress.report(static_cast<double>(k) / count);
     for (std::size_t i = 0; i < graph.size(); ++i) {
       z[i] = normalized(graph.attraction(i, z), z[i]);
     }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "core/progress.h"
 #include "field/energy.h"
 
 namespace illustrate {
@@ -34,6 +35,6 @@ void anneal(const FieldGraph& graph, double heat, int sweeps, SeededNumbers& num
 
 // Nonlinear Gauss-Seidel: `count` times each vertex in order takes the cross that everything around
 // it asks for. The energy never rises.
-void sweep(const FieldGraph& graph, int count, CrossNumbers& z);
+void sweep(const FieldGraph& graph, int count, CrossNumbers& z, const Progress& progress = {});
 
 }  // namespace illustrate

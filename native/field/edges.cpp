@@ -7,6 +7,8 @@
 namespace illustrate {
 namespace {
 
+constexpr std::size_t vertices_per_report = 65536;
+
 // One side of a triangle, in the list of its lower vertex.
 struct Side {
   int higher;
@@ -44,11 +46,16 @@ bool ends_on_different_sheets(const Surface& surface, const Side& side) {
 
 }  // namespace
 
-TriangleEdges triangle_edges(const Surface& surface) {
+TriangleEdges triangle_edges(const Surface& surface, const Progress& progress) {
   TriangleEdges edges;
   edges.of_triangle.assign(surface.triangles.size(), {none, none, none});
+  progress.report(0);
   Ragged<Side> lists = sides_by_lower_vertex(surface.triangles, surface.positions.size());
+  edges.vertices.reserve(surface.triangles.size() * 3 / 2);
   for (std::size_t lower = 0; lower < lists.size(); ++lower) {
+    if (lower % vertices_per_report == 0) {
+      progress.report(0.4 + 0.6 * static_cast<double>(lower) / static_cast<double>(lists.size()));
+    }
     const Span<Side> sides = lists[lower];
     std::stable_sort(sides.begin(), sides.end(),
                      [](const Side& a, const Side& b) { return a.higher < b.higher; });
@@ -77,14 +84,16 @@ FieldEdge field_edge(const TangentFrames& frames, int from, int to, bool mirrore
 }
 
 std::vector<FieldEdge> field_edges(const Surface& surface, const TriangleEdges& edges,
-                                   const TangentFrames& frames, int threads) {
+                                   const TangentFrames& frames, const std::vector<double>& weights,
+                                   int threads, const Progress& progress) {
   std::vector<FieldEdge> result(edges.size());
-  parallel_for(edges.size(), threads, [&](std::size_t begin, std::size_t end) {
+  parallel_for(edges.size(), threads, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
       const auto [i, j] = edges.vertices[e];
       const Vec3 along = surface.positions[static_cast<std::size_t>(j)] -
                          surface.positions[static_cast<std::size_t>(i)];
-      result[e] = field_edge(frames, i, j, edges.mirrored[e], along, 1);
+      const double weight = weights.empty() ? 1 : weights[e];
+      result[e] = field_edge(frames, i, j, edges.mirrored[e], along, weight);
     }
   });
   return result;

@@ -16,7 +16,7 @@ struct TriangleEdges {
   std::size_t size() const { return vertices.size(); }
 };
 
-TriangleEdges triangle_edges(const Surface& surface);
+TriangleEdges triangle_edges(const Surface& surface, const Progress& progress = {});
 
 // How a cross is carried along an edge: the cross at `from` agrees with the one at `to` when z_from
 // = transport z_to / |transport|, z_to mirrored where asked for. |transport| is the edge's weight.
@@ -32,8 +32,9 @@ struct FieldEdge {
 FieldEdge field_edge(const TangentFrames& frames, int from, int to, bool mirrored,
                      const Vec3& direction, double weight);
 
-// All edges of the triangles, each with weight 1.
+// All edges of the triangles with their weights (m), each 1 where there are none.
 std::vector<FieldEdge> field_edges(const Surface& surface, const TriangleEdges& edges,
-                                   const TangentFrames& frames, int threads);
+                                   const TangentFrames& frames, const std::vector<double>& weights,
+                                   int threads, const Progress& progress = {});
 
 }  // namespace illustrate

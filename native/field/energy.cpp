@@ -10,13 +10,15 @@ CrossNumber reversed(const FieldEdge& edge) { return mirrored_if(!edge.mirrored,
 
 // Calls visit(vertex, other, transport, mirrored) for both ends of all edges, in order.
 template <class Visit>
-void for_each_end(const std::vector<FieldEdge>& edges, const Visit& visit) {
-  for (const FieldEdge& edge : edges) {
-    visit(static_cast<std::size_t>(edge.from), static_cast<std::size_t>(edge.to), edge.transport,
-          edge.mirrored);
-    visit(static_cast<std::size_t>(edge.to), static_cast<std::size_t>(edge.from), reversed(edge),
-          edge.mirrored);
-  }
+void for_each_end(const std::vector<FieldEdge>& edges, const Progress& progress,
+                  const Visit& visit) {
+  parallel_for(edges.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) {
+      const FieldEdge& edge = edges[e];
+      visit(idx(edge.from), idx(edge.to), edge.transport, edge.mirrored);
+      visit(idx(edge.to), idx(edge.from), reversed(edge), edge.mirrored);
+    }
+  });
 }
 
 // Numbers the free vertices; the others get `none`.
@@ -33,44 +35,41 @@ std::vector<int> number_free(const std::vector<std::uint8_t>& held,
 }
 
 void count_links(const std::vector<FieldEdge>& edges, const std::vector<int>& number,
-                 FieldGraph& graph) {
+                 const Progress& progress, FieldGraph& graph) {
   graph.links.offsets.assign(graph.size() + 1, 0);
-  for_each_end(edges, [&](std::size_t i, std::size_t j, const CrossNumber&, bool) {
-    if (number[i] != none && number[j] != none) {
-      ++graph.links.offsets[static_cast<std::size_t>(number[i]) + 1];
-    }
+  for_each_end(edges, progress, [&](std::size_t i, std::size_t j, const CrossNumber&, bool) {
+    if (number[i] != none && number[j] != none) ++graph.links.offsets[idx(number[i]) + 1];
   });
   for (std::size_t i = 0; i < graph.size(); ++i) {
     graph.links.offsets[i + 1] += graph.links.offsets[i];
   }
-  graph.links.values.resize(static_cast<std::size_t>(graph.links.offsets.back()));
+  graph.links.values.resize(idx(graph.links.offsets.back()));
 }
 
 }  // namespace
 
 FieldGraph free_graph(const std::vector<FieldEdge>& edges, const CrossNumbers& pulls,
                       const std::vector<std::uint8_t>& held, const CrossNumbers& z,
-                      std::vector<int>& free_vertices) {
+                      std::vector<int>& free_vertices, const Progress& progress) {
   const std::vector<int> number = number_free(held, free_vertices);
   FieldGraph graph;
   for (const int vertex : free_vertices) {
-    graph.pulls.push_back(pulls[static_cast<std::size_t>(vertex)]);
-    graph.weights.push_back(std::abs(graph.pulls.back()));
+    graph.pulls.push_back(pulls[idx(vertex)]);
+    graph.weights.push_back(std::sqrt(std::norm(graph.pulls.back())));
   }
-  count_links(edges, number, graph);
+  count_links(edges, number, progress.part(0, 0.3), graph);
   std::vector<int> next(graph.links.offsets.begin(), graph.links.offsets.end() - 1);
-  for_each_end(edges,
-               [&](std::size_t i, std::size_t j, const CrossNumber& transport, bool mirrored) {
-                 if (number[i] == none) return;
-                 const auto vertex = static_cast<std::size_t>(number[i]);
-                 graph.weights[vertex] += std::abs(transport);
-                 if (number[j] == none) {
-                   graph.pulls[vertex] += product(transport, mirrored_if(mirrored, z[j]));
-                 } else {
-                   graph.links.values[static_cast<std::size_t>(next[vertex]++)] = {
-                       transport, number[j], mirrored};
-                 }
-               });
+  const auto add = [&](std::size_t i, std::size_t j, const CrossNumber& transport, bool mirrored) {
+    if (number[i] == none) return;
+    const std::size_t vertex = idx(number[i]);
+    graph.weights[vertex] += std::sqrt(std::norm(transport));
+    if (number[j] == none) {
+      graph.pulls[vertex] += product(transport, mirrored_if(mirrored, z[j]));
+    } else {
+      graph.links.values[idx(next[vertex]++)] = {transport, number[j], mirrored};
+    }
+  };
+  for_each_end(edges, progress.part(0.3, 1), add);
   return graph;
 }
 

@@ -4,6 +4,7 @@
 // -Re(conj(z_i) r_ij z_j), r_ij = exp(i c_ij): one constant complex number for each edge.
 #pragma once
 
+#include "core/progress.h"
 #include "core/ragged.h"
 #include "field/edges.h"
 
@@ -41,7 +42,7 @@ struct FieldGraph {
 // vertex that each vertex of the graph stands for.
 FieldGraph free_graph(const std::vector<FieldEdge>& edges, const CrossNumbers& pulls,
                       const std::vector<std::uint8_t>& held, const CrossNumbers& z,
-                      std::vector<int>& free_vertices);
+                      std::vector<int>& free_vertices, const Progress& progress = {});
 
 // E at u (n) radians; dE/du into `gradient` (n) unless null. Terms are added in a fixed order.
 double energy(const FieldGraph& graph, const double* u, double* gradient, int threads);

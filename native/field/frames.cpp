@@ -18,10 +18,10 @@ Vec3 unit_or_z(const Vec3& v) {
 
 }  // namespace
 
-TangentFrames tangent_frames(const Points& normals, int threads) {
+TangentFrames tangent_frames(const Points& normals, int threads, const Progress& progress) {
   const std::size_t n = normals.size();
   TangentFrames frames{Points(n), Points(n), Points(n)};
-  parallel_for(n, threads, [&](std::size_t begin, std::size_t end) {
+  parallel_for(n, threads, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       frames.normals[i] = unit_or_z(normals[i]);
       frames.x[i] = some_tangent(frames.normals[i]);

@@ -2,6 +2,7 @@
 // in it (paper section 5: phi_ij is the argument of the direction of edge ij in the frame of i).
 #pragma once
 
+#include "core/progress.h"
 #include "core/types.h"
 #include "field/cross_number.h"
 
@@ -18,7 +19,7 @@ struct TangentFrames {
   }
 };
 
-TangentFrames tangent_frames(const Points& normals, int threads);
+TangentFrames tangent_frames(const Points& normals, int threads, const Progress& progress = {});
 
 // The direction of the projection of v into the tangent plane of a vertex. `otherwise` where the
 // projection is shorter than `least` times v.

@@ -7,6 +7,8 @@ namespace {
 // without edges remain).
 constexpr double least_saving = 0.05;
 
+constexpr std::size_t vertices_per_report = 65536;
+
 // The strongest edge to a vertex that has no aggregate yet; null if there is none.
 const Link* strongest_open_link(const FieldGraph& graph, std::size_t i,
                                 const std::vector<Gauge>& gauges) {
@@ -25,10 +27,14 @@ const Link* strongest_open_link(const FieldGraph& graph, std::size_t i,
 }
 
 // Returns the vertices of each aggregate, the second `none` for a single one.
-std::vector<std::array<int, 2>> match(const FieldGraph& graph, std::vector<Gauge>& gauges) {
+std::vector<std::array<int, 2>> match(const FieldGraph& graph, Pairing pairing,
+                                      std::vector<Gauge>& gauges, const Progress& progress) {
   std::vector<std::array<int, 2>> members;
   gauges.assign(graph.size(), {none, false, 1});
   for (std::size_t i = 0; i < graph.size(); ++i) {
+    if (i % vertices_per_report == 0) {
+      progress.report(static_cast<double>(i) / static_cast<double>(graph.size()));
+    }
     if (gauges[i].aggregate != none) continue;
     const int aggregate = static_cast<int>(members.size());
     gauges[i].aggregate = aggregate;
@@ -37,8 +43,8 @@ std::vector<std::array<int, 2>> match(const FieldGraph& graph, std::vector<Gauge
     if (!link) continue;
     // z_i = r z_j, solved for z_j.
     const CrossNumber back = mirrored_if(!link->mirrored, link->transport);
-    gauges[static_cast<std::size_t>(link->vertex)] = {aggregate, link->mirrored,
-                                                      normalized(back, 1)};
+    const CrossNumber turn = pairing == Pairing::parallel ? normalized(back, 1) : CrossNumber(1);
+    gauges[static_cast<std::size_t>(link->vertex)] = {aggregate, link->mirrored, turn};
     members.back()[1] = link->vertex;
   }
   return members;
@@ -84,14 +90,20 @@ Link in_gauge(const Link& link, const Gauge& here, const Gauge& there) {
 
 }  // namespace
 
-FieldGraph coarsen(const FieldGraph& fine, std::vector<Gauge>& gauges) {
-  const std::vector<std::array<int, 2>> members = match(fine, gauges);
+FieldGraph coarsen(const FieldGraph& fine, Pairing pairing, std::vector<Gauge>& gauges,
+                   const Progress& progress) {
+  const std::vector<std::array<int, 2>> members =
+      match(fine, pairing, gauges, progress.part(0, 0.3));
   FieldGraph coarse;
   coarse.pulls.assign(members.size(), 0);
   coarse.weights.assign(members.size(), 0);
   coarse.links.values.reserve(fine.links.values.size() * 2 / 3);
   LinkCollector collector(members.size());
+  const Progress collecting = progress.part(0.3, 1);
   for (std::size_t a = 0; a < members.size(); ++a) {
+    if (a % vertices_per_report == 0) {
+      collecting.report(static_cast<double>(a) / static_cast<double>(members.size()));
+    }
     for (const int member : members[a]) {
       if (member == none) continue;
       const auto i = static_cast<std::size_t>(member);
@@ -112,14 +124,15 @@ FieldGraph coarsen(const FieldGraph& fine, std::vector<Gauge>& gauges) {
   return coarse;
 }
 
-Hierarchy::Hierarchy(const FieldGraph& finest, std::size_t coarse_size, const Progress& progress)
+Hierarchy::Hierarchy(const FieldGraph& finest, std::size_t coarse_size, Pairing pairing,
+                     const Progress& progress)
     : finest_(&finest) {
   const double all = static_cast<double>(finest.size());
   while (graph(coarsest()).size() > coarse_size) {
     const double size = static_cast<double>(graph(coarsest()).size());
-    progress.report(1 - size / all);
+    const Progress step = progress.part(1 - size / all, 1 - size / all / 2);
     std::vector<Gauge> gauges;
-    FieldGraph coarse = coarsen(graph(coarsest()), gauges);
+    FieldGraph coarse = coarsen(graph(coarsest()), pairing, gauges, step);
     if (static_cast<double>(coarse.size()) > (1 - least_saving) * size) break;
     coarser_.push_back(std::move(coarse));
     gauges_.push_back(std::move(gauges));

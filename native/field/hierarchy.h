@@ -16,15 +16,23 @@ struct Gauge {
   CrossNumber turn = 1;
 };
 
+// How the crosses of a pair are held together.
+enum class Pairing {
+  parallel,   // as their edge asks for
+  unchanged,  // as they are where all crosses are 1: what is coarse then is a change
+};
+
 // Pairs of vertices, greedily in order along the strongest edge, become the vertices of the next
 // graph. gauges: (n) of the finer graph.
-FieldGraph coarsen(const FieldGraph& fine, std::vector<Gauge>& gauges);
+FieldGraph coarsen(const FieldGraph& fine, Pairing pairing, std::vector<Gauge>& gauges,
+                   const Progress& progress);
 
 // A graph and its coarser ones. Level 0 is the given graph, which has to live as long.
 class Hierarchy {
  public:
   // Coarsens until at most `coarse_size` vertices are left, or nothing more can be joined.
-  Hierarchy(const FieldGraph& finest, std::size_t coarse_size, const Progress& progress);
+  Hierarchy(const FieldGraph& finest, std::size_t coarse_size, Pairing pairing,
+            const Progress& progress);
 
   std::size_t coarsest() const { return coarser_.size(); }
   const FieldGraph& graph(std::size_t level) const {

@@ -9,14 +9,16 @@
 namespace illustrate {
 namespace {
 
-// Few enough vertices for many starts; enough for a singularity of every bump of an organic mesh.
-constexpr std::size_t coarse_size = 2000;
-constexpr int random_starts = 48;
-constexpr int shakes = 20;
-// Many loose parts leave a large coarse graph: no more starts or shakes than touch this many
-// crosses.
-constexpr std::size_t pool_crosses = 200000;
-constexpr std::size_t kept_starts = 5;
+// The coarsest graph: few enough vertices for many starts, enough for a singularity of every bump
+// of an organic mesh; aggregates of too many vertices mislead about the energy of their fields.
+constexpr std::size_t vertices_per_aggregate = 10;
+constexpr std::size_t least_coarse_size = 2500, most_coarse_size = 8000;
+
+// No more starts than touch so many crosses; one in three is shaken.
+constexpr std::size_t pool_crosses = 100000;
+constexpr std::size_t most_random_starts = 40;
+constexpr std::size_t starts_per_shake = 3;
+constexpr std::size_t kept_starts = 6;
 constexpr std::uint64_t seed = 2;
 
 // Lengths of the heat flow for starts: across the whole coarse graph, and over some of its
@@ -36,6 +38,9 @@ constexpr int sweeps_per_level = 6;
 constexpr int final_coarse_sweeps = 20;
 constexpr std::size_t carried_crosses = 120000;
 constexpr std::size_t diffused_size = 8000;
+
+// Fields whose energies above the least possible differ by a smaller share found the same minimum.
+constexpr double same_energy = 1e-4;
 
 using Pool = std::vector<CrossNumbers>;
 
@@ -72,25 +77,49 @@ std::vector<double> part_energies(const FieldGraph& graph, const std::vector<int
   return sums;
 }
 
+// The places in `energies` of the best of them, each clearly different from the others, best first;
+// at most `kept`. `least`: the energy of crosses that agree everywhere.
+std::vector<std::size_t> distinct_best(const std::vector<double>& energies, double least,
+                                       std::size_t kept) {
+  std::vector<std::size_t> order(energies.size()), chosen;
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return energies[a] < energies[b]; });
+  for (const std::size_t k : order) {
+    if (chosen.size() == kept) break;
+    const bool is_new = chosen.empty() ||
+                        energies[k] - energies[chosen.back()] > same_energy * (energies[k] - least);
+    if (is_new) chosen.push_back(k);
+  }
+  return chosen;
+}
+
 // The pool with its crosses exchanged part by part, so that the first field has the best of each
-// part, the second the second best, and so on; only the first `kept` stay.
+// part, the second the second best, and so on; only the first `kept` stay, and of those that found
+// the same minimum one.
 Pool ranked(const FieldGraph& graph, const std::vector<int>& parts, int count, const Pool& pool,
             std::size_t kept) {
-  std::vector<std::vector<double>> energies;
-  for (const CrossNumbers& z : pool) energies.push_back(part_energies(graph, parts, count, z));
-  kept = std::min(kept, pool.size());
-  std::vector<std::vector<std::size_t>> orders(static_cast<std::size_t>(count));
-  for (std::size_t part = 0; part < orders.size(); ++part) {
-    orders[part].resize(pool.size());
-    std::iota(orders[part].begin(), orders[part].end(), std::size_t{0});
-    std::stable_sort(orders[part].begin(), orders[part].end(), [&](std::size_t a, std::size_t b) {
-      return energies[a][part] < energies[b][part];
-    });
+  std::vector<std::vector<double>> energies(static_cast<std::size_t>(count));
+  for (const CrossNumbers& z : pool) {
+    const std::vector<double> sums = part_energies(graph, parts, count, z);
+    for (std::size_t part = 0; part < sums.size(); ++part) energies[part].push_back(sums[part]);
   }
-  Pool result(kept, CrossNumbers(graph.size()));
-  for (std::size_t k = 0; k < kept; ++k) {
+  std::vector<double> least(energies.size(), 0);
+  for (std::size_t i = 0; i < graph.size(); ++i) {
+    least[static_cast<std::size_t>(parts[i])] -=
+        0.5 * (graph.weights[i] + std::abs(graph.pulls[i]));
+  }
+  std::vector<std::vector<std::size_t>> chosen(energies.size());
+  std::size_t most = 1;
+  for (std::size_t part = 0; part < chosen.size(); ++part) {
+    chosen[part] = distinct_best(energies[part], least[part], kept);
+    most = std::max(most, chosen[part].size());
+  }
+  Pool result(most, CrossNumbers(graph.size()));
+  for (std::size_t k = 0; k < most; ++k) {
     for (std::size_t i = 0; i < graph.size(); ++i) {
-      result[k][i] = pool[orders[static_cast<std::size_t>(parts[i])][k]][i];
+      const std::vector<std::size_t>& best = chosen[static_cast<std::size_t>(parts[i])];
+      result[k][i] = pool[best[std::min(k, best.size() - 1)]][i];
     }
   }
   return result;
@@ -115,20 +144,22 @@ Pool coarse_pool(const FieldGraph& graph, const std::vector<int>& parts, int cou
   for (const CrossNumbers& z : given) {
     for (const double tau : {far_tau, middle_tau}) pool.push_back(diffused(z, tau));
   }
-  const auto room = static_cast<int>(pool_crosses / std::max<std::size_t>(1, graph.size()));
-  for (int k = 0; k < std::min(random_starts, room); ++k) {
-    progress.report(0.5 * k / random_starts);
+  const std::size_t room = pool_crosses / std::max<std::size_t>(1, graph.size());
+  const std::size_t random_starts = std::min(most_random_starts, room);
+  for (std::size_t k = 0; k < random_starts; ++k) {
+    progress.report(0.7 * static_cast<double>(k) / static_cast<double>(random_starts));
     CrossNumbers z = random_field(graph.size(), numbers);
     diffuse_once(graph, eigenvector_tau, z);
     pool.push_back(diffused(std::move(z), far_tau));
   }
   pool = ranked(graph, parts, count, pool, kept_starts);
-  for (int k = 0; k < std::min(shakes, room); ++k) {
-    progress.report(0.5 + 0.5 * k / shakes);
-    const auto turn = static_cast<std::size_t>(k) % pool.size();
-    CrossNumbers z = pool[turn];
+  const std::size_t shakes = random_starts / starts_per_shake;
+  for (std::size_t k = 0; k < shakes; ++k) {
+    progress.report(0.7 + 0.3 * static_cast<double>(k) / static_cast<double>(shakes));
+    CrossNumbers& shaken = pool[k % pool.size()];
+    CrossNumbers z = shaken;
     anneal(graph, shaking_heat, shaking_sweeps, numbers, z);
-    pool[turn] = ranked(graph, parts, count, {pool[turn], diffused(std::move(z), near_tau)}, 1)[0];
+    shaken = ranked(graph, parts, count, {shaken, diffused(std::move(z), near_tau)}, 1)[0];
   }
   return ranked(graph, parts, count, pool, kept_starts);
 }
@@ -137,7 +168,9 @@ Pool coarse_pool(const FieldGraph& graph, const std::vector<int>& parts, int cou
 
 CrossNumbers portfolio_start(const FieldGraph& graph, const std::vector<CrossNumbers>& starts,
                              const Progress& progress) {
-  const Hierarchy hierarchy(graph, coarse_size, progress.part(0, 0.2));
+  const std::size_t coarse_size =
+      std::clamp(graph.size() / vertices_per_aggregate, least_coarse_size, most_coarse_size);
+  const Hierarchy hierarchy(graph, coarse_size, Pairing::parallel, progress.part(0, 0.2));
   const FieldGraph& coarsest = hierarchy.graph(hierarchy.coarsest());
   Pool given;
   for (const CrossNumbers& start : starts) given.push_back(hierarchy.restricted(start));
@@ -148,14 +181,15 @@ CrossNumbers portfolio_start(const FieldGraph& graph, const std::vector<CrossNum
   for (std::size_t level = hierarchy.coarsest(); level-- > 0;) {
     const FieldGraph& finer = hierarchy.graph(level);
     parts = hierarchy.prolonged(parts, level);
+    const double done = static_cast<double>(finer.size()) / static_cast<double>(2 * graph.size());
+    way_down.report(done);
     for (CrossNumbers& z : pool) {
-      way_down.report(static_cast<double>(finer.size()) / static_cast<double>(graph.size()));
       z = hierarchy.prolonged(z, level);
       if (finer.size() <= diffused_size) diffuse(finer, near_tau, z);
-      sweep(finer, sweeps_per_level, z);
+      sweep(finer, sweeps_per_level, z, way_down.part(done, done));
     }
     const std::size_t kept = std::max<std::size_t>(1, carried_crosses / finer.size());
-    if (pool.size() > 1) pool = ranked(finer, parts, count, pool, std::min(kept, pool.size()));
+    if (pool.size() > 1) pool = ranked(finer, parts, count, pool, kept);
   }
   return std::move(pool[0]);
 }

@@ -10,24 +10,18 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 constexpr double quarter_turn = pi / 2;
 
-// How much the cross turns from the lower end of an edge to the higher one, in the lower end's
-// frame.
-double edge_turn(const Surface& surface, const TriangleEdges& edges, const TangentFrames& frames,
-                 const Points& directions, std::size_t e) {
-  const auto i = static_cast<std::size_t>(edges.vertices[e][0]);
-  const auto j = static_cast<std::size_t>(edges.vertices[e][1]);
-  const Vec3 along = surface.positions[j] - surface.positions[i];
-  const double sign = edges.mirrored[e] ? -1 : 1;
-  const double turn = sign * angle_about(frames.normals[j], along, directions[j]) -
-                      angle_about(frames.normals[i], along, directions[i]);
-  return turn - quarter_turn * std::nearbyint(turn / quarter_turn);
+// How much the cross turns from one end of an edge to the other, in the frame of the first.
+double edge_turn(const FieldEdge& edge, const CrossNumbers& z) {
+  const CrossNumber carried = product(edge.transport, mirrored_if(edge.mirrored, z[idx(edge.to)]));
+  return std::arg(product(std::conj(z[idx(edge.from)]), carried)) / 4;
 }
 
 using CornerAngles = std::vector<std::array<double, 3>>;
 
-CornerAngles corner_angles(const Surface& surface, const TangentFrames& frames, int threads) {
+CornerAngles corner_angles(const Surface& surface, const TangentFrames& frames, int threads,
+                           const Progress& progress) {
   CornerAngles angles(surface.triangles.size());
-  parallel_for(angles.size(), threads, [&](std::size_t begin, std::size_t end) {
+  parallel_for(angles.size(), threads, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       for (int k = 0; k < 3; ++k) {
         const auto at = [&](int corner) {
@@ -77,44 +71,54 @@ void unfold(const Surface& surface, const TriangleEdges& edges, CornerAngles& an
   }
 }
 
-// Sum of the turns of the sides, seen from the front of the triangle.
-double turn_around(const Surface& surface, const TriangleEdges& edges,
-                   const std::vector<double>& turns, std::size_t t) {
-  double sum = 0;
-  for (int k = 0; k < 3; ++k) {
-    const int e = edges.of_triangle[t][static_cast<std::size_t>(k)];
-    const int a = surface.triangles[t][static_cast<std::size_t>(k)];
-    const int b = surface.triangles[t][static_cast<std::size_t>(next_corner(k))];
-    const int triangle = static_cast<int>(t);
-    sum +=
-        turns[static_cast<std::size_t>(e)] *
-        (a < b ? surface.corner_sign(triangle, k) : -surface.corner_sign(triangle, next_corner(k)));
-  }
-  return sum;
+bool has_repeated_corner(const TriangleEdges& edges, std::size_t t) {
+  const std::array<int, 3>& sides = edges.of_triangle[t];
+  return std::count(sides.begin(), sides.end(), none) > 0;
 }
 
 }  // namespace
 
-void find_singularities(const Surface& surface, const TriangleEdges& edges,
-                        const TangentFrames& frames, int threads, CrossField& field) {
-  std::vector<double> turns(edges.size());
-  parallel_for(edges.size(), threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t e = begin; e < end; ++e) {
-      turns[e] = edge_turn(surface, edges, frames, field.directions, e);
-    }
-  });
-  CornerAngles angles = corner_angles(surface, frames, threads);
+double side_sign(const Surface& surface, std::size_t triangle, int k) {
+  const Triangle& t = surface.triangles[triangle];
+  const bool is_along = t[idx(k)] < t[idx(next_corner(k))];
+  return is_along ? surface.corner_sign(static_cast<int>(triangle), k)
+                  : -surface.corner_sign(static_cast<int>(triangle), next_corner(k));
+}
+
+std::vector<double> triangle_excess(const Surface& surface, const TriangleEdges& edges,
+                                    const TangentFrames& frames, int threads,
+                                    const Progress& progress) {
+  CornerAngles angles = corner_angles(surface, frames, threads, progress);
   unfold(surface, edges, angles);
+  std::vector<double> excess(angles.size(), 0);
   for (std::size_t t = 0; t < angles.size(); ++t) {
-    const std::array<int, 3>& sides = edges.of_triangle[t];
-    if (std::count(sides.begin(), sides.end(), none) > 0) continue;  // a corner is repeated
-    const double excess = angles[t][0] + angles[t][1] + angles[t][2] - pi;
-    const auto index = static_cast<int>(
-        std::nearbyint((turn_around(surface, edges, turns, t) + excess) / quarter_turn));
-    if (index == 0) continue;
-    field.singular_triangles.push_back(static_cast<int>(t));
-    field.singular_indices.push_back(index);
+    if (!has_repeated_corner(edges, t)) excess[t] = angles[t][0] + angles[t][1] + angles[t][2] - pi;
   }
+  return excess;
+}
+
+std::vector<int> triangle_indices(const Surface& surface, const TriangleEdges& triangle_edges,
+                                  const std::vector<FieldEdge>& edges,
+                                  const std::vector<double>& excess, const CrossNumbers& z,
+                                  int threads, const Progress& progress) {
+  std::vector<double> turns(triangle_edges.size());
+  parallel_for(turns.size(), threads, progress.part(0, 0.6),
+               [&](std::size_t begin, std::size_t end) {
+                 for (std::size_t e = begin; e < end; ++e) turns[e] = edge_turn(edges[e], z);
+               });
+  std::vector<int> indices(excess.size(), 0);
+  parallel_for(
+      indices.size(), threads, progress.part(0.6, 1), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+          if (has_repeated_corner(triangle_edges, t)) continue;
+          double sum = excess[t];
+          for (int k = 0; k < 3; ++k) {
+            sum += side_sign(surface, t, k) * turns[idx(triangle_edges.of_triangle[t][idx(k)])];
+          }
+          indices[t] = static_cast<int>(std::nearbyint(sum / quarter_turn));
+        }
+      });
+  return indices;
 }
 
 }  // namespace illustrate

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/parallel.h"
+
 namespace illustrate {
 namespace {
 
@@ -22,28 +24,36 @@ int root(std::vector<int>& parents, int i) {
   return i;
 }
 
-// Mean of 1 + e over the edges of each vertex, in [0, 2].
-std::vector<double> mean_edge_energies(const std::vector<FieldEdge>& edges, const CrossNumbers& z) {
-  std::vector<double> sums(z.size(), 0), counts(z.size(), 0);
-  for (const FieldEdge& edge : edges) {
-    for (const int end : {edge.from, edge.to}) {
-      sums[static_cast<std::size_t>(end)] += 1 + edge_energy(edge, z);
-      counts[static_cast<std::size_t>(end)] += 1;
+// Mean of 1 + e over the edges of each vertex, by their weights, in [0, 2].
+std::vector<double> mean_edge_energies(const std::vector<FieldEdge>& edges, const CrossNumbers& z,
+                                       const Progress& progress) {
+  std::vector<double> sums(z.size(), 0), weights(z.size(), 0);
+  parallel_for(edges.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) {
+      const double weight = std::sqrt(std::norm(edges[e].transport));
+      const double excess = weight + edge_energy(edges[e], z);
+      for (const int vertex : {edges[e].from, edges[e].to}) {
+        sums[idx(vertex)] += excess;
+        weights[idx(vertex)] += weight;
+      }
     }
-  }
-  for (std::size_t i = 0; i < z.size(); ++i) sums[i] /= std::max(1.0, counts[i]);
+  });
+  for (std::size_t i = 0; i < z.size(); ++i) sums[i] /= weights[i] > 0 ? weights[i] : 1;
   return sums;
 }
 
 }  // namespace
 
-FieldParts connected_parts(std::size_t vertices, const std::vector<FieldEdge>& edges) {
+FieldParts connected_parts(std::size_t vertices, const std::vector<FieldEdge>& edges,
+                           const Progress& progress) {
   std::vector<int> parents(vertices);
   std::iota(parents.begin(), parents.end(), 0);
-  for (const FieldEdge& edge : edges) {
-    const int a = root(parents, edge.from), b = root(parents, edge.to);
-    parents[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-  }
+  parallel_for(edges.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) {
+      const int a = root(parents, edges[e].from), b = root(parents, edges[e].to);
+      parents[idx(std::max(a, b))] = std::min(a, b);
+    }
+  });
   FieldParts parts{std::vector<int>(vertices), 0};
   for (std::size_t i = 0; i < vertices; ++i) {  // a root is the lowest vertex of its part
     const auto r = static_cast<std::size_t>(root(parents, static_cast<int>(i)));
@@ -53,39 +63,43 @@ FieldParts connected_parts(std::size_t vertices, const std::vector<FieldEdge>& e
 }
 
 std::vector<double> object_diagonals(const Surface& surface) {
-  std::vector<Eigen::AlignedBox3d> boxes;
-  for (std::size_t i = 0; i < surface.positions.size(); ++i) {
-    const auto object = static_cast<std::size_t>(surface.objects[i]);
-    if (object >= boxes.size()) boxes.resize(object + 1);
-    boxes[object].extend(surface.positions[i]);
-  }
+  const std::vector<Eigen::AlignedBox3d> boxes = object_boxes(surface);
   std::vector<double> diagonals;
-  for (const int object : surface.objects) {
-    diagonals.push_back(boxes[static_cast<std::size_t>(object)].diagonal().norm());
-  }
+  diagonals.reserve(surface.objects.size());
+  for (const int object : surface.objects)
+    diagonals.push_back(boxes[idx(object)].diagonal().norm());
   return diagonals;
 }
 
 PrincipalCrosses principal_crosses(const TangentFrames& frames, const Curvature& curvature,
-                                   const CrossNumbers& default_crosses) {
-  PrincipalCrosses result{default_crosses, std::vector<std::uint8_t>(frames.size(), 0)};
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    const CrossNumber w = direction_in_frame(frames, i, curvature.w1[i], 0, 0.5);
-    result.defined[i] = w != CrossNumber(0) && std::isfinite(curvature.k1[i]) &&
-                        std::isfinite(curvature.k2[i]) && curvature.k1[i] != 0;
-    if (result.defined[i]) result.z[i] = fourth_power(w);
-  }
+                                   const CrossNumbers& default_crosses, const Progress& progress) {
+  PrincipalCrosses result{CrossNumbers(frames.size(), 0), default_crosses,
+                          std::vector<std::uint8_t>(frames.size(), 0)};
+  parallel_for(frames.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vec3 across = curvature.w2[i].cross(frames.normals[i]);
+      const CrossNumber w = direction_in_frame(frames, i, across, 0, 0.5);
+      result.defined[i] = w != CrossNumber(0) && std::isfinite(curvature.k1[i]) &&
+                          std::isfinite(curvature.k2[i]) && curvature.k1[i] != 0;
+      if (!result.defined[i]) continue;
+      result.directions[i] = w;
+      result.z[i] = fourth_power(w);
+    }
+  });
   return result;
 }
 
-CrossNumbers default_crosses(const TangentFrames& frames, const Vec3& direction) {
+CrossNumbers default_crosses(const TangentFrames& frames, const Vec3& direction,
+                             const Progress& progress) {
   const Vec3 first = direction.normalized();
   const Vec3 second(first.z(), first.x(), first.y());  // the axis before, when the first is an axis
   CrossNumbers z(frames.size());
-  for (std::size_t i = 0; i < z.size(); ++i) {
-    const CrossNumber instead = direction_in_frame(frames, i, second);
-    z[i] = fourth_power(direction_in_frame(frames, i, first, instead, least_projection));
-  }
+  parallel_for(z.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const CrossNumber instead = direction_in_frame(frames, i, second);
+      z[i] = fourth_power(direction_in_frame(frames, i, first, instead, least_projection));
+    }
+  });
   return z;
 }
 
@@ -93,10 +107,10 @@ std::vector<std::uint8_t> reliable_vertices(const Curvature& curvature,
                                             const std::vector<FieldEdge>& edges,
                                             const PrincipalCrosses& principal,
                                             const std::vector<double>& diagonals,
-                                            const FieldOptions& options) {
+                                            const FieldOptions& options, const Progress& progress) {
   std::vector<std::uint8_t> reliable(principal.z.size(), 0);
   if (options.parabolic_ratio <= 0) return reliable;
-  const std::vector<double> mean_energies = mean_edge_energies(edges, principal.z);
+  const std::vector<double> mean_energies = mean_edge_energies(edges, principal.z, progress);
   for (std::size_t i = 0; i < reliable.size(); ++i) {
     const double k1 = std::abs(curvature.k1[i]), k2 = std::abs(curvature.k2[i]);
     const bool is_parabolic = k2 <= options.parabolic_ratio * k1;

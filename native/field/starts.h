@@ -12,27 +12,34 @@ struct FieldParts {
   std::vector<int> of_vertex;  // (n) part connected by edges: creases divide
   int count = 0;
 };
-FieldParts connected_parts(std::size_t vertices, const std::vector<FieldEdge>& edges);
+FieldParts connected_parts(std::size_t vertices, const std::vector<FieldEdge>& edges,
+                           const Progress& progress = {});
 
 // (n) diagonal of the bounding box of each vertex's object.
 std::vector<double> object_diagonals(const Surface& surface);
 
+// One of the directions of each cross is at right angles to w2, even where w1 and w2 lie in another
+// plane than the frame.
 struct PrincipalCrosses {
+  CrossNumbers directions;            // (n) that one; 0 where undefined
   CrossNumbers z;                     // (n) the default direction where undefined
   std::vector<std::uint8_t> defined;  // (n)
 };
 PrincipalCrosses principal_crosses(const TangentFrames& frames, const Curvature& curvature,
-                                   const CrossNumbers& default_crosses);
+                                   const CrossNumbers& default_crosses,
+                                   const Progress& progress = {});
 
 // The projection of `direction`, of another axis where it is parallel to the normal.
-CrossNumbers default_crosses(const TangentFrames& frames, const Vec3& direction);
+CrossNumbers default_crosses(const TangentFrames& frames, const Vec3& direction,
+                             const Progress& progress = {});
 
 // Step 2: quasi-parabolic, curved enough to tell, and not in the middle of a singularity.
 std::vector<std::uint8_t> reliable_vertices(const Curvature& curvature,
                                             const std::vector<FieldEdge>& edges,
                                             const PrincipalCrosses& principal,
                                             const std::vector<double>& diagonals,
-                                            const FieldOptions& options);
+                                            const FieldOptions& options,
+                                            const Progress& progress = {});
 
 // E of each part.
 std::vector<double> part_energies(const FieldParts& parts, const std::vector<FieldEdge>& edges,

@@ -189,6 +189,28 @@ class Light:
     def angle_rad(self) -> float:
         """As given; 0 where none was given."""
 
+class Guide:
+    """A stroke for the field to follow: a polyline on the surface or near it. Immutable."""
+
+    def __init__(self, points: ArrayLike, weight: float = 10.0) -> None:
+        """Copies its arguments.
+
+        Args:
+            points: (k, 3) float, world; each is moved to the nearest point of the surface. What is
+                farther from it than a twentieth of the scene's diagonal guides nothing.
+            weight: at each vertex that the stroke passes, against 1 for an edge of a triangle.
+
+        Raises:
+            InvalidInput: wrong shapes or types.
+        """
+
+    @property
+    def points(self) -> _Doubles:
+        """(k, 3)."""
+    @property
+    def weight(self) -> float:
+        """As given."""
+
 class PrepareOptions:
     """How meshes are prepared. Values are checked when they are used."""
 
@@ -214,9 +236,30 @@ class PrepareOptions:
     """A vertex is reliable where the mean of 1 + e over its edges is at most this, [0, 2]."""
     alignment_weight: float
     """Soft pull of creases and boundaries."""
+    inverse_length_weights: bool
+    """Edges count in inverse proportion to their length, 1 in the mean; False: alike."""
+    field_start: str
+    """'search': the best of many fields; 'principal': near the principal directions."""
+    guide_radius: float
+    """No vertex so near a guide is reliable; share of the object's diagonal."""
     max_evaluations: int
     """Of the field's energy."""
 
+    @property
+    def guides(self) -> list[Guide]:
+        """Strokes for the field to follow; a copy: assign a list to change it."""
+    @guides.setter
+    def guides(self, value: Sequence[Guide] | None) -> None: ...
+    @property
+    def singularities(self) -> tuple[_Doubles, _Indices] | None:
+        """(positions (k, 3), quarter turns (k,)) that the field is to have, or None.
+
+        They hold for the connected parts of the surface on which they lie, which then have no
+        others; creases divide parts. On a closed part they must sum to 4 chi. Several quarter turns
+        at one place become single ones in triangles close by.
+        """
+    @singularities.setter
+    def singularities(self, value: tuple[ArrayLike, ArrayLike] | None) -> None: ...
     @property
     def default_direction(self) -> tuple[float, float, float]:
         """World direction of the field where nothing is reliable."""
@@ -413,7 +456,10 @@ class CrossField:
         """(n,) where the curvature directions were kept."""
     @property
     def energy(self) -> float:
-        """E over all edges of the triangles, without soft alignments."""
+        """What was minimised, E over all edges of the triangles, without soft alignments.
+
+        With the terms of guides; by the adjusted connection where singularities are prescribed.
+        """
     @property
     def energy_initial(self) -> float:
         """E of the start."""
@@ -428,7 +474,10 @@ class CrossField:
         """(s,) triangles around which the cross turns."""
     @property
     def singular_indices(self) -> _Indices:
-        """(s,) quarter turns; over a closed orientable surface they sum to 4 chi."""
+        """(s,) quarter turns; over a closed surface they sum to 4 chi."""
+    @property
+    def singular_positions(self) -> _Doubles:
+        """(s, 3) world, middles of those triangles."""
 
 class Prepared:
     """Everything of a scene that does not depend on the view. Immutable; threads may share it."""
@@ -464,10 +513,11 @@ def prepare(
         meshes: one object each; one without faces stays an object that shows nothing.
         options: None: the defaults.
         progress: told how far it is.
-        previous: what it made from the same meshes with the same options is taken over.
+        previous: what it made from the same meshes with the same options is taken over. Where the
+            triangles are the same and its field is solved, the search for this field starts there.
 
     Raises:
-        InvalidInput: an option out of its range, named.
+        InvalidInput: an option out of its range, named; singularities that cannot be.
         Cancelled: progress returned False. What progress raises passes through.
     """
 

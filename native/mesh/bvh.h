@@ -1,4 +1,5 @@
-// A bounding volume hierarchy over triangles: rays, and pairs of triangles whose boxes overlap.
+// A bounding volume hierarchy over triangles: rays, nearest points, and pairs of triangles whose
+// boxes overlap.
 #pragma once
 
 #include <functional>
@@ -26,6 +27,10 @@ class Bvh {
   // anything not finite.
   void hits(const Vec3& origin, const Vec3& direction, double low, double high,
             std::vector<RayHit>& found) const;
+
+  // The point of the triangles that is nearest to p, none where all are farther than `reach`. Of
+  // triangles that are equally near, the first.
+  SurfacePoint nearest(const Vec3& p, double reach) const;
 
   // Calls visit(a, b), a < b, for every pair of triangles whose boxes overlap, touch or are at most
   // `margin` apart along each axis; each pair once, in a fixed order.

@@ -39,6 +39,9 @@ Prepared::Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions&
   } else {
     make_geometry(meshes, progress.part(0, options.field ? 0.4 : 1.0));
   }
+  if (previous && previous->field_ != field_ && previous->field_->peek()) {
+    last_field_ = {previous->geometry_, previous->field_};
+  }
   if (options.field) {
     intersections(progress.part(0.4, 0.6));
     hatch_curvature(progress.part(0.6, 0.7));
@@ -130,13 +133,23 @@ const Curvature& Prepared::hatch_curvature(const Progress& progress) const {
 }
 
 const CrossField& Prepared::field(const Progress& progress) const {
-  return field_->get([&] {
-    const Curvature& curvature = hatch_curvature(progress.part(0, 0.2));
-    return timed("field", [&] {
-      return solve_cross_field(surface(), curvature, options_.cross_field,
-                               progress.part(0.2, 1, "field"));
-    });
+  return field_->get([&] { return solve_field(progress); });
+}
+
+CrossField Prepared::solve_field(const Progress& progress) const {
+  const Curvature& curvature = hatch_curvature(progress.part(0, 0.2));
+  FieldAids aids;
+  if (needs_tree(options_.cross_field)) aids.bvh = &bvh();
+  if (last_field_.field) {
+    aids.last_surface = &last_field_.geometry->surface;
+    aids.last_field = last_field_.field->peek();
+  }
+  CrossField solved = timed("field", [&] {
+    return solve_cross_field(surface(), curvature, options_.cross_field, aids,
+                             progress.part(0.2, 1, "field"));
   });
+  last_field_ = {};
+  return solved;
 }
 
 const CurvatureDerivative& Prepared::curvature_derivative(const Progress& progress) const {

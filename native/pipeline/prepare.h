@@ -63,13 +63,21 @@ class Prepared {
   const std::pair<IntersectionCurves, Counts>& found_intersections(const Progress& progress) const;
   bool has_surface_of(const std::vector<MeshPointer>& meshes, const PrepareOptions& options) const;
   void take_over(const Prepared& previous);
+  CrossField solve_field(const Progress& progress) const;
   template <class Make>
   auto timed(const char* stage, Make&& make) const;
+
+  // A solved field that this one's search may start from, and its surface.
+  struct LastField {
+    std::shared_ptr<Geometry> geometry;
+    std::shared_ptr<Lazy<CrossField>> field;
+  };
 
   PrepareOptions options_;
   std::shared_ptr<Geometry> geometry_;
   std::shared_ptr<Lazy<Curvature>> curvature_;
   std::shared_ptr<Lazy<CrossField>> field_;
+  mutable LastField last_field_;  // until this field is solved
   std::shared_ptr<Lazy<CurvatureDerivative>> derivative_;
   mutable std::mutex timings_mutex_;
   mutable Timings timings_;
@@ -77,8 +85,9 @@ class Prepared {
 
 // Meshes to a surface, with options.field also hatching curvature, cross field and
 // self-intersections. A mesh without faces contributes nothing but stays an object. `previous`:
-// what was made from the same bytes with the same options is taken over. Throws InvalidInput for
-// arrays that do not fit together and for wrong options.
+// what was made from the same bytes with the same options is taken over; a field of the same
+// triangles is where the search for this one starts. Throws InvalidInput for arrays that do not fit
+// together and for wrong options.
 std::shared_ptr<const Prepared> prepare(const std::vector<MeshPointer>& meshes,
                                         const PrepareOptions& options,
                                         const Prepared* previous = nullptr,

@@ -14,6 +14,12 @@ bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
                                    static_cast<const void*>(b.data()), a.size() * sizeof(T)) == 0);
 }
 
+bool is_same(const std::vector<Guide>& a, const std::vector<Guide>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Guide& x, const Guide& y) {
+    return x.weight == y.weight && same_bytes(x.points, y.points);
+  });
+}
+
 }  // namespace
 
 bool is_same(const PolygonMesh& a, const PolygonMesh& b) {
@@ -40,9 +46,13 @@ bool is_same(const JetOptions& a, const JetOptions& b) { return a.rings == b.rin
 bool is_same(const FieldOptions& a, const FieldOptions& b) {
   const auto values = [](const FieldOptions& o) {
     return std::make_tuple(o.parabolic_ratio, o.least_curvature, o.largest_energy,
-                           o.alignment_weight, o.max_evaluations);
+                           o.alignment_weight, o.inverse_length_weights, o.start, o.guide_radius,
+                           o.max_evaluations);
   };
-  return values(a) == values(b) && a.default_direction == b.default_direction;
+  return values(a) == values(b) && a.default_direction == b.default_direction &&
+         is_same(a.guides, b.guides) &&
+         same_bytes(a.singularities.positions, b.singularities.positions) &&
+         same_bytes(a.singularities.indices, b.singularities.indices);
 }
 
 }  // namespace illustrate

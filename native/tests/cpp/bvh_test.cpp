@@ -212,5 +212,61 @@ TEST(Bvh, DeepTreesOfGrowingTrianglesAreWalked) {
   EXPECT_EQ(hits_of(tree, {1.25, 0.125, 1}, {0, 0, -1}).size(), 1u);
 }
 
+// The least distance to points of a triangle that are close together.
+double sampled_distance(const std::array<Vec3, 3>& corners, const Vec3& p) {
+  constexpr int steps = 60;
+  double least = std::numeric_limits<double>::max();
+  for (int a = 0; a <= steps; ++a)
+    for (int b = 0; a + b <= steps; ++b) {
+      const double u = double(a) / steps, v = double(b) / steps;
+      least =
+          std::min(least, ((1 - u - v) * corners[0] + u * corners[1] + v * corners[2] - p).norm());
+    }
+  return least;
+}
+
+TEST(BvhNearest, FindsTheNearestPointOfAnyTriangle) {
+  const Soup soup = random_soup(60, 0.3, 11);
+  const Bvh tree(soup.positions, soup.triangles, 1);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-1.5, 1.5);
+  for (int k = 0; k < 60; ++k) {
+    const Vec3 p(place(random), place(random), place(random));
+    const auto corners = [&](std::size_t t) {
+      return std::array<Vec3, 3>{soup.positions[3 * t], soup.positions[3 * t + 1],
+                                 soup.positions[3 * t + 2]};
+    };
+    double least = std::numeric_limits<double>::max();
+    for (std::size_t t = 0; t < 60; ++t) least = std::min(least, sampled_distance(corners(t), p));
+    const SurfacePoint found = tree.nearest(p, 10);
+    ASSERT_NE(found.triangle, none);
+    const auto c = corners(static_cast<std::size_t>(found.triangle));
+    const Vec3 at = (1 - found.b1 - found.b2) * c[0] + found.b1 * c[1] + found.b2 * c[2];
+    EXPECT_GE(std::min({found.b1, found.b2, 1 - found.b1 - found.b2}), -1e-12);
+    EXPECT_LE((at - p).norm(), least + 1e-12);
+    EXPECT_GE((at - p).norm(), least - 0.02);
+    EXPECT_EQ(tree.nearest(p, 0.99 * (at - p).norm()).triangle, none);
+    EXPECT_EQ(tree.nearest(p, 1.01 * (at - p).norm()).triangle, found.triangle);
+  }
+}
+
+TEST(BvhNearest, IsTheFirstOfTrianglesThatShareThePoint) {
+  const Points positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+  const std::vector<Triangle> triangles{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}};
+  const Bvh tree(positions, triangles, 1);
+  const SurfacePoint found = tree.nearest({0, 0, 1}, 2);
+  EXPECT_EQ(found.triangle, 0);
+  EXPECT_EQ(found.b1 + found.b2, 0);
+}
+
+TEST(BvhNearest, HasNoneForNothing) {
+  const Soup soup = random_soup(5, 0.3, 1);
+  const Bvh tree(soup.positions, soup.triangles, 1);
+  const double nan = std::nan("");
+  EXPECT_EQ(tree.nearest({nan, 0, 0}, 10).triangle, none);
+  EXPECT_EQ(tree.nearest({0, 0, 0}, nan).triangle, none);
+  EXPECT_EQ(Bvh().nearest({0, 0, 0}, 10).triangle, none);
+}
+
 }  // namespace
 }  // namespace illustrate

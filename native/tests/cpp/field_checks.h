@@ -214,7 +214,7 @@ inline PolygonMesh rotated(PolygonMesh mesh, double angle, const Vec3& axis) {
 inline FieldGraph whole_graph(const Surface& surface, const CrossNumbers& pulls) {
   const TangentFrames frames = tangent_frames(surface.normals, 1);
   std::vector<int> vertices;
-  return free_graph(field_edges(surface, triangle_edges(surface), frames, 1), pulls,
+  return free_graph(field_edges(surface, triangle_edges(surface), frames, {}, 1), pulls,
                     std::vector<std::uint8_t>(pulls.size(), 0), CrossNumbers(pulls.size(), 1),
                     vertices);
 }

@@ -276,7 +276,9 @@ def test_previous_is_taken_over_only_where_nothing_changed() -> None:
     moved = torus().moved((0.1, 0, 0))
     other = ill.prepare([moved.mesh()], options, previous=first)
     assert other.timings["surface"] > 0
-    assert digest(ill.draw(other, look_at())) == digest(ill.draw(prepared_of(moved), look_at()))
+    lines = ill.DrawOptions(hatching=False)  # the field may start from the last one
+    fresh = ill.draw(prepared_of(moved), look_at(), lines)
+    assert digest(ill.draw(other, look_at(), lines)) == digest(fresh)
     turned = ill.PrepareOptions(level=LEVEL, parabolic_ratio=0)
     unreliable = ill.prepare([torus().mesh()], turned, previous=first)
     assert unreliable.timings["surface"] == 0

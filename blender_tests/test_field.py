@@ -1,0 +1,210 @@
+"""Guides that are read from a collection, and the field shown as an object."""
+
+import math
+from typing import Any
+
+import bpy
+import numpy as np
+import pytest
+from illustrate.illustration import prepare_scene
+from illustrate.scene import read_scene
+
+import tools
+
+TILT = math.radians(20)
+
+
+def depsgraph() -> Any:
+    return bpy.context.evaluated_depsgraph_get()
+
+
+def guide_collection(scene: Any) -> Any:
+    collection = bpy.data.collections.new("Guides")
+    scene.collection.children.link(collection)
+    scene.illustrate.guides = collection
+    return collection
+
+
+def add_curve(collection: Any, kind: str, points: Any, closed: bool = False) -> Any:
+    data = bpy.data.curves.new("Guide", "CURVE")
+    data.dimensions = "3D"
+    spline = data.splines.new(kind)
+    if kind == "BEZIER":
+        spline.bezier_points.add(len(points) - 1)
+        for point, place in zip(spline.bezier_points, points, strict=True):
+            point.co = place
+            point.handle_left_type = point.handle_right_type = "VECTOR"
+    else:
+        spline.points.add(len(points) - 1)
+        for point, place in zip(spline.points, points, strict=True):
+            point.co = (*place, 1)
+    spline.use_cyclic_u = closed
+    thing = bpy.data.objects.new("Guide", data)
+    collection.objects.link(thing)
+    return thing
+
+
+def add_pencil(collection: Any, points: Any, closed: bool = False) -> Any:
+    if tools.V3:
+        store = getattr(bpy.data, "grease_pencils_v3", bpy.data.grease_pencils)
+    else:
+        store = bpy.data.grease_pencils
+    data = store.new("Guide")
+    frame = data.layers.new("Strokes").frames.new(1)
+    if tools.V3:
+        frame.drawing.add_strokes([len(points)])
+        stroke = frame.drawing.strokes[0]
+        stroke.cyclic = closed
+        for point, place in zip(stroke.points, points, strict=True):
+            point.position = place
+    else:
+        stroke = frame.strokes.new()
+        stroke.points.add(len(points))
+        stroke.use_cyclic = closed
+        for point, place in zip(stroke.points, points, strict=True):
+            point.co = place
+    thing = bpy.data.objects.new("Guide", data)
+    collection.objects.link(thing)
+    return thing
+
+
+def guides_of(scene: Any) -> list[Any]:
+    guides: list[Any] = read_scene(scene, depsgraph(), guides=scene.illustrate.guides).guides
+    return guides
+
+
+CORNERS = [(0, 0, 0), (1, 0, 0), (1, 1, 0)]
+
+
+@pytest.mark.parametrize("kind", ["POLY", "BEZIER", "PENCIL"])
+@pytest.mark.parametrize("closed", [False, True])
+def test_strokes_are_read_in_world_space(scene: Any, kind: str, closed: bool) -> None:
+    tools.cube_scene(scene)
+    collection = guide_collection(scene)
+    if kind == "PENCIL":
+        thing = add_pencil(collection, CORNERS, closed)
+    else:
+        thing = add_curve(collection, kind, CORNERS, closed)
+        thing.data.bevel_depth = 0.1  # as a spline it has no thickness
+    thing.location = (2, 0, 0)
+    thing.scale = (1, 2, 1)
+    bpy.context.view_layer.update()
+    before = tools.snapshot()
+    (guide,) = guides_of(scene)
+    assert tools.snapshot() == before
+    expected = [(2, 0, 0), (3, 0, 0), (3, 2, 0)]
+    length = 1 + 2 + (math.sqrt(5) if closed else 0)
+    assert guide[0] == pytest.approx(expected[0], abs=1e-5)
+    assert guide[-1] == pytest.approx(expected[0 if closed else 2], abs=1e-5)
+    assert np.linalg.norm(np.diff(guide, axis=0), axis=1).sum() == pytest.approx(length, rel=1e-3)
+    for corner in expected:
+        assert np.linalg.norm(guide - corner, axis=1).min() < 1e-5
+
+
+def test_guides_are_not_drawn_and_child_collections_count(scene: Any) -> None:
+    tools.cube_scene(scene)
+    collection = guide_collection(scene)
+    child = bpy.data.collections.new("More")
+    collection.children.link(child)
+    add_curve(collection, "POLY", CORNERS).data.bevel_depth = 0.1
+    add_curve(child, "POLY", CORNERS).hide_viewport = True
+    add_pencil(child, CORNERS)
+    arrays = read_scene(scene, depsgraph(), guides=collection)
+    assert [mesh.name for mesh in arrays.meshes] == ["Box"]
+    assert len(arrays.guides) == 3
+
+
+def test_drawings_of_the_frame_in_force_are_read(scene: Any) -> None:
+    tools.cube_scene(scene)
+    add_pencil(guide_collection(scene), CORNERS)
+    scene.frame_set(7)
+    assert len(guides_of(scene)) == 1
+    scene.frame_set(0)
+    assert not guides_of(scene)
+
+
+def test_a_collection_without_strokes_is_warned_of(scene: Any, capfd: Any) -> None:
+    tools.cube_scene(scene)
+    guide_collection(scene)
+    bpy.ops.illustrate.illustrate()
+    tools.flush()
+    assert 'Collection "Guides" guides nothing' in capfd.readouterr().out
+
+
+def off_tilt(scene: Any) -> float:
+    """Degrees between the field on top of the cube, near the x axis, and a line turned by TILT."""
+    prepared = prepare_scene(scene, depsgraph())
+    positions = np.asarray(prepared.surface.positions)
+    on_line = np.abs(positions @ (-math.sin(TILT), math.cos(TILT), 0)) < 0.02
+    chosen = (positions[:, 2] > 0.99) & on_line & (np.abs(positions[:, 0]) < 0.5)
+    assert chosen.any()
+    x, y = np.asarray(prepared.field.directions)[chosen, :2].T
+    turn = np.degrees(np.arctan2(y, x) - TILT)
+    off: float = np.abs((turn + 45) % 90 - 45).max()
+    return off
+
+
+def grid_scene(scene: Any) -> None:
+    """A flat square at height 1, of many faces: Blender's own grid."""
+    tools.add_camera(scene)
+    bpy.ops.mesh.primitive_grid_add(x_subdivisions=40, y_subdivisions=40, location=(0, 0, 1))
+
+
+@pytest.mark.parametrize("kind", ["POLY", "PENCIL"])
+def test_hatches_follow_guides(scene: Any, kind: str) -> None:
+    grid_scene(scene)
+    assert off_tilt(scene) == pytest.approx(20, abs=1)
+    collection = guide_collection(scene)
+    ends = [(s * 0.6 * math.cos(TILT), s * 0.6 * math.sin(TILT), 1.02) for s in (-1, 1)]
+    (add_pencil if kind == "PENCIL" else lambda c, p: add_curve(c, "POLY", p))(collection, ends)
+    assert off_tilt(scene) < 3
+    scene.illustrate.guide_weight = 0
+    assert off_tilt(scene) == pytest.approx(20, abs=1)
+
+
+def shown(scene: Any) -> Any:
+    return scene.objects.get("Illustration Field")
+
+
+def test_the_field_is_shown_and_hidden(scene: Any) -> None:
+    tools.add_camera(scene)
+    bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=4)
+    bpy.context.object.data.polygons.foreach_set("use_smooth", [True] * 1280)
+    before = tools.snapshot()
+    assert bpy.ops.illustrate.show_field() == {"FINISHED"}
+    field = shown(scene)
+    assert field.hide_render and field["illustrate_owner"]
+    points = np.array([v.co for v in field.data.vertices])
+    arms = np.array(sorted(sorted(e.vertices) for e in field.data.edges if e.is_loose))
+    assert len(arms) > 400
+    assert np.abs(np.linalg.norm(points, axis=1) - 1).max() < 0.1
+    first, second = (np.diff(points[arms[k::2]], axis=1)[:, 0] for k in (0, 1))
+    assert np.abs((first * second).sum(1)).max() < 1e-4
+    assert len(field.data.polygons) == 8 * 8  # an octahedron for each singularity of a sphere
+    inks = [field.data.materials[p.material_index].name for p in field.data.polygons]
+    assert inks == ["Illustration Field Plus"] * 64
+    bpy.ops.illustrate.show_field()
+    assert [t.name for t in scene.objects if t.name.startswith("Illustration")] == [field.name]
+    assert bpy.ops.illustrate.hide_field() == {"FINISHED"}
+    assert tools.snapshot() == before
+    assert not bpy.ops.illustrate.hide_field.poll()
+
+
+def test_the_shown_field_is_not_drawn(scene: Any) -> None:
+    tools.cube_scene(scene)
+    bpy.ops.illustrate.show_field()
+    assert [mesh.name for mesh in read_scene(scene, depsgraph()).meshes] == ["Box"]
+    scene.illustrate.output = "CURVES"
+    bpy.ops.illustrate.illustrate()
+    assert shown(scene) is not None
+    ink = next(t for t in scene.objects if t.type == "CURVE").data.materials[0]
+    assert ink.name == "Illustration Ink"
+
+
+def test_an_error_leaves_no_field(scene: Any) -> None:
+    tools.add_camera(scene)
+    bpy.context.view_layer.update()
+    before = tools.snapshot()
+    with pytest.raises(RuntimeError, match="add a mesh"):
+        bpy.ops.illustrate.show_field()
+    assert tools.snapshot() == before

@@ -1,0 +1,169 @@
+#include "field/problem.h"
+
+#include "field/guides.h"
+#include "field/singularities.h"
+
+namespace illustrate {
+namespace {
+
+// An edge turned by an angle of the cross at its first end.
+FieldEdge adjusted(FieldEdge edge, double turn) {
+  edge.transport = product(edge.transport, {std::cos(4 * turn), -std::sin(4 * turn)});
+  return edge;
+}
+
+void prescribe(const Surface& surface, const PrescribedSingularities& singularities, const Bvh& bvh,
+               FieldProblem& p) {
+  p.prescribed =
+      place_singularities(surface, p.triangle_edges, p.parts, bvh, p.excess, singularities);
+  p.turns = least_turns(surface, p.triangle_edges, p.excess, p.parts, p.prescribed);
+  for (std::size_t e = 0; e < p.edges.size(); ++e) p.edges[e] = adjusted(p.edges[e], p.turns[e]);
+}
+
+bool is_prescribed(const FieldProblem& p, std::size_t vertex) {
+  return !p.turns.empty() && p.prescribed.has_parts[idx(p.parts.of_vertex[vertex])];
+}
+
+// Guides and prescribed singularities overrule curvature.
+void withdraw_reliability(const Surface& surface, const std::vector<double>& diagonals,
+                          const FieldOptions& options, FieldProblem& p) {
+  for (std::size_t i = 0; i < p.reliable.size(); ++i) {
+    if (is_prescribed(p, i)) p.reliable[i] = 0;
+  }
+  const bool any = std::find(p.reliable.begin(), p.reliable.end(), 1) != p.reliable.end();
+  if (options.guides.empty() || !any) return;
+  const std::vector<std::uint8_t> is_near =
+      near_pulls(surface, p.guide_pulls, diagonals, options.guide_radius);
+  for (std::size_t i = 0; i < p.reliable.size(); ++i) {
+    if (is_near[i]) p.reliable[i] = 0;
+  }
+}
+
+// Principal directions; in a part without a reliable vertex the default direction, parallel where
+// singularities are prescribed, turned towards its features and guides.
+CrossNumbers initial_field(const FieldProblem& p) {
+  std::vector<std::uint8_t> has_reliable(idx(p.parts.count), 0);
+  for (std::size_t i = 0; i < p.reliable.size(); ++i) {
+    if (p.reliable[i]) has_reliable[idx(p.parts.of_vertex[i])] = 1;
+  }
+  CrossNumbers z = p.principal.z;
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    if (!has_reliable[idx(p.parts.of_vertex[i])]) z[i] = p.by_default[i];
+  }
+  if (!p.turns.empty()) comb_along_tree(p.edges, p.parts, p.prescribed.has_parts, z);
+  CrossNumbers wanted = p.alignment.pulls;
+  for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] += p.guide_pulls[i];
+  turn_parts(p.parts, parts_that_may_turn(p), wanted, z);
+  return z;
+}
+
+// (m) 1 / length, 1 in the mean; edges much shorter than the others are not let rule them.
+std::vector<double> inverse_lengths(const Surface& surface, const TriangleEdges& edges) {
+  constexpr double most = 100;
+  std::vector<double> weights(edges.size());
+  double sum = 0;
+  for (std::size_t e = 0; e < weights.size(); ++e) {
+    const auto [i, j] = edges.vertices[e];
+    weights[e] = (surface.positions[idx(j)] - surface.positions[idx(i)]).norm();
+    if (std::isfinite(weights[e])) sum += weights[e];
+  }
+  const double mean = sum / static_cast<double>(std::max<std::size_t>(1, weights.size()));
+  double total = 0;
+  for (double& weight : weights) {
+    weight = std::isfinite(weight) ? std::min(most, mean / std::max(weight, mean / most)) : 0;
+    if (!(mean > 0)) weight = 1;
+    total += weight;
+  }
+  for (double& weight : weights) weight *= static_cast<double>(weights.size()) / total;
+  return weights;
+}
+
+}  // namespace
+
+FieldProblem state_problem(const Surface& surface, const Curvature& curvature,
+                           const FieldOptions& options, const Bvh* bvh, const Progress& progress) {
+  FieldProblem p;
+  const int threads = options.threads;
+  p.frames = tangent_frames(surface.normals, threads, progress.part(0, 0.05));
+  p.triangle_edges = triangle_edges(surface, progress.part(0.05, 0.3));
+  const std::vector<double> weights = options.inverse_length_weights
+                                          ? inverse_lengths(surface, p.triangle_edges)
+                                          : std::vector<double>();
+  p.edges =
+      field_edges(surface, p.triangle_edges, p.frames, weights, threads, progress.part(0.3, 0.45));
+  p.parts = connected_parts(p.frames.size(), p.edges, progress.part(0.45, 0.55));
+  const std::vector<double> diagonals = object_diagonals(surface);
+  p.alignment = align_to_features(surface, p.frames, diagonals, options.alignment_weight,
+                                  progress.part(0.55, 0.6));
+  p.by_default = default_crosses(p.frames, options.default_direction, progress.part(0.6, 0.65));
+  p.principal = principal_crosses(p.frames, curvature, p.by_default, progress.part(0.65, 0.7));
+  p.reliable = reliable_vertices(curvature, p.edges, p.principal, diagonals, options,
+                                 progress.part(0.7, 0.8));
+  p.excess =
+      triangle_excess(surface, p.triangle_edges, p.frames, threads, progress.part(0.8, 0.95));
+  Bvh own;
+  if (!bvh && needs_tree(options)) {
+    own = Bvh(surface.positions, surface.triangles, threads);
+    bvh = &own;
+  }
+  p.guide_pulls = CrossNumbers(p.frames.size(), 0);
+  if (!options.guides.empty()) {
+    p.guide_pulls = guide_pulls(surface, p.frames, *bvh, options.guides, progress.part(0.95, 0.97));
+  }
+  if (!options.singularities.empty()) prescribe(surface, options.singularities, *bvh, p);
+  withdraw_reliability(surface, diagonals, options, p);
+  progress.report(0.98);
+  p.initial = initial_field(p);
+  return p;
+}
+
+std::vector<double> part_energies(const FieldProblem& p, const CrossNumbers& z) {
+  std::vector<double> sums = part_energies(p.parts, p.edges, z);
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    sums[idx(p.parts.of_vertex[i])] -= product(std::conj(z[i]), p.guide_pulls[i]).real();
+  }
+  return sums;
+}
+
+std::vector<double> least_energies(const FieldProblem& p) {
+  std::vector<double> least(idx(p.parts.count), 0);
+  for (const FieldEdge& edge : p.edges) {
+    least[idx(p.parts.of_vertex[idx(edge.from)])] -= std::sqrt(std::norm(edge.transport));
+  }
+  for (std::size_t i = 0; i < p.guide_pulls.size(); ++i) {
+    if (p.guide_pulls[i] == CrossNumber(0)) continue;
+    least[idx(p.parts.of_vertex[i])] -= std::abs(p.guide_pulls[i]);
+  }
+  return least;
+}
+
+std::vector<std::uint8_t> parts_that_may_turn(const FieldProblem& p) {
+  std::vector<std::uint8_t> may_turn(idx(p.parts.count), 1);
+  for (std::size_t i = 0; i < p.reliable.size(); ++i) {
+    if (p.reliable[i]) may_turn[idx(p.parts.of_vertex[i])] = 0;
+  }
+  for (const FieldEdge& edge : p.edges) {
+    if (edge.mirrored) may_turn[idx(p.parts.of_vertex[idx(edge.from)])] = 0;
+  }
+  return may_turn;
+}
+
+std::vector<std::uint8_t> parts_with_features(const FieldProblem& p) {
+  std::vector<std::uint8_t> has_features(idx(p.parts.count), 0);
+  for (std::size_t i = 0; i < p.alignment.pulls.size(); ++i) {
+    if (std::norm(p.alignment.pulls[i]) > 0) has_features[idx(p.parts.of_vertex[i])] = 1;
+  }
+  for (const FieldEdge& edge : p.alignment.couplings) {
+    has_features[idx(p.parts.of_vertex[idx(edge.from)])] = 1;
+    has_features[idx(p.parts.of_vertex[idx(edge.to)])] = 1;
+  }
+  return has_features;
+}
+
+std::vector<FieldEdge> plain_edges(const FieldProblem& p) {
+  std::vector<FieldEdge> edges = p.edges;
+  for (std::size_t e = 0; e < p.turns.size(); ++e) edges[e] = adjusted(edges[e], -p.turns[e]);
+  return edges;
+}
+
+}  // namespace illustrate
