@@ -1,13 +1,21 @@
-"""The settings of a scene: what is drawn, and the native options field for field."""
-# mypy: disable-error-code="valid-type,misc"
+"""The settings of a scene: what is drawn, into what, and the native options field for field."""
+# mypy: disable-error-code="valid-type"
 # Blender reads properties from annotations.
 
 from typing import Any
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty
+from bpy.props import (
+    BoolProperty,
+    EnumProperty,
+    FloatProperty,
+    FloatVectorProperty,
+    IntProperty,
+    PointerProperty,
+)
 
-from . import native
+from . import native, native_options
+from .output import restyle
 
 SOURCES = [
     ("SCENE", "Scene", "Draw every mesh that can be seen", 0),
@@ -21,252 +29,164 @@ LIGHTINGS = [
     ("SCENE", "Scene Lights", "Light the drawing with the lights of the scene", 0),
     ("HEADLIGHT", "Headlight", "Light the drawing from the camera", 1),
 ]
-
-# Optional kinds of lines, each with what it is measured by.
-LINE_KINDS = (
-    "marks",
-    "materials",
-    "suggestive_contours",
-    "suggestive_threshold",
-    "ridges",
-    "ridge_threshold",
-    "valleys",
-    "valley_threshold",
-)
+UNITS = [
+    ("PX", "Pixels", "Widths and distances are pixels of the render", 0),
+    ("MM", "Millimetres", "Widths and distances are millimetres on the page", 1),
+]
+BLACK = (0.0, 0.0, 0.0, 1.0)
 
 
-def _threshold(name: str, lines: str, default: float) -> Any:
-    return FloatProperty(
-        name=f"{name} Threshold",
+def _restyle(settings: Any, _context: Any) -> None:
+    restyle(settings.id_data)
+
+
+def _colour(name: str, strokes: str, default: Any = BLACK) -> Any:
+    return FloatVectorProperty(
+        name=name,
+        size=4,
         default=default,
-        min=0.01,
-        max=100_000.0,
-        soft_min=1.0,
-        soft_max=100.0,
-        description=f"Leave out weaker {lines}, measured against the size of the object",
+        min=0.0,
+        max=1.0,
+        subtype="COLOR",
+        description=f"Colour of {strokes}",
+        update=_restyle,
     )
 
 
-class ILLUSTRATE_PG_settings(bpy.types.PropertyGroup):
-    """How the illustration of a scene is made."""
-
-    source: EnumProperty(
+OWN: dict[str, Any] = {
+    "source": EnumProperty(
         name="Draw", items=SOURCES, default="SCENE", description="Which objects are drawn"
-    )
-    output: EnumProperty(
+    ),
+    "output": EnumProperty(
         name="Output", items=OUTPUTS, default="GREASE_PENCIL", description="What strokes become"
-    )
-    lighting: EnumProperty(
+    ),
+    "lighting": EnumProperty(
         name="Light",
         items=LIGHTINGS,
         default="SCENE",
         description="Where light and shadow of the hatching come from",
-    )
-
-    line_width_px: FloatProperty(
-        name="Line Width",
-        default=2.0,
-        min=0.05,
-        max=100.0,
-        soft_max=10.0,
-        subtype="PIXEL",
-        description="Width of silhouettes and boundaries, pixels of the render",
-    )
-    feature_width_px: FloatProperty(
-        name="Feature Width",
-        default=1.4,
-        min=0.05,
-        max=100.0,
-        soft_max=10.0,
-        subtype="PIXEL",
-        description="Width of all other lines but hatches, pixels of the render",
-    )
-    marks: BoolProperty(
-        name="Marked Edges", default=False, description="Draw edges with a Freestyle mark"
-    )
-    materials: BoolProperty(
-        name="Material Borders", default=False, description="Draw lines between materials"
-    )
-    suggestive_contours: BoolProperty(
-        name="Suggestive Contours",
-        default=False,
-        description="Draw where a smooth surface nearly turns away from the camera",
-    )
-    suggestive_threshold: _threshold("Suggestive", "suggestive contours", 20.0)
-    ridges: BoolProperty(
-        name="Ridges", default=False, description="Draw where a smooth surface bulges most"
-    )
-    ridge_threshold: _threshold("Ridge", "ridges", 15.0)
-    valleys: BoolProperty(
-        name="Valleys", default=False, description="Draw where a smooth surface caves in most"
-    )
-    valley_threshold: _threshold("Valley", "valleys", 15.0)
-    hidden: BoolProperty(
+    ),
+    "unit": EnumProperty(
+        name="Unit", items=UNITS, default="PX", description="What widths and distances count in"
+    ),
+    "page_width_mm": FloatProperty(
+        name="Page Width (mm)",
+        default=200.0,
+        min=1.0,
+        max=100_000.0,
+        soft_max=1000.0,
+        description="Width of the page that the picture fills, millimetres",
+    ),
+    "hidden": BoolProperty(
         name="Hidden Lines",
         default=False,
         description="Draw lines that lie behind other surfaces too, on a layer of their own",
-    )
-    hidden_layers: IntProperty(
+    ),
+    "hidden_layers": IntProperty(
         name="Hidden Layers",
         default=1,
         min=1,
         max=64,
         description="Draw hidden lines with at most so many surfaces in front of them",
-    )
-
-    hatching: BoolProperty(
-        name="Hatching", default=True, description="Hatch midtones and cross-hatch shadows"
-    )
-    spacing_px: FloatProperty(
-        name="Spacing",
-        default=8.0,
-        min=1.0,
-        max=200.0,
-        soft_max=40.0,
-        subtype="PIXEL",
-        description="Distance between neighbouring hatches, pixels of the render",
-    )
-    hatch_width_px: FloatProperty(
-        name="Hatch Width",
-        default=1.0,
-        min=0.05,
-        max=100.0,
-        soft_max=10.0,
-        subtype="PIXEL",
-        description="Width of hatches in middling light, pixels of the render",
-    )
-    highlight_threshold: FloatProperty(
-        name="Highlight",
-        default=0.8,
-        min=0.0,
-        max=1.0,
-        subtype="FACTOR",
-        description="Where it is brighter there are no hatches",
-    )
-    shadow_threshold: FloatProperty(
-        name="Shadow",
-        default=0.4,
-        min=0.0,
-        max=1.0,
-        subtype="FACTOR",
-        description="Where it is not brighter there are two directions of hatches",
-    )
-    undercuts: BoolProperty(
-        name="Undercuts", default=True, description="Hatch densely what lies just behind a fold"
-    )
-    mach_bands: BoolProperty(
-        name="Mach Bands",
-        default=True,
-        description="Leave a narrow band along the near side of a fold white",
-    )
-
-    guides: PointerProperty(
+    ),
+    "guides": PointerProperty(
         type=bpy.types.Collection,
         name="Guides",
         description="Hatches follow the curves and Grease Pencil strokes of this collection, "
         "drawn on the surfaces or near them; its objects are not drawn",
-    )
-    guide_weight: FloatProperty(
+    ),
+    "guide_weight": FloatProperty(
         name="Guide Weight",
         default=10.0,
         min=0.0,
         soft_max=100.0,
         description="How closely hatches follow the guides; 10 is nearly exact",
-    )
-    rings: IntProperty(
-        name="Smoothing",
-        default=3,
+    ),
+    "line_color": _colour("Lines", "silhouettes and boundaries"),
+    "feature_color": _colour("Features", "all other lines but hatches"),
+    "hatch_color": _colour("Hatches", "hatches"),
+    "hidden_color": _colour("Hidden", "hidden lines", (0.3, 0.3, 0.3, 1.0)),
+    "in_front": BoolProperty(
+        name="In Front",
+        default=True,
+        description="Show strokes over the surfaces that they lie on",
+        update=_restyle,
+    ),
+    "keep_frames": BoolProperty(
+        name="Keep Other Frames",
+        default=False,
+        description="Leave drawings on other frames instead of replacing them all",
+    ),
+    "use_scene_range": BoolProperty(
+        name="Scene Range", default=True, description="Bake the frames that the scene plays"
+    ),
+    "frame_start": IntProperty(name="Start", default=1, description="First frame to bake"),
+    "frame_end": IntProperty(name="End", default=250, description="Last frame to bake"),
+    "frame_step": IntProperty(
+        name="Every",
+        default=1,
         min=1,
-        max=10,
-        description="Rings of neighbours that directions are computed from: "
-        "more for meshes with fine detail that the hatches should not follow",
-    )
-    parabolic_ratio: FloatProperty(
-        name="Parabolic Ratio",
-        default=0.2,
-        min=0.0,
-        soft_max=1.0,
-        description="Hatches keep to the curvature where the smaller one is at most this share of "
-        "the larger; 0 smooths all directions",
-    )
-    least_curvature: FloatProperty(
-        name="Least Curvature",
-        default=1.0,
-        min=0.0,
-        soft_max=20.0,
-        description="Where an object bends less, measured against its size, directions are "
-        "smoothed",
-    )
-    largest_energy: FloatProperty(
-        name="Largest Energy",
-        default=0.05,
-        min=0.0,
-        max=2.0,
-        description="Where directions of curvature disagree more with their neighbours, they are "
-        "smoothed",
-    )
+        max=1000,
+        description="Bake a drawing on every so many frames",
+    ),
+    "keep_strokes": BoolProperty(
+        name="Keep Strokes",
+        default=True,
+        description="Start each frame from the strokes of the last one, so that they stay in place",
+    ),
+}
+"""The add-on's own settings, that the native module does not know."""
 
-    triangle_budget: IntProperty(
-        name="Triangle Budget",
-        default=250_000,
-        min=1_000,
-        soft_max=2_000_000,
-        description="Most triangles that surfaces are refined to, all objects together",
-    )
-    threads: IntProperty(
-        name="Threads",
-        default=0,
-        min=0,
-        max=1024,
-        description="Threads to compute with, 0 for as many as there are cores",
-    )
+NOT_IN_PRESETS = {"source", "guides", "use_scene_range", "frame_start", "frame_end", "frame_step"}
 
 
-def _fill(options: Any, settings: Any, names: tuple[str, ...]) -> Any:
-    for name in names:
-        setattr(options, name, getattr(settings, name))
-    return options
+class ILLUSTRATE_PG_settings(bpy.types.PropertyGroup):
+    """How the illustration of a scene is made."""
+
+    __annotations__ = {**OWN, **native_options.properties()}
+
+    def restore_defaults(self) -> None:
+        """Sets all that presets hold to what it is in a new scene."""
+        for name in preset_fields():
+            self.property_unset(name)
 
 
-def prepare_options(settings: Any, guides: list[Any]) -> Any:
-    """`illustrate_native.PrepareOptions` of the settings (an ILLUSTRATE_PG_settings).
+def preset_fields() -> list[str]:
+    """Names of the settings that a preset holds."""
+    names = (*OWN, *native_options.properties())
+    return [name for name in names if name not in NOT_IN_PRESETS]
 
-    guides: polylines (k, 3) in world space.
-    """
-    names = (
-        "rings",
-        "parabolic_ratio",
-        "least_curvature",
-        "largest_energy",
-        "triangle_budget",
-        "threads",
-    )
+
+def px_per_mm(settings: Any, width_px: int) -> float:
+    """Pixels of a picture of width_px for a millimetre of the page; 0 where pixels are the unit."""
+    return width_px / settings.page_width_mm if settings.unit == "MM" else 0.0
+
+
+def prepare_values(settings: Any) -> dict[str, Any]:
+    """Values of `illustrate_native.PrepareOptions` but its guides, by their names."""
+    return native_options.values(native_options.PREPARE, settings, 0.0)
+
+
+def draw_values(settings: Any, width_px: int) -> dict[str, Any]:
+    """Values of `illustrate_native.DrawOptions` but its styles, by their names."""
+    values = native_options.values(native_options.DRAW, settings, px_per_mm(settings, width_px))
+    values["hidden_lines"] = (1, settings.hidden_layers) if settings.hidden else None
+    return values
+
+
+def prepare_options(values: dict[str, Any], guides: list[Any], guide_weight: float) -> Any:
+    """`illustrate_native.PrepareOptions`. guides: polylines (k, 3) in world space."""
     ill = native.load()
-    options = _fill(ill.PrepareOptions(), settings, names)
-    options.field = settings.hatching
-    options.guides = [ill.Guide(points, settings.guide_weight) for points in guides]
-    return options
-
-
-def draw_options(settings: Any) -> Any:
-    """`illustrate_native.DrawOptions` of the settings (an ILLUSTRATE_PG_settings)."""
-    names = (
-        "line_width_px",
-        "feature_width_px",
-        *LINE_KINDS,
-        "hatching",
-        "spacing_px",
-        "hatch_width_px",
-        "highlight_threshold",
-        "shadow_threshold",
-        "undercuts",
-        "mach_bands",
-        "threads",
+    return ill.PrepareOptions(
+        **values, guides=[ill.Guide(points, guide_weight) for points in guides]
     )
-    options = _fill(native.load().DrawOptions(), settings, names)
-    if settings.hidden:
-        options.hidden_lines = (1, settings.hidden_layers)
-    return options
+
+
+def draw_options(values: dict[str, Any], styles: list[dict[str, Any]]) -> Any:
+    """`illustrate_native.DrawOptions`. styles: arguments of ObjectStyle, one for each mesh."""
+    ill = native.load()
+    chosen = [ill.ObjectStyle(**style) for style in styles] if any(styles) else None
+    return ill.DrawOptions(**values, styles=chosen)
 
 
 def register() -> None:

@@ -231,16 +231,3 @@ def test_registers_again_after_unregister(scene: Any) -> None:
     assert not hasattr(scene, "illustrate")
     illustrate.register()
     assert classes() == before
-
-
-def test_settings_have_tidy_texts_and_each_is_in_one_panel(scene: Any) -> None:
-    from illustrate import panel
-
-    fields = set(scene.illustrate.bl_rna.properties.keys()) - {"rna_type", "name"}
-    for name in fields:
-        field = scene.illustrate.bl_rna.properties[name]
-        assert field.description and not field.description.endswith(".")
-        assert field.name == field.name.title()
-    assert len(panel.ILLUSTRATE_PT_main.fields) <= 7
-    shown = [name for each in panel.CLASSES for name in each.fields]
-    assert sorted(shown) == sorted(fields)
