@@ -53,9 +53,7 @@ class ILLUSTRATE_OT_bake(TaskOperator, bpy.types.Operator):
                 if scene.illustrate.keep_strokes and native.can_seed():
                     request.previous = previous
                 made = yield _step(request, frame, done / len(frames), (done + 1) / len(frames))
-                sheets.append(
-                    output.sheet_of(made.drawing, made.arrays.camera, frame, made.names)
-                )
+                sheets.append(output.sheet_of(made.drawing, made.arrays.camera, frame, made.names))
                 warnings += [w for w in made.warnings if w not in warnings]
                 previous = made.drawing
         finally:

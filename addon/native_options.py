@@ -57,9 +57,7 @@ def _whole(
 
 
 def _switch(native: str, panel: str, label: str, default: bool, text: str) -> NativeOption:
-    return NativeOption(
-        native, BoolProperty(name=label, default=default, description=text), panel
-    )
+    return NativeOption(native, BoolProperty(name=label, default=default, description=text), panel)
 
 
 def _paper(

@@ -69,9 +69,7 @@ def remove_layer(data: Any, layer: Any) -> None:
 
 
 def _members(data: Any, group: Any) -> list[Any]:
-    return [
-        child for child in (*data.layers, *data.layer_groups) if child.parent_group == group
-    ]
+    return [child for child in (*data.layers, *data.layer_groups) if child.parent_group == group]
 
 
 def lower(data: Any, layer: Any) -> None:

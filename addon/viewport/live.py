@@ -216,7 +216,6 @@ HANDLERS = (
     (bpy.app.handlers.depsgraph_update_post, _after_update),
     (bpy.app.handlers.undo_post, _after_undo),
     (bpy.app.handlers.redo_post, _after_undo),
-    (bpy.app.handlers.load_pre, _before_load),
 )
 
 
@@ -235,6 +234,7 @@ class ILLUSTRATE_OT_toggle_live(bpy.types.Operator):
 
 def register() -> None:
     """Registers the switch."""
+    bpy.app.handlers.load_pre.append(_before_load)
     bpy.utils.register_class(ILLUSTRATE_OT_toggle_live)
     manager = bpy.types.WindowManager
     manager.illustrate_live = bpy.props.BoolProperty(
@@ -255,6 +255,7 @@ def register() -> None:
 def unregister() -> None:
     """Turns live lines off and takes the switch away."""
     LIVE.switch(False)
+    bpy.app.handlers.load_pre.remove(_before_load)
     del bpy.types.WindowManager.illustrate_live_eye
     del bpy.types.WindowManager.illustrate_live
     bpy.utils.unregister_class(ILLUSTRATE_OT_toggle_live)
