@@ -89,7 +89,7 @@ def _can_stretch(drawn: dict[str, Any], wanted: dict[str, Any]) -> bool:
     pairs = np.array([(_flat(drawn)[i], w) for i, w in enumerate(_flat(wanted))])
     if (pairs <= 0).any():
         return bool((pairs[:, 0] == pairs[:, 1]).all())
-    return float(np.abs(np.log(pairs[:, 1] / pairs[:, 0])).max()) <= np.log(MOST_STRETCH)
+    return bool(np.abs(np.log(pairs[:, 1] / pairs[:, 0])).max() <= np.log(MOST_STRETCH))
 
 
 def _flat(widths: dict[str, Any]) -> list[float]:

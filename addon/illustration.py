@@ -129,8 +129,10 @@ def read_request(scene: Any, depsgraph: Any) -> Request:
     )
 
 
-def compute(request: Request, progress: Progress | None = None, cache: Cache = CACHE) -> Any:
-    """The Illustration that a request asks for. Raises IllustrateError.
+def compute(
+    request: Request, progress: Progress | None = None, cache: Cache = CACHE
+) -> Illustration:
+    """The illustration that a request asks for. Raises IllustrateError.
 
     What the cache still has of the last one is taken over. Raises `illustrate_native.Cancelled`
     when progress returned False.

@@ -99,7 +99,6 @@ class TaskOperator:
         if not _has_window(context):
             return self.execute(context)
         self._task = self.task(context)
-        self._worker: Worker | None = None
         try:
             self._start(self._task.send(None))
         except StopIteration as end:
@@ -132,8 +131,7 @@ class TaskOperator:
 
     def cancel(self, context: Any) -> None:
         """Ends without a result; Blender calls it too, when a file is loaded or the window goes."""
-        if self._worker is not None:
-            self._worker.cancel()
+        self._worker.cancel()
         self._task.close()
         self._clean_up(context)
 

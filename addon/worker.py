@@ -49,7 +49,7 @@ class Worker:
 
 
 def stop_all(timeout_s: float = 10.0) -> None:
-    """Cancels all work and waits for it, so that nothing runs on when Blender or the add-on ends."""
+    """Cancels all work and waits for it: nothing runs on when Blender or the add-on ends."""
     workers = list(_running)
     for worker in workers:
         worker.cancel()

@@ -126,7 +126,7 @@ def test_a_pen_has_the_colour_of_the_settings_until_the_artist_paints(
     assert not any(thing.show_in_front for thing in things)
 
 
-def artists_work(scene: Any) -> dict[str, Any]:
+def artists_work() -> dict[str, Any]:
     """A stroke and a keyframe in a layer of the add-on, a layer, a material; what they are."""
     data = pencil_data()
     theirs = bpy.data.materials.new("Red")
@@ -161,7 +161,7 @@ def read_work(work: dict[str, Any]) -> Any:
 def test_the_artists_work_survives_twenty_clicks(scene: Any) -> None:
     cube = tools.cube_scene(scene)
     click()
-    work = artists_work(scene)
+    work = artists_work()
     before = read_work(work)
     assert sum(len(strokes) for strokes in before[3]) == 3
     for i in range(20):

@@ -45,7 +45,7 @@ def test_styles_mirror_the_native_ones(scene: Any) -> None:
     for owner in (cube, scene.collection):
         for name in styles.OPTIONS:
             assert getattr(owner.illustrate, name) == getattr(default, name)
-    assert native_options.STYLE_DEFAULTS == {n: getattr(default, n) for n in styles.OPTIONS}
+    assert {n: getattr(default, n) for n in styles.OPTIONS} == native_options.STYLE_DEFAULTS
 
 
 @pytest.mark.parametrize("kind", NATIVE)
@@ -163,9 +163,7 @@ def choose(name: str) -> None:
 
 
 def test_the_artists_own_preset(scene: Any, tmp_path: Any, monkeypatch: Any) -> None:
-    monkeypatch.setattr(
-        bpy.utils, "user_resource", lambda _kind, *, path="", create=False: str(tmp_path)
-    )
+    monkeypatch.setattr(bpy.utils, "user_resource", lambda *_, **__: str(tmp_path))
     monkeypatch.setattr(bpy.utils, "preset_paths", lambda _folder: [str(tmp_path)])
     scene.illustrate.spacing_px = 13
     scene.illustrate.hatch_color = (0.5, 0.25, 0, 1)

@@ -32,9 +32,8 @@ class Context:
         )
 
     def is_clean(self) -> bool:
-        return self.log == ["timer", "begin", "modal", "no timer", "end"] and (
-            self.texts[-1] is None and not tasks.is_running()
-        )
+        asked = ["timer", "begin", "modal", "no timer", "end"]
+        return self.log == asked and self.texts[-1] is None and not tasks.is_running()
 
 
 class Operator(TaskOperator):
@@ -47,10 +46,10 @@ class Operator(TaskOperator):
         self.undone = False
         self.fail = fail
 
-    def report(self, kind: set[str], text: str) -> None:  # type: ignore[override]
+    def report(self, kind: set[str], text: str) -> None:
         self.reports.append((kind, text))
 
-    def task(self, context: Any) -> tasks.Task:
+    def task(self, _context: Any) -> tasks.Task:
         if self.fail == "start":
             raise IllustrateError("no camera")
         try:
@@ -82,7 +81,7 @@ def _window(monkeypatch: Any) -> None:
 
 def run(operator: Operator, context: Any, until: Any = lambda: False) -> set[str]:
     """Timer events until the operator ends."""
-    status = operator.invoke(context, None)
+    status: set[str] = operator.invoke(context, None)
     for _ in range(2000):
         if status != {"RUNNING_MODAL"} or until():
             break
@@ -91,7 +90,11 @@ def run(operator: Operator, context: Any, until: Any = lambda: False) -> set[str
     return status
 
 
-def test_a_task_runs_to_its_end(monkeypatch: Any) -> None:
+def is_undone(operator: Operator) -> bool:
+    return operator.undone
+
+
+def test_a_task_runs_to_its_end() -> None:
     context, operator = Context(), Operator()
     operator.gate.set()
     assert run(operator, context) == {"FINISHED"}
@@ -115,9 +118,9 @@ def test_progress_is_shown_and_the_view_may_be_moved() -> None:
 def test_escape_ends_at_once_and_stops_the_work() -> None:
     context, operator = Context(), Operator()
     run(operator, context, lambda: any("Frame 2" in (t or "") for t in context.texts))
-    assert not operator.undone
+    assert not is_undone(operator)
     assert operator.modal(context, ESC) == {"CANCELLED"}
-    assert operator.undone and context.is_clean()
+    assert is_undone(operator) and context.is_clean()
     assert operator.stopped.wait(10)
     assert "cancelled" in operator.reports[-1][1]
 

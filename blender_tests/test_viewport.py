@@ -125,7 +125,7 @@ def test_live_lines_follow_the_scene(scene: Any, _live: Any) -> None:
     assert LIVE.lines is None and "can be drawn" in LIVE.problem
 
 
-def test_live_lines_need_no_camera(scene: Any, _live: Any) -> None:
+def test_live_lines_need_no_camera(_live: Any) -> None:
     tools.add_cube()
     wait_for_lines()
     assert LIVE.lines is not None

@@ -13,7 +13,7 @@ import gpu
 from gpu_extras.batch import batch_for_shader
 
 PREFIX = "" if bpy.app.version >= (4, 0, 0) else "3D_"
-NEARER = 2e-3  # of the distance to the eye: lines on a surface are not swallowed by it
+NEARER = 4e-3  # of the distance to the eye: lines on a surface are not swallowed by it
 
 _shaders: dict[str, Any] = {}
 
@@ -63,9 +63,7 @@ def _state(view_data: Any, in_front: bool) -> Any:
     gpu.state.depth_test_set("NONE" if in_front else "LESS_EQUAL")
     gpu.state.depth_mask_set(False)
     gpu.matrix.push_projection()
-    projection = view_data.window_matrix.copy()
-    projection[2] = projection[2] - NEARER * _depth_row(projection)
-    gpu.matrix.load_projection_matrix(projection)
+    gpu.matrix.load_projection_matrix(_nearer(view_data.window_matrix))
     try:
         yield
     finally:
@@ -75,8 +73,11 @@ def _state(view_data: Any, in_front: bool) -> Any:
         gpu.state.blend_set("NONE")
 
 
-def _depth_row(projection: Any) -> Any:
-    """What a share of the distance to the eye adds to clip z: of w, and of it alone for parallel
-    views, where w is 1.
-    """
-    return projection[3]
+def _nearer(projection: Any) -> Any:
+    """The projection with all depths NEARER; for parallel views, by that share of the width."""
+    moved = projection.copy()
+    if projection[3][3] == 0:
+        moved[2][3] *= 1 + NEARER
+    else:
+        moved[2][3] += NEARER * projection[2][2] / abs(projection[0][0])
+    return moved

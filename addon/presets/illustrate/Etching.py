@@ -1,3 +1,5 @@
+"""Fine lines and dense hatches down to the highlights."""
+
 import bpy
 
 settings = bpy.context.scene.illustrate

@@ -1,3 +1,5 @@
+"""One pen of 0.3 mm on a page of 200 mm."""
+
 import bpy
 
 settings = bpy.context.scene.illustrate

@@ -1,3 +1,5 @@
+"""Bold outlines and nothing else."""
+
 import bpy
 
 settings = bpy.context.scene.illustrate

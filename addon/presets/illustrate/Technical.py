@@ -1,3 +1,5 @@
+"""All edges, hidden ones thin, no hatching."""
+
 import bpy
 
 settings = bpy.context.scene.illustrate

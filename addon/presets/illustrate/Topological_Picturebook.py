@@ -1,3 +1,5 @@
+"""Bold outlines, open hatches that swell, wide bands behind folds."""
+
 import bpy
 
 settings = bpy.context.scene.illustrate
