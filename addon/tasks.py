@@ -5,6 +5,7 @@ result of the step is sent back to it. Its last words, the reports, are its retu
 cancelled it is closed: what it must set back stands in a `finally`.
 """
 
+import time
 from collections.abc import Callable, Generator
 from dataclasses import dataclass
 from typing import Any
@@ -16,7 +17,8 @@ from .worker import Progress, Worker
 
 Task = Generator["Step", Any, list[tuple[str, str]]]
 
-INTERVAL_S = 0.04  # between looks at the worker
+INTERVAL_S = 0.02  # between looks at the worker
+SHOWN_S = 0.2  # that a text stays at least
 NAVIGATION = {
     "MIDDLEMOUSE",
     "WHEELUPMOUSE",
@@ -105,6 +107,7 @@ class TaskOperator:
             return self._finish(end.value)
         except IllustrateError as error:
             return self._fail(error)
+        self._shown, self._shown_at = "", -SHOWN_S
         manager = context.window_manager
         self._timer = manager.event_timer_add(INTERVAL_S, window=context.window)
         manager.progress_begin(0, 100)
@@ -155,10 +158,15 @@ class TaskOperator:
         return {"RUNNING_MODAL"}
 
     def _show_progress(self, context: Any) -> None:
+        """Only what has changed: every text makes Blender redraw, and keys wait meanwhile."""
         step, worker = self._step, self._worker
         fraction = step.start + (step.end - step.start) * worker.fraction
-        context.window_manager.progress_update(int(100 * fraction))
-        context.workspace.status_text_set(status_text(fraction, step.title, worker.stage))
+        text = status_text(fraction, step.title, worker.stage)
+        now = time.monotonic()
+        if text != self._shown and now - self._shown_at >= SHOWN_S:
+            self._shown, self._shown_at = text, now
+            context.window_manager.progress_update(int(100 * fraction))
+            context.workspace.status_text_set(text)
 
     def _clean_up(self, context: Any) -> None:
         if self not in _running:

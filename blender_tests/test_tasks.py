@@ -77,6 +77,7 @@ class Operator(TaskOperator):
 @pytest.fixture(autouse=True)
 def _window(monkeypatch: Any) -> None:
     monkeypatch.setattr(tasks, "_has_window", lambda _: True)
+    monkeypatch.setattr(tasks, "SHOWN_S", 0.0)
 
 
 def run(operator: Operator, context: Any, until: Any = lambda: False) -> set[str]:
