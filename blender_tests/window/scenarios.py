@@ -10,11 +10,12 @@ from typing import Any
 import bpy
 import hands
 import numpy as np
-import tools
 from illustrate import tasks, worker
 from illustrate.viewport.inspect import INSPECTOR, KINDS
 from illustrate.viewport.live import LIVE
 from mathutils import Quaternion
+
+import tools
 
 Steps = Generator[Any, None, None]
 
@@ -131,7 +132,7 @@ def watch_cancel() -> list[float]:
         cancel(self, context)
         ended.append(time.perf_counter())
 
-    tasks.TaskOperator.cancel = watched  # type: ignore[method-assign]
+    tasks.TaskOperator.cancel = watched
     return ended
 
 
