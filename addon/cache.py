@@ -41,7 +41,10 @@ class Cache:
         last_key, last_surface_key, last = self._prepared
         if last_key == key:
             return last
-        made = make(last if last_surface_key == surface_key else None)
+        if last_surface_key != surface_key:
+            last = None
+            self.clear()  # two at a time would need twice the memory
+        made = make(last)
         self._prepared = (key, surface_key, made)
         self._drawings = {}
         return made

@@ -31,6 +31,8 @@ def main(arguments: list[str], summaries: list[str] | None = None) -> int:
     try:
         if chosen.blend:
             _open(chosen.blend, messages)
+        if chosen.preset:
+            _part(package, "ui.presets").apply(chosen.preset)
         _part(package, "output.files").prepare_folder(chosen.out)
         for frame in chosen.frames or [bpy.context.scene.frame_current]:
             bpy.context.scene.frame_set(frame)
@@ -64,7 +66,7 @@ def illustrate_frame(package: ModuleType, name: str, chosen: Any) -> str:
         print(f"illustrate: warning: {warning}", file=sys.stderr, flush=True)
     drawn = time.perf_counter()
     strokes = _part(package, "output").write_drawing(
-        scene, made.drawing, made.arrays.camera, scene.illustrate.output
+        scene, made.drawing, made.arrays.camera, scene.illustrate.output, made.names
     )
     page = files.Page(
         scene,
@@ -72,7 +74,7 @@ def illustrate_frame(package: ModuleType, name: str, chosen: Any) -> str:
         made.arrays.camera,
         made.names,
         strokes,
-        chosen.width_mm,
+        chosen.width_mm or scene.illustrate.page_width_mm,
         chosen.svg_style,
     )
     made.seconds["strokes"] = time.perf_counter() - drawn
@@ -167,7 +169,12 @@ def _parser() -> argparse.ArgumentParser:
         help="what files are called: FILE is the .blend, # the frame's number",
     )
     parser.add_argument(
-        "--width-mm", type=_millimetres, default=200.0, help="the width of the page of an SVG"
+        "--width-mm",
+        type=_millimetres,
+        help="the width of the page of an SVG; that of the scene's settings when left out",
+    )
+    parser.add_argument(
+        "--preset", metavar="NAME", help="settings to draw with in place of the scene's own"
     )
     parser.add_argument(
         "--svg-style",

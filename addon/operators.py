@@ -40,6 +40,7 @@ class ILLUSTRATE_OT_illustrate(TaskOperator, bpy.types.Operator):
         """Reads, draws in a thread, writes."""
         scene, start = context.scene, time.perf_counter()
         request = read_request(scene, context.evaluated_depsgraph_get())
+        INSPECTOR.let_go()
         made = yield Step(lambda progress: compute(request, progress))
         scene = _still_there(request.scene_name)
         output.write_drawing(

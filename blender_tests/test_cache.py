@@ -1,5 +1,7 @@
 """What is computed again, and what is not."""
 
+import pathlib
+import resource
 from typing import Any
 
 import bpy
@@ -135,6 +137,25 @@ def test_an_error_leaves_the_cache_sound(scene: Any, counter: Counter) -> None:
     for vertex in cube.data.vertices:
         vertex.co.x = 1 if vertex.index in (4, 5, 6, 7) else -1
     assert np.array_equal(counter.of(scene)[1].kinds, drawing.kinds)
+
+
+def resident_mb() -> float:
+    pages = pathlib.Path("/proc/self/statm").read_text().split()[1]
+    return int(pages) * resource.getpagesize() / 1e6
+
+
+def test_ten_runs_do_not_grow(scene: Any) -> None:
+    tools.add_camera(scene, (2.5, -5, 2))
+    bpy.ops.mesh.primitive_monkey_add()
+    monkey = bpy.context.object
+    tools.subdivide(monkey)
+    scene.illustrate.triangle_budget = 70_000
+    sizes = []
+    for i in range(13):
+        monkey.location.x = 0.01 * i
+        assert bpy.ops.illustrate.illustrate() == {"FINISHED"}
+        sizes.append(resident_mb())
+    assert min(sizes[-3:]) < 1.05 * max(sizes[:3]), sizes
 
 
 def test_digests_tell_things_apart() -> None:

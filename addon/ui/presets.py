@@ -7,6 +7,7 @@ import bpy
 from bl_operators.presets import AddPresetBase
 from bl_ui.utils import PresetPanel
 
+from ..messages import IllustrateError, quoted
 from ..settings import preset_fields
 
 FOLDER = "illustrate"
@@ -26,6 +27,14 @@ def find(name: str) -> str:
             if wanted in (_title(path), path.stem.casefold().replace("_", " ")):
                 return str(path)
     return ""
+
+
+def apply(name: str) -> None:
+    """Sets the scene's settings to a preset's. Raises IllustrateError when there is none such."""
+    path = find(name)
+    if not path:
+        raise IllustrateError(f'There is no preset "{name}": choose one of {quoted(titles(), 20)}')
+    bpy.utils.execfile(path)
 
 
 def titles() -> list[str]:

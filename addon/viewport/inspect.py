@@ -156,6 +156,11 @@ class Inspector:
         """The illustration to look into from now on."""
         self.made, self._marks = made, None
 
+    def let_go(self) -> None:
+        """Forgets the illustration unless it is looked at: another one is going to be made."""
+        if self._handle is None:
+            self.remember(None)
+
     def show(self, kind: str) -> None:
         """Shows a key of KINDS, or 'NONE'."""
         self.kind, self._marks = kind, None
