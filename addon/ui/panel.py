@@ -81,6 +81,14 @@ def show_text(layout: Any, text: str, width_px: float, icon: str) -> None:
         column.label(text=line, icon="BLANK1" if number else icon)
 
 
+def _show_problem(layout: Any, context: Any) -> None:
+    scene, layer = context.scene, context.view_layer
+    problem = stopping_problem(scene, layer) or slowing_problem(scene, layer)
+    if problem:
+        scale = context.preferences.system.ui_scale
+        show_text(layout, problem, context.region.width / scale - 50, "ERROR")
+
+
 class ILLUSTRATE_PT_main(_SidePanel, bpy.types.Panel):
     """The button, and what is changed most often."""
 
@@ -97,16 +105,9 @@ class ILLUSTRATE_PT_main(_SidePanel, bpy.types.Panel):
         row = self.layout.row()
         row.scale_y = 2.0
         row.operator(ILLUSTRATE_OT_illustrate.bl_idname, icon="GREASEPENCIL")
-        self._show_problem(context)
+        _show_problem(self.layout, context)
         show(self.layout, context.scene.illustrate, self.fields)
         self.layout.prop(context.window_manager, "illustrate_live", toggle=True, icon="HIDE_OFF")
-
-    def _show_problem(self, context: Any) -> None:
-        scene, layer = context.scene, context.view_layer
-        problem = stopping_problem(scene, layer) or slowing_problem(scene, layer)
-        if problem:
-            scale = context.preferences.system.ui_scale
-            show_text(self.layout, problem, context.region.width / scale - 50, "ERROR")
 
 
 class ILLUSTRATE_PT_lines(_Fields, bpy.types.Panel):
@@ -142,7 +143,7 @@ class ILLUSTRATE_PT_surface(_Fields, bpy.types.Panel):
 
     def draw(self, context: Any) -> None:
         """Shows the fields and what can be looked at."""
-        super().draw(context)
+        _Fields.draw(self, context)
         row = self.layout.row(align=True)
         row.operator(ILLUSTRATE_OT_show_field.bl_idname)
         row.operator(ILLUSTRATE_OT_hide_field.bl_idname)
@@ -168,7 +169,7 @@ class ILLUSTRATE_PT_output(_Fields, bpy.types.Panel):
 
     def draw(self, context: Any) -> None:
         """Shows the fields and the way back."""
-        super().draw(context)
+        _Fields.draw(self, context)
         self.layout.operator(ILLUSTRATE_OT_clear.bl_idname)
 
 
