@@ -40,7 +40,8 @@ class Layout:
         assert hasattr(bpy.types, name)
         self.shown.append(name)
 
-    popover = separator = lambda self, *_, **__: None
+    def separator(self) -> None:
+        pass
 
 
 def context(**more: Any) -> Any:
