@@ -67,9 +67,9 @@ def _chains(points: Any, edges: Any) -> Iterator[Any]:
 
 def _hair(thing: Any, _frame: int) -> Iterator[Any]:
     positions = thing.data.attributes["position"].data
-    points = np.zeros(3 * len(positions), np.float32)
-    positions.foreach_get("vector", points)
-    points = points.reshape(-1, 3).astype(float)
+    flat = np.zeros(3 * len(positions), np.float32)
+    positions.foreach_get("vector", flat)
+    points = flat.reshape(-1, 3).astype(float)
     for curve in thing.data.curves:
         yield points[curve.first_point_index : curve.first_point_index + curve.points_length]
 
@@ -81,9 +81,9 @@ def _strokes_v2(thing: Any, frame: int) -> Iterator[Any]:
             continue
         matrix = np.array(layer.matrix_layer)
         for stroke in max(past, key=lambda drawn: int(drawn.frame_number)).strokes:
-            points = np.zeros(3 * len(stroke.points), np.float32)
-            stroke.points.foreach_get("co", points)
-            points = points.reshape(-1, 3) @ matrix[:3, :3].T + matrix[:3, 3]
+            flat = np.zeros(3 * len(stroke.points), np.float32)
+            stroke.points.foreach_get("co", flat)
+            points = flat.reshape(-1, 3) @ matrix[:3, :3].T + matrix[:3, 3]
             yield _closed(points, stroke.use_cyclic)
 
 

@@ -13,6 +13,7 @@ from typing import Any
 
 from . import native, settings
 from .cache import CACHE, Cache, digest, split_widths
+from .light_arrays import LightArrays
 from .messages import IllustrateError, counted, quoted
 from .scene import SceneArrays, read_scene
 
@@ -117,7 +118,10 @@ def read_request(scene: Any, depsgraph: Any) -> Request:
         selected_only=chosen.source == "SELECTION",
         use_lights=chosen.lighting == "SCENE",
         guides=chosen.guides,
+        auto_exposure=chosen.auto_exposure,
     )
+    if chosen.lighting == "SIDE":
+        arrays.lights = [LightArrays("side", None, 1.0)]
     return Request(
         scene.name,
         arrays,

@@ -5,109 +5,23 @@ is turned into the native one. To mirror a new native option, add a row.
 """
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty
+from bpy.props import EnumProperty, FloatProperty, FloatVectorProperty
 
-MM_PER_PX = 0.15  # between the defaults of lengths in pixels and in millimetres
+from .option_kinds import (
+    NativeOption,
+    paper,
+    pixels,
+    real,
+    share,
+    switch,
+    threshold,
+    value_of,
+    whole,
+)
 
-
-@dataclass(frozen=True)
-class NativeOption:
-    """A native option and the property that holds it."""
-
-    native: str  # its name in illustrate_native
-    prop: Any  # a property of bpy.props
-    panel: str
-    name: str = ""  # of the property; the native one where none is given
-    to_native: Callable[[Any], Any] = lambda value: value
-    prop_mm: Any = None  # lengths on paper: the same in millimetres
-    limits: tuple[float, float] = (-math.inf, math.inf)  # of lengths on paper, in pixels
-
-    @property
-    def key(self) -> str:
-        """The name of the property."""
-        return self.name or self.native
-
-    @property
-    def key_mm(self) -> str:
-        """The name of the property in millimetres; empty where there is none."""
-        return self.native.removesuffix("_px") + "_mm" if self.prop_mm is not None else ""
-
-
-def _real(
-    native: str, panel: str, label: str, default: float, text: str, **limits: Any
-) -> NativeOption:
-    prop = FloatProperty(name=label, default=default, description=text, **limits)
-    return NativeOption(native, prop, panel)
-
-
-def _share(native: str, panel: str, label: str, default: float, text: str) -> NativeOption:
-    return _real(native, panel, label, default, text, min=0.0, max=1.0, subtype="FACTOR")
-
-
-def _whole(
-    native: str, panel: str, label: str, default: int, text: str, **limits: Any
-) -> NativeOption:
-    prop = IntProperty(name=label, default=default, description=text, **limits)
-    return NativeOption(native, prop, panel)
-
-
-def _switch(native: str, panel: str, label: str, default: bool, text: str) -> NativeOption:
-    return NativeOption(native, BoolProperty(name=label, default=default, description=text), panel)
-
-
-def _paper(
-    native: str,
-    panel: str,
-    label: str,
-    default: float,
-    text: str,
-    least: float,
-    most: float,
-    soft_most: float,
-) -> NativeOption:
-    """A length in the picture, in pixels of the render or in millimetres of the page."""
-    pixels = FloatProperty(
-        name=label,
-        default=default,
-        min=least,
-        max=most,
-        soft_max=soft_most,
-        subtype="PIXEL",
-        description=f"{text}, pixels of the render",
-    )
-    millimetres = FloatProperty(
-        name=f"{label} (mm)",
-        default=default * MM_PER_PX,
-        min=least * 0.001,
-        max=most,
-        soft_max=soft_most * MM_PER_PX,
-        precision=3,
-        step=1,
-        description=f"{text}, millimetres on the page",
-    )
-    return NativeOption(native, pixels, panel, prop_mm=millimetres, limits=(least, most))
-
-
-def _pixels(
-    native: str, panel: str, label: str, default: float, text: str, **limits: Any
-) -> NativeOption:
-    """A length in pixels of the render, whatever the unit of the page."""
-    text = f"{text}, pixels of the render"
-    return _real(native, panel, label, default, text, subtype="PIXEL", **limits)
-
-
-def _threshold(native: str, label: str, lines: str, default: float) -> NativeOption:
-    text = f"Leave out weaker {lines}, measured against the size of the object"
-    limits = {"min": 0.01, "max": 100_000.0, "soft_min": 1.0, "soft_max": 100.0}
-    return _real(native, "lines", f"{label} Threshold", default, text, **limits)
-
-
-THREADS = _whole(
+THREADS = whole(
     "threads",
     "surface",
     "Threads",
@@ -122,6 +36,10 @@ SCHEMES = [
     ("catmull-clark", "Catmull-Clark", "The surface of Blender's Subdivision modifier", 1),
     ("loop", "Loop", "The surface of triangle meshes", 2),
     ("none", "None", "Draw the faces as they are", 3),
+]
+VISIBILITIES = [
+    ("labels", "Labels", "Labels that cannot contradict each other", 0),
+    ("vote", "Vote", "The vote of the paper, for comparison", 1),
 ]
 FIELD_STARTS = [
     ("search", "Search", "The smoothest of many fields", 0),
@@ -140,7 +58,7 @@ PREPARE = (
         ),
         "surface",
     ),
-    _whole(
+    whole(
         "level",
         "surface",
         "Level",
@@ -149,7 +67,7 @@ PREPARE = (
         min=-1,
         max=10,
     ),
-    _real(
+    real(
         "edge_length",
         "surface",
         "Edge Length",
@@ -158,7 +76,7 @@ PREPARE = (
         min=0.0,
         unit="LENGTH",
     ),
-    _whole(
+    whole(
         "triangle_budget",
         "surface",
         "Triangle Budget",
@@ -168,7 +86,7 @@ PREPARE = (
         soft_max=2_000_000,
     ),
     THREADS,
-    _whole(
+    whole(
         "rings",
         "surface",
         "Smoothing",
@@ -178,7 +96,7 @@ PREPARE = (
         min=1,
         max=10,
     ),
-    _real(
+    real(
         "parabolic_ratio",
         "surface",
         "Parabolic Ratio",
@@ -188,7 +106,7 @@ PREPARE = (
         min=0.0,
         soft_max=1.0,
     ),
-    _real(
+    real(
         "least_curvature",
         "surface",
         "Least Curvature",
@@ -197,7 +115,7 @@ PREPARE = (
         min=0.0,
         soft_max=20.0,
     ),
-    _real(
+    real(
         "largest_energy",
         "surface",
         "Largest Energy",
@@ -206,7 +124,7 @@ PREPARE = (
         min=0.0,
         max=2.0,
     ),
-    _real(
+    real(
         "alignment_weight",
         "surface",
         "Alignment",
@@ -215,7 +133,7 @@ PREPARE = (
         min=0.0,
         soft_max=1.0,
     ),
-    _switch(
+    switch(
         "inverse_length_weights",
         "surface",
         "Short Edges Count More",
@@ -232,7 +150,7 @@ PREPARE = (
         ),
         "surface",
     ),
-    _real(
+    real(
         "guide_radius",
         "surface",
         "Guide Radius",
@@ -241,7 +159,7 @@ PREPARE = (
         min=0.0,
         soft_max=1.0,
     ),
-    _whole(
+    whole(
         "max_evaluations",
         "surface",
         "Evaluations",
@@ -265,50 +183,53 @@ PREPARE = (
 )
 
 LINES = (
-    _paper("line_width_px", "main", "Line Width", 2.0, "Width of silhouettes and boundaries",
-           0.05, 100.0, 10.0),
-    _paper("feature_width_px", "lines", "Feature Width", 1.4,
+    paper("line_width_px", "main", "Line Width", 2.0, "Width of silhouettes and boundaries",
+           0.05, 100.0, 10.0, 0.3),
+    paper("feature_width_px", "lines", "Feature Width", 1.4,
            "Width of all other lines but hatches",
-           0.05, 100.0, 10.0),
-    _share("hidden_width_scale", "lines", "Hidden Width", 0.5,
+           0.05, 100.0, 10.0, 0.2),
+    share("hidden_width_scale", "lines", "Hidden Width", 0.5,
            "Width of hidden lines, as a share of that of visible ones"),
-    _paper("taper_px", "lines", "Taper", 6.0, "Length over which ends that meet no line thin out",
+    paper("taper_px", "lines", "Taper", 6.0, "Length over which ends that meet no line thin out",
            0.0, 1000.0, 100.0),
-    _paper("speck_px", "lines", "Shortest Line", 3.0,
+    paper("speck_px", "lines", "Shortest Line", 3.0,
            "Shorter lines that close no gap are left out",
            0.0, 1000.0, 50.0),
-    _pixels("simplify_px", "lines", "Simplify", 0.1, "How far a stroke may be from its curve",
+    pixels("simplify_px", "lines", "Simplify", 0.1, "How far a stroke may be from its curve",
             min=0.0, max=100.0, soft_max=2.0),
-    _switch("marks", "lines", "Marked Edges", False, "Draw edges with a Freestyle mark"),
-    _switch("materials", "lines", "Material Borders", False, "Draw lines between materials"),
-    _switch("flat_outlines", "lines", "Flat Outlines", False, "Draw the outlines of flat areas"),
-    _switch("suggestive_contours", "lines", "Suggestive Contours", False,
+    switch("marks", "lines", "Marked Edges", False, "Draw edges with a Freestyle mark"),
+    switch("materials", "lines", "Material Borders", False, "Draw lines between materials"),
+    switch("flat_outlines", "lines", "Flat Outlines", False, "Draw the outlines of flat areas"),
+    switch("suggestive_contours", "lines", "Suggestive Contours", False,
             "Draw where a smooth surface nearly turns away from the camera"),
-    _threshold("suggestive_threshold", "Suggestive", "suggestive contours", 20.0),
-    _switch("ridges", "lines", "Ridges", False, "Draw where a smooth surface bulges most"),
-    _threshold("ridge_threshold", "Ridge", "ridges", 15.0),
-    _switch("valleys", "lines", "Valleys", False, "Draw where a smooth surface caves in most"),
-    _threshold("valley_threshold", "Valley", "valleys", 15.0),
-    _switch("scan_silhouettes", "surface", "Scan Silhouettes", False,
+    threshold("suggestive_threshold", "Suggestive", "suggestive contours", 20.0),
+    switch("ridges", "lines", "Ridges", False, "Draw where a smooth surface bulges most"),
+    threshold("ridge_threshold", "Ridge", "ridges", 15.0),
+    switch("valleys", "lines", "Valleys", False, "Draw where a smooth surface caves in most"),
+    threshold("valley_threshold", "Valley", "valleys", 15.0),
+    NativeOption("visibility", EnumProperty(
+        name="Visibility", items=VISIBILITIES, default="labels",
+        description="How it is found out which lines are hidden"), "surface"),
+    switch("scan_silhouettes", "surface", "Scan Silhouettes", False,
             "Look at every triangle for silhouettes instead of searching: slower, for checks"),
 )  # fmt: skip
 
 HATCHING = (
-    _switch("hatching", "main", "Hatching", True, "Hatch midtones and cross-hatch shadows"),
-    _paper("spacing_px", "main", "Spacing", 8.0, "Distance between neighbouring hatches",
+    switch("hatching", "main", "Hatching", True, "Hatch midtones and cross-hatch shadows"),
+    paper("spacing_px", "main", "Spacing", 8.0, "Distance between neighbouring hatches",
            1.0, 10_000.0, 40.0),
-    _paper("hatch_width_px", "hatching", "Hatch Width", 1.0, "Width of hatches in middling light",
+    paper("hatch_width_px", "hatching", "Hatch Width", 1.0, "Width of hatches where shadow begins",
            0.05, 100.0, 10.0),
-    _share("hatch_width_by_light", "hatching", "Width by Light", 0.4,
-           "Share by which hatches swell in the dark and thin in the light"),
-    _paper("undercut_spacing_px", "hatching", "Undercut Spacing", 5.0,
+    share("hatch_width_by_light", "hatching", "Width by Light", 0.4,
+           "Share by which hatches swell towards the dark and thin towards highlights"),
+    paper("undercut_spacing_px", "hatching", "Undercut Spacing", 5.0,
            "Distance between neighbouring hatches in undercuts", 1.0, 10_000.0, 40.0),
-    _real("test_factor", "hatching", "Nearest", 0.6,
+    real("test_factor", "hatching", "Nearest", 0.6,
           "A hatch ends where it comes nearer to another than this share of the spacing",
           min=0.1, max=1.0, subtype="FACTOR"),
-    _paper("min_length_px", "hatching", "Shortest", 8.0, "Shorter hatches are left out",
+    paper("min_length_px", "hatching", "Shortest", 8.0, "Shorter hatches are left out",
            0.0, 10_000.0, 100.0),
-    _paper("max_length_px", "hatching", "Longest", 2500.0, "Length at which a hatch ends",
+    paper("max_length_px", "hatching", "Longest", 2500.0, "Length at which a hatch ends",
            1.0, 20_000.0, 5_000.0),
     NativeOption(
         "max_turn_deg",
@@ -317,23 +238,28 @@ HATCHING = (
                       description="How far a hatch may turn before it ends"),
         "hatching", "max_turn", math.degrees,
     ),
-    _pixels("step_px", "hatching", "Step", 1.5, "Length of the steps in which hatches are traced",
+    pixels("step_px", "hatching", "Step", 1.5, "Length of the steps in which hatches are traced",
             min=0.25, max=20.0),
 )  # fmt: skip
 
 LIGHT = (
-    _share("highlight_threshold", "light", "Highlight", 0.8,
+    share("highlight_threshold", "light", "Highlight", 0.8,
            "Where it is brighter there are no hatches"),
-    _share("shadow_threshold", "light", "Shadow", 0.4,
+    share("shadow_threshold", "light", "Shadow", 0.4,
            "Where it is not brighter there are two directions of hatches"),
-    _switch("mach_bands", "light", "Mach Bands", True,
+    whole("extra_levels", "light", "Extra Levels", 0,
+           "Divide shadows into so many levels more, with hatches along the diagonals",
+           min=0, max=3),
+    switch("cast_shadows", "light", "Cast Shadows", False,
+            "Let objects keep the light from others"),
+    switch("mach_bands", "light", "Mach Bands", True,
             "Leave a narrow band along the near side of a fold white"),
-    _paper("mach_band_px", "light", "Mach Band Width", 4.0, "Width of Mach bands",
+    paper("mach_band_px", "light", "Mach Band Width", 6.0, "Width of Mach bands",
            0.0, 100.0, 50.0),
-    _switch("undercuts", "light", "Undercuts", True,
+    switch("undercuts", "light", "Undercuts", True,
             "Hatch densely what lies just behind a fold"),
-    _paper("undercut_px", "light", "Undercut Width", 10.0, "Width of undercuts", 0.0, 100.0, 50.0),
-    _pixels("cell_px", "light", "Cells", 1.0, "Size of the cells that light is measured in",
+    paper("undercut_px", "light", "Undercut Width", 14.0, "Width of undercuts", 0.0, 100.0, 50.0),
+    pixels("cell_px", "light", "Cells", 1.0, "Size of the cells that light is measured in",
             min=0.25, max=64.0),
 )  # fmt: skip
 
@@ -358,6 +284,8 @@ FROM_ELSEWHERE = {
     "guides": "the collection of guides",
     "singularities": "scripts that use illustrate_native",
     "hidden_lines": "hidden, hidden_layers",
+    "highlight_share": "tones, highlight_share",
+    "shadow_share": "tones, shadow_share",
     "styles": "the styles of objects and collections",
 }
 
@@ -374,17 +302,4 @@ def properties() -> dict[str, Any]:
 
 def values(options: tuple[NativeOption, ...], settings: Any, px_per_mm: float) -> dict[str, Any]:
     """Native values by native names. px_per_mm: of the page; 0: lengths are in pixels."""
-    return {option.native: _value(option, settings, px_per_mm) for option in options}
-
-
-def _value(option: NativeOption, settings: Any, px_per_mm: float) -> Any:
-    if px_per_mm and option.prop_mm is not None:
-        least, most = option.limits
-        return min(max(_typed(getattr(settings, option.key_mm)) * px_per_mm, least), most)
-    value = option.to_native(getattr(settings, option.key))
-    return _typed(value) if isinstance(value, float) else value
-
-
-def _typed(value: float) -> float:
-    """The number that was typed: Blender keeps the single that is nearest to it."""
-    return float(str(np.float32(value)))
+    return {option.native: value_of(option, settings, px_per_mm) for option in options}

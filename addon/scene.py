@@ -1,6 +1,7 @@
 """A Blender scene as arrays: evaluated meshes, camera, lights.
 
-With mesh_arrays.py, guide_arrays.py and styles.py the only code that reads scene data.
+With mesh_arrays.py, guide_arrays.py, light_arrays.py and styles.py the only code that reads scene
+data.
 """
 
 import math
@@ -13,6 +14,7 @@ import bpy
 import numpy as np
 
 from .guide_arrays import read_guides
+from .light_arrays import LightArrays, exposed, read_light
 from .mesh_arrays import MeshArrays, read_mesh
 from .messages import IllustrateError, quoted
 from .ownership import is_ours
@@ -22,7 +24,6 @@ EDGE_LENGTH_PX = 3.0  # of refined surfaces, where the object is nearest to the 
 MEASURED_EDGES = 20_000
 LEEWAY = 1.4  # below 2, which would be another level
 MOST_HALVINGS = 12  # more than any level of subdivision
-LUMINANCE = (0.2126, 0.7152, 0.0722)
 
 
 @dataclass(frozen=True)
@@ -44,17 +45,6 @@ class CameraArrays:
         """Clip w of the near plane."""
         p = self.projection
         return 1.0 if p[3, 2] == 0 else float(p[2, 3] / (p[2, 2] - 1))
-
-
-@dataclass
-class LightArrays:
-    """Arguments of `illustrate_native.Light`."""
-
-    kind: str
-    vector: Any  # (3,)
-    strength: float
-    direction: Any = None  # (3,)
-    angle_rad: float | None = None
 
 
 @dataclass
@@ -86,13 +76,16 @@ def read_scene(
     use_lights: bool = True,
     guides: Any = None,
     camera: CameraArrays | None = None,
+    auto_exposure: bool = True,
 ) -> SceneArrays:
     """The evaluated scene as the camera's render would show it, meshes in the depsgraph's order.
 
     A Subdivision modifier that ends an object's stack is taken out: its cage is read, to be
     subdivided to the limit. Left out are objects hidden from viewport or render, illustrations,
     objects whose style says so, and the objects of the collection `guides`, whose strokes are read
-    as guides. camera: another one than the scene's.
+    as guides. camera: another one than the scene's. auto_exposure: lights are scaled so that the
+    strongest is white in the middle of the meshes; without, they are as strong as in a render of
+    white surfaces.
     Raises IllustrateError for a scene without a usable camera or without anything to draw.
     """
     arrays = SceneArrays(camera or read_camera(scene, depsgraph))
@@ -111,7 +104,7 @@ def read_scene(
     if guides is not None:
         arrays.guides = read_guides(guides, scene.frame_current)
     if use_lights:
-        arrays.lights = _read_lights(depsgraph, _centre(arrays.meshes))
+        arrays.lights = _read_lights(scene, depsgraph, _centre(arrays.meshes), auto_exposure)
     return arrays
 
 
@@ -179,38 +172,18 @@ def read_camera(scene: Any, depsgraph: Any) -> CameraArrays:
 # --- Lights -------------------------------------------------------------------------------------
 
 
-def _read_lights(depsgraph: Any, centre: Any) -> list[LightArrays]:
-    """Lights of the render, as strong as they are at `centre` (3,); the strongest is 1."""
+def _read_lights(scene: Any, depsgraph: Any, centre: Any, auto_exposure: bool) -> list[LightArrays]:
+    """Lights of the render; `auto_exposure`: the strongest at `centre` (3,) gives 1 there."""
     lights = []
     for instance in depsgraph.object_instances:
         lamp = instance.object
         if lamp.type == "LIGHT" and instance.show_self and not lamp.original.hide_render:
-            lights.append(_light(lamp.data, np.array(instance.matrix_world), centre))
-    strongest = max((light.strength for light in lights), default=0.0)
-    lights = [light for light in lights if light.strength > 0]
+            lights.append(read_light(lamp.data, np.array(instance.matrix_world)))
+    if auto_exposure:
+        return exposed(lights, centre)
     for light in lights:
-        light.strength /= strongest
+        light.strength *= 2.0**scene.view_settings.exposure
     return lights
-
-
-def _light(data: Any, matrix: Any, centre: Any) -> LightArrays:
-    """One light with its irradiance at `centre`, facing it. Lights shine along their own -z."""
-    power = data.energy * float(np.dot(LUMINANCE, data.color))
-    position, backward = matrix[:3, 3], _unit(matrix[:3, 2])
-    if data.type == "SUN":
-        return LightArrays("sun", backward, power)
-    squared = max(float(np.sum((position - centre) ** 2)), 1e-12)
-    if data.type == "AREA":
-        return LightArrays("area", position, power / (math.pi * squared), -backward)
-    strength = power / (4 * math.pi * squared)
-    if data.type == "SPOT":
-        return LightArrays("spot", position, strength, -backward, data.spot_size / 2)
-    return LightArrays("point", position, strength)
-
-
-def _unit(vector: Any) -> Any:
-    length = np.linalg.norm(vector)
-    return vector / length if length > 0 else np.array([0.0, 0.0, 1.0])
 
 
 def _centre(meshes: list[MeshArrays]) -> Any:

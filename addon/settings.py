@@ -15,6 +15,7 @@ from bpy.props import (
 )
 
 from . import native, native_options
+from .option_kinds import typed
 from .output import restyle
 
 SOURCES = [
@@ -28,10 +29,15 @@ OUTPUTS = [
 LIGHTINGS = [
     ("SCENE", "Scene Lights", "Light the drawing with the lights of the scene", 0),
     ("HEADLIGHT", "Headlight", "Light the drawing from the camera", 1),
+    ("SIDE", "Side Light", "Light the drawing from the upper left of the camera", 2),
+]
+TONES = [
+    ("LIGHT", "By Brightness", "Highlights and shadows begin at a brightness", 0),
+    ("AREA", "By Area", "Highlights and shadows cover a share of what is seen", 1),
 ]
 UNITS = [
-    ("PX", "Pixels", "Widths and distances are pixels of the render", 0),
-    ("MM", "Millimetres", "Widths and distances are millimetres on the page", 1),
+    ("PIXEL", "Pixels", "Widths and distances are pixels of the render", 0),
+    ("MILLIMETRE", "Millimetres", "Widths and distances are millimetres on the page", 1),
 ]
 BLACK = (0.0, 0.0, 0.0, 1.0)
 
@@ -66,8 +72,33 @@ OWN: dict[str, Any] = {
         default="SCENE",
         description="Where light and shadow of the hatching come from",
     ),
+    "auto_exposure": BoolProperty(
+        name="Auto Exposure",
+        default=True,
+        description="Scale the scene's lights so that the strongest is just white; "
+        "without, light is what a white surface has in the render",
+    ),
+    "tones": EnumProperty(
+        name="Tones", items=TONES, default="LIGHT", description="What divides light from shadow"
+    ),
+    "highlight_share": FloatProperty(
+        name="Highlight Share",
+        default=0.3,
+        min=0.0,
+        max=1.0,
+        subtype="FACTOR",
+        description="Share of what is seen that has no hatches",
+    ),
+    "shadow_share": FloatProperty(
+        name="Shadow Share",
+        default=0.35,
+        min=0.0,
+        max=1.0,
+        subtype="FACTOR",
+        description="Share of what is seen that has two directions of hatches",
+    ),
     "unit": EnumProperty(
-        name="Unit", items=UNITS, default="PX", description="What widths and distances count in"
+        name="Unit", items=UNITS, default="PIXEL", description="What widths and distances count in"
     ),
     "page_width_mm": FloatProperty(
         name="Page Width (mm)",
@@ -137,6 +168,7 @@ OWN: dict[str, Any] = {
 }
 """The add-on's own settings, that the native module does not know."""
 
+SHARES = ("highlight_share", "shadow_share")
 NOT_IN_PRESETS = {"source", "guides", "use_scene_range", "frame_start", "frame_end", "frame_step"}
 
 
@@ -159,7 +191,7 @@ def preset_fields() -> list[str]:
 
 def px_per_mm(settings: Any, width_px: int) -> float:
     """Pixels of a picture of width_px for a millimetre of the page; 0 where pixels are the unit."""
-    return width_px / settings.page_width_mm if settings.unit == "MM" else 0.0
+    return width_px / settings.page_width_mm if settings.unit == "MILLIMETRE" else 0.0
 
 
 def prepare_values(settings: Any) -> dict[str, Any]:
@@ -171,6 +203,9 @@ def draw_values(settings: Any, width_px: int) -> dict[str, Any]:
     """Values of `illustrate_native.DrawOptions` but its styles, by their names."""
     values = native_options.values(native_options.DRAW, settings, px_per_mm(settings, width_px))
     values["hidden_lines"] = (1, settings.hidden_layers) if settings.hidden else None
+    for name in SHARES:
+        by_area = settings.tones == "AREA"
+        values[name] = typed(getattr(settings, name)) if by_area else None
     return values
 
 

@@ -162,6 +162,32 @@ def test_settings_reach_the_drawing(scene: Any) -> None:
     assert any(layers.values())
 
 
+def test_tones_go_by_brightness_or_by_area(scene: Any) -> None:
+    from illustrate import settings
+
+    chosen = scene.illustrate
+    chosen.highlight_share, chosen.shadow_threshold = 0.2, 0.3
+    by_light = settings.draw_values(chosen, 1000)
+    assert by_light["highlight_share"] is None and by_light["shadow_threshold"] == 0.3
+    chosen.tones = "AREA"
+    assert settings.draw_values(chosen, 1000)["highlight_share"] == 0.2
+
+
+def test_light_comes_from_where_it_is_set_to(scene: Any) -> None:
+    from illustrate.illustration import illustrate
+
+    tools.cube_scene(scene)
+    lamp = bpy.data.objects.new("Lamp", bpy.data.lights.new("Lamp", "SUN"))
+    lamp.rotation_euler.x = 2.0
+    scene.collection.objects.link(lamp)
+    drawn = []
+    for lighting in ("SCENE", "HEADLIGHT", "SIDE"):
+        scene.illustrate.lighting = lighting
+        tone = illustrate(scene, bpy.context.evaluated_depsgraph_get()).drawing.tone
+        drawn.append(tone.brightness.tobytes())
+    assert len(set(drawn)) == 3
+
+
 @pytest.mark.parametrize(
     ("spoil", "words"),
     [

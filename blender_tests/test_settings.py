@@ -84,7 +84,7 @@ def test_numbers_reach_the_native_options_as_they_were_typed(scene: Any) -> None
 
 def test_millimetres_are_the_same_on_paper_at_any_resolution(scene: Any) -> None:
     chosen = scene.illustrate
-    chosen.unit, chosen.page_width_mm, chosen.line_width_mm = "MM", 250.0, 0.5
+    chosen.unit, chosen.page_width_mm, chosen.line_width_mm = "MILLIMETRE", 250.0, 0.5
     assert settings.draw_values(chosen, 1000)["line_width_px"] == pytest.approx(2)
     assert settings.draw_values(chosen, 4000)["line_width_px"] == pytest.approx(8)
     chosen.spacing_mm = 0.01
@@ -149,7 +149,7 @@ def test_a_shipped_preset_sets_everything_and_draws(scene: Any, name: str) -> No
     scene.illustrate.hatching = not scene.illustrate.hatching
     scene.illustrate.speck_px = 77
     scene.illustrate.line_color = (1, 0, 0, 1)
-    scene.illustrate.unit = "MM"
+    scene.illustrate.unit = "MILLIMETRE"
     choose(name)
     assert state(scene.illustrate) == chosen
     assert bpy.ops.illustrate.illustrate() == {"FINISHED"}

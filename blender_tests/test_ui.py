@@ -19,7 +19,7 @@ class Layout:
     def __init__(self, shown: list[str]) -> None:
         self.shown = shown
 
-    def row(self, **_: Any) -> "Layout":
+    def row(self, **_: object) -> "Layout":
         return Layout(self.shown)
 
     column = row
@@ -29,7 +29,7 @@ class Layout:
         self.shown.append(name)
 
     def operator(self, name: str, **_: Any) -> None:
-        group, _, verb = name.partition(".")
+        group, verb = name.split(".")
         getattr(getattr(bpy.ops, group), verb).get_rna_type()
         self.shown.append(name)
 
@@ -67,14 +67,14 @@ def draw(kind: Any, **more: Any) -> list[str]:
     return shown
 
 
-@pytest.mark.parametrize("unit", ["PX", "MM"])
+@pytest.mark.parametrize("unit", ["PIXEL", "MILLIMETRE"])
 def test_panels_show_their_settings(scene: Any, unit: str) -> None:
     tools.cube_scene(scene)
     chosen = scene.illustrate
     chosen.unit = unit
     shown = {kind.bl_label: draw(kind) for kind in panel.CLASSES}
     assert shown["Illustrate"][0] == "illustrate.illustrate"
-    assert ("spacing_mm" if unit == "MM" else "spacing_px") in shown["Illustrate"]
+    assert ("spacing_mm" if unit == "MILLIMETRE" else "spacing_px") in shown["Illustrate"]
     assert "illustrate_inspect" in shown["Surface and Field"]
     assert "frame_start" not in shown["Animation"]
     chosen.use_scene_range = False

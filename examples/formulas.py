@@ -64,6 +64,20 @@ def smooth_corner(roundness: float = 5.0, cells: int = 48) -> tuple[Any, Any]:
     return _welded(points, points / norm, cells + 1)
 
 
+def goblet(columns: int = 24) -> tuple[Any, Any]:
+    """The control cage of a goblet on its foot, round the z axis; a small hole in the foot."""
+    radii = [0.1, 0.75, 0.8, 0.7, 0.3, 0.13, 0.1, 0.11, 0.2, 0.12, 0.35, 0.68, 0.78, 0.76, 0.74]
+    radii += [0.72, 0.7, 0.7, 0.72, 0.62, 0.3, 0.05]
+    heights = [0.0, 0.0, 0.03, 0.06, 0.1, 0.2, 0.5, 0.8, 0.95, 1.05, 1.2, 1.5, 1.8, 2.1, 2.2]
+    heights += [2.22, 2.2, 2.1, 1.8, 1.5, 1.25, 1.15]
+    angles = 2 * np.pi * np.arange(columns) / columns
+    rho, angle = np.meshgrid(radii, angles, indexing="ij")
+    z = np.broadcast_to(np.array(heights)[:, None], rho.shape)
+    positions = np.stack([rho * np.cos(angle), rho * np.sin(angle), z], axis=-1)
+    index = np.pad(np.arange(rho.size).reshape(rho.shape), ((0, 0), (0, 1)), mode="wrap")
+    return positions.reshape(-1, 3), _grid_quads(index)[:, ::-1]
+
+
 def klein_bottle(rows: int = 128, columns: int = 40) -> tuple[Any, Any]:
     """The classic bottle, upright along z: its neck bends round and enters the body from the side.
 

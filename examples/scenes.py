@@ -54,6 +54,15 @@ def drape() -> None:
     finish([cloth], toward_camera=(0.5, -1.6, 0.4), size=(1500, 1300))
 
 
+def goblet() -> None:
+    """A goblet in light from the side that shades its own foot; tones by shares of the area."""
+    cup = add("Goblet", formulas.goblet())
+    subdivide(cup)
+    finish([cup], toward_camera=(1, -0.4, 0.55), size=(1200, 1600))
+    settings = bpy.context.scene.illustrate
+    settings.lighting, settings.tones, settings.cast_shadows = "SIDE", "AREA", True
+
+
 def cube() -> None:
     """Blender's plain cube."""
     bpy.ops.mesh.primitive_cube_add()
@@ -77,6 +86,7 @@ SCENES: dict[str, Callable[[], None]] = {
     "torus_sphere": torus_sphere,
     "klein": klein,
     "drape": drape,
+    "goblet": goblet,
     "cube": cube,
     "spot_cage": spot,
     "koala_100k": koala,

@@ -32,6 +32,11 @@ NEEDS = {
     "guide_radius": "guides",
 }
 """Settings that count for nothing without another: they are shown grey."""
+UNUSED_WITH_TONES = {
+    "LIGHT": ("highlight_share", "shadow_share"),
+    "AREA": ("highlight_threshold", "shadow_threshold"),
+}
+"""Settings that are not shown."""
 
 
 def fields_of(panel: str) -> tuple[str, ...]:
@@ -65,8 +70,10 @@ def show(layout: Any, settings: Any, fields: tuple[str, ...]) -> None:
     layout.use_property_split = True
     layout.use_property_decorate = False
     for field in fields:
+        if field in UNUSED_WITH_TONES[settings.tones]:
+            continue
         key = field
-        if settings.unit == "MM" and field in OPTIONS:
+        if settings.unit == "MILLIMETRE" and field in OPTIONS:
             key = OPTIONS[field].key_mm or field
         row = layout.row()
         row.active = field not in NEEDS or bool(getattr(settings, NEEDS[field]))
@@ -131,7 +138,14 @@ class ILLUSTRATE_PT_light(_Fields, bpy.types.Panel):
 
     bl_idname = "ILLUSTRATE_PT_light"
     bl_label = "Light"
-    fields = ("lighting", *fields_of("light"))
+    fields = (
+        "lighting",
+        "auto_exposure",
+        "tones",
+        "highlight_share",
+        "shadow_share",
+        *fields_of("light"),
+    )
 
 
 class ILLUSTRATE_PT_surface(_Fields, bpy.types.Panel):

@@ -71,6 +71,16 @@ void bind_tone(py::module_& m) {
     return view_of(handle.drawing, tone_of(handle).brightness.data(), py::dtype::of<float>(),
                    grid(tone_of(handle)));
   });
+  bound.def_property_readonly("extra", [=](const ToneHandle& handle) {
+    const ToneMap& tone = tone_of(handle);
+    return codes(handle.drawing, tone.extra, tone.extra.empty() ? Shape{0, 0} : grid(tone));
+  });
+  bound.def_property_readonly("highlight_threshold", [=](const ToneHandle& handle) {
+    return tone_of(handle).highlight_threshold;
+  });
+  bound.def_property_readonly("shadow_threshold", [=](const ToneHandle& handle) {
+    return tone_of(handle).shadow_threshold;
+  });
   bound.def_property_readonly("cell_px",
                               [=](const ToneHandle& handle) { return tone_of(handle).cell_px; });
 }

@@ -120,14 +120,14 @@ void bind_camera(py::module_& m) {
       .def_property_readonly("height_px", &Camera::height_px);
 }
 
-constexpr std::array<const char*, 5> light_names{"head", "sun", "point", "spot", "area"};
+constexpr std::array<const char*, 6> light_names{"head", "sun", "point", "spot", "area", "side"};
 
 LightKind light_kind_named(const std::string& name) {
   for (std::size_t i = 0; i < light_names.size(); ++i) {
     if (name == light_names[i]) return static_cast<LightKind>(i);
   }
   throw InvalidInput("light.kind is '" + name +
-                     "', expected 'head', 'sun', 'point', 'spot' or 'area'");
+                     "', expected 'head', 'side', 'sun', 'point', 'spot' or 'area'");
 }
 
 const char* name_of(LightKind kind) { return light_names[static_cast<std::size_t>(kind)]; }
@@ -139,12 +139,36 @@ void require(const py::object& argument, const char* name, LightKind kind) {
   }
 }
 
+// What a light of any kind may have besides its place, strength and direction.
+struct LightDetails {
+  py::object blend, falloff_distance, edges;
+  bool ellipse, casts_shadows;
+};
+
+void read_details(Light& light, const LightDetails& details) {
+  read_if_given(details.blend, "light.blend", light.blend, read_number);
+  read_if_given(details.falloff_distance, "light.falloff_distance", light.falloff_distance,
+                read_number);
+  light.ellipse = details.ellipse;
+  light.casts_shadows = details.casts_shadows;
+  if (details.edges.is_none()) return;
+  const Points edges = read_points(details.edges, "light.edges");
+  if (edges.size() != 2) throw InvalidInput("light.edges must be (2, 3), the sides of an area");
+  light.edge_u = edges[0];
+  light.edge_v = edges[1];
+}
+
 Light make_light(const std::string& kind_name, const py::object& vector, double strength,
-                 const py::object& direction, const py::object& angle_rad) {
+                 const py::object& direction, const py::object& angle_rad,
+                 const LightDetails& details) {
   Light light;
   light.kind = light_kind_named(kind_name);
   light.strength = strength;
-  if (light.kind != LightKind::head) require(vector, "vector", light.kind);
+  if (light.kind == LightKind::side) {
+    light.vector = Vec3(-1, 1, 1);
+  } else if (light.kind != LightKind::head) {
+    require(vector, "vector", light.kind);
+  }
   if (light.kind == LightKind::spot || light.kind == LightKind::area) {
     require(direction, "direction", light.kind);
   }
@@ -152,6 +176,7 @@ Light make_light(const std::string& kind_name, const py::object& vector, double 
   read_if_given(vector, "light.vector", light.vector, read_vector);
   read_if_given(direction, "light.direction", light.direction, read_vector);
   read_if_given(angle_rad, "light.angle_rad", light.angle_rad, read_number);
+  read_details(light, details);
   return light;
 }
 
@@ -162,15 +187,31 @@ void bind_light(py::module_& m) {
     return array_of(std::vector<double>{v[0], v[1], v[2]});
   };
   py::class_<Light>(m, "Light", "One light. Immutable.")
-      .def(py::init(&make_light), "kind"_a, "vector"_a = none, "strength"_a = 1.0,
-           "direction"_a = none, "angle_rad"_a = none)
+      .def(py::init([](const std::string& kind, const py::object& vector, double strength,
+                       const py::object& direction, const py::object& angle_rad,
+                       const py::object& blend, const py::object& falloff_distance,
+                       const py::object& edges, bool ellipse, bool casts_shadows) {
+             return make_light(kind, vector, strength, direction, angle_rad,
+                               {blend, falloff_distance, edges, ellipse, casts_shadows});
+           }),
+           "kind"_a, "vector"_a = none, "strength"_a = 1.0, "direction"_a = none,
+           "angle_rad"_a = none, "blend"_a = 0.0, "falloff_distance"_a = 0.0, "edges"_a = none,
+           "ellipse"_a = false, "casts_shadows"_a = true)
       .def_property_readonly("kind", [](const Light& light) { return name_of(light.kind); })
       .def_property_readonly("vector",
                              [=](const Light& light) { return vector_array(light.vector); })
       .def_property_readonly("direction",
                              [=](const Light& light) { return vector_array(light.direction); })
       .def_readonly("strength", &Light::strength)
-      .def_readonly("angle_rad", &Light::angle_rad);
+      .def_readonly("angle_rad", &Light::angle_rad)
+      .def_readonly("blend", &Light::blend)
+      .def_readonly("falloff_distance", &Light::falloff_distance)
+      .def_property_readonly("edges",
+                             [](const Light& light) {
+                               return array_of(Points{light.edge_u, light.edge_v});
+                             })
+      .def_readonly("ellipse", &Light::ellipse)
+      .def_readonly("casts_shadows", &Light::casts_shadows);
 }
 
 }  // namespace

@@ -147,6 +147,13 @@ template <class Class>
 void bind_tone_options(Class& bound) {
   OPTION("highlight_threshold", values.tone.highlight_threshold, "Brighter: not hatched");
   OPTION("shadow_threshold", values.tone.shadow_threshold, "At most as bright: two directions");
+  OPTION("highlight_share", values.tone.highlight_share,
+         "Share of the visible area that is highlight, in place of the threshold; or None");
+  OPTION("shadow_share", values.tone.shadow_share,
+         "Share of the visible area that is shadow, in place of the threshold; or None");
+  OPTION("extra_levels", values.tone.extra_levels,
+         "Into which shadows are divided further, [0, 3]");
+  OPTION("cast_shadows", values.tone.cast_shadows, "Whether surfaces keep the light from others");
   OPTION("mach_bands", values.tone.mach_bands, "Blank bands on the near side of folds");
   OPTION("undercuts", values.tone.undercuts, "Dense hatching beyond folds");
   OPTION("mach_band_px", values.tone.mach_band_px, "Width of Mach bands");
@@ -170,9 +177,9 @@ template <class Class>
 void bind_stroke_options(Class& bound) {
   OPTION("line_width_px", values.stroke.line_width_px, "Silhouettes and boundaries");
   OPTION("feature_width_px", values.stroke.feature_width_px, "All other lines");
-  OPTION("hatch_width_px", values.stroke.hatch_width_px, "Where the light is middling");
+  OPTION("hatch_width_px", values.stroke.hatch_width_px, "At the border of shadow and midtone");
   OPTION("hatch_width_by_light", values.stroke.hatch_width_by_light,
-         "Share by which hatches swell in the dark and thin in the light, [0, 1]");
+         "Share by which hatches swell towards the dark and thin towards highlights, [0, 1]");
   OPTION("hidden_width_scale", values.stroke.hidden_width_scale, "Of hidden lines");
   OPTION("taper_px", values.stroke.taper_px, "Length over which free ends thin out");
   OPTION("speck_px", values.stroke.speck_px, "Shorter lines are dropped unless they close a gap");
@@ -217,6 +224,13 @@ void bind_draw_options(py::module_& m) {
          "Look at every triangle for silhouettes instead of searching: slower, the same drawing");
   bind_curvature_curve_options(bound);
   OPTION("threads", values.threads, "0: all cores");
+  bound.def_property(
+      "visibility",
+      [](const PythonDrawOptions& options) { return name_of(options.values.visibility); },
+      [](PythonDrawOptions& options, const py::object& value) {
+        options.values.visibility = read_visibility(value, "visibility");
+      },
+      "'labels': they cannot contradict each other; 'vote': that of the paper, for comparison");
   bound.def_readwrite("styles", &PythonDrawOptions::styles, "One ObjectStyle per mesh, or None");
   bound.def_property(
       "hidden_lines",

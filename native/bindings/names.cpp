@@ -5,20 +5,36 @@
 namespace illustrate::bindings {
 namespace {
 
-// In the order of Scheme.
+// In the order of the enumerations.
 constexpr std::array<const char*, 4> scheme_names{"auto", "catmull-clark", "loop", "none"};
+constexpr std::array<const char*, 2> visibility_names{"labels", "vote"};
+
+template <class Enumeration, std::size_t count>
+Enumeration read_word(const py::object& value, const std::string& name,
+                      const std::array<const char*, count>& words) {
+  const std::string word = py::str(value);
+  std::string expected;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (word == words[i]) return static_cast<Enumeration>(i);
+    expected += (i == 0 ? "'" : i + 1 == count ? " or '" : ", '") + std::string(words[i]) + "'";
+  }
+  throw InvalidInput(name + " is '" + word + "', expected " + expected);
+}
 
 }  // namespace
 
 Scheme read_scheme(const py::object& value, const std::string& name) {
-  const std::string word = py::str(value);
-  for (std::size_t i = 0; i < scheme_names.size(); ++i) {
-    if (word == scheme_names[i]) return static_cast<Scheme>(i);
-  }
-  throw InvalidInput(name + " is '" + word +
-                     "', expected 'auto', 'catmull-clark', 'loop' or 'none'");
+  return read_word<Scheme>(value, name, scheme_names);
 }
 
 const char* name_of(Scheme scheme) { return scheme_names[static_cast<std::size_t>(scheme)]; }
+
+VisibilityMethod read_visibility(const py::object& value, const std::string& name) {
+  return read_word<VisibilityMethod>(value, name, visibility_names);
+}
+
+const char* name_of(VisibilityMethod method) {
+  return visibility_names[static_cast<std::size_t>(method)];
+}
 
 }  // namespace illustrate::bindings

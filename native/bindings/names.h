@@ -3,11 +3,16 @@
 
 #include "bindings/arrays.h"
 #include "mesh/polygon_mesh.h"
+#include "pipeline/options.h"
 
 namespace illustrate::bindings {
 
 // 'auto', 'catmull-clark', 'loop' or 'none'; throws InvalidInput for anything else.
 Scheme read_scheme(const py::object& value, const std::string& name);
 const char* name_of(Scheme scheme);
+
+// 'labels' or 'vote'; throws InvalidInput for anything else.
+VisibilityMethod read_visibility(const py::object& value, const std::string& name);
+const char* name_of(VisibilityMethod method);
 
 }  // namespace illustrate::bindings

@@ -106,9 +106,10 @@ class Thinner {
   }
 
  private:
-  // A point to put behind point `behind`.
+  // A point to put behind point `behind`, at `fraction` of the way to the next one.
   struct Added {
     std::size_t behind;
+    double fraction;
     ExactPoint point;
     std::optional<ContourKnot> knot;
   };
@@ -153,10 +154,10 @@ class Thinner {
 
   std::optional<Added> between(std::size_t a, std::size_t b, double f) {
     const int t = drawn_[a].on.triangle;
-    Added added{a, {}, {}};
+    Added added{a, f, {}, {}};
     added.point.segment = drawn_[a].segment;
     const ExactKnot *from = drawn_.knot(a), *to = drawn_.knot(b);
-    if (from && to) {
+    if (from && to && share_segment(drawn_[a], drawn_[b])) {
       const PatchTriangle& patch = surface_.patches[idx(t)];
       added.knot = segment_.between(patch.ptex_face, from->leaving, to->arriving, f);
       if (!added.knot) return {};
@@ -169,9 +170,16 @@ class Thinner {
     return added;
   }
 
+  // Whether the way from a to b, from which points may be gone, lies within one triangle.
+  bool share_segment(const ExactPoint& a, const ExactPoint& b) const {
+    const int next = (a.segment + 1) % line_.edges;
+    return b.segment == a.segment || (b.segment == next && b.edge != none);
+  }
+
   void put_together() {
-    std::stable_sort(added_.begin(), added_.end(),
-                     [](const Added& a, const Added& b) { return a.behind < b.behind; });
+    std::stable_sort(added_.begin(), added_.end(), [](const Added& a, const Added& b) {
+      return a.behind != b.behind ? a.behind < b.behind : a.fraction < b.fraction;
+    });
     std::vector<ExactPoint> points;
     points.reserve(line_.points.size() + added_.size());
     auto next = added_.begin();
@@ -276,17 +284,43 @@ bool stays_near(const Drawn& drawn, std::size_t a, std::size_t b, double reach) 
   return true;
 }
 
-// Marks the plain points around point `middle` that lie within reach of it.
-void drop_around(const Surface& surface, const Drawn& drawn, std::size_t middle, double reach,
+// Marks the plain points around point `middle` that lie within reach of it; whether a cusp does.
+bool drop_around(const Surface& surface, const Drawn& drawn, std::size_t middle, double reach,
                  std::vector<std::uint8_t>& dropped) {
+  bool meets_cusp = false;
   for (const bool forward : {false, true}) {
     Walk walk = drawn.walk(middle, forward);
-    while (walk.step()) {
-      const bool is_near = drawn.distance(walk.at(), middle) <= reach;
-      if (!is_near || drawn.must_stay(surface, walk.at())) break;
+    while (walk.step() && drawn.distance(walk.at(), middle) <= reach) {
+      if (drawn.must_stay(surface, walk.at())) {
+        meets_cusp |= drawn[walk.at()].is_cusp();
+        break;
+      }
       dropped[walk.at()] = 1;
     }
   }
+  return meets_cusp;
+}
+
+// Two cusps of one jump, neighbours along the chain.
+struct Swallowtail {
+  double apart;  // px
+  std::size_t first, second;
+};
+
+// Those small enough to be one point, the smallest first.
+std::vector<Swallowtail> small_swallowtails(const Drawn& drawn) {
+  std::vector<Swallowtail> result;
+  for (const std::size_t i : drawn.cusps()) {
+    const std::optional<std::size_t> j = drawn.next_cusp(i);
+    if (!j || drawn[*j].cusp_jump != drawn[i].cusp_jump) continue;
+    const double apart = drawn.distance(i, *j);
+    if (apart > swallowtail_px || !stays_near(drawn, i, *j, 2 * apart)) continue;
+    result.push_back({apart, i, *j});
+  }
+  std::sort(result.begin(), result.end(), [](const Swallowtail& a, const Swallowtail& b) {
+    return a.apart != b.apart ? a.apart < b.apart : a.first < b.first;
+  });
+  return result;
 }
 
 }  // namespace
@@ -304,23 +338,20 @@ std::vector<CrossedSegment> crossed_at_cusps(const Camera& camera, const ExactPo
   return crossed;
 }
 
+// The point stays, unless the strand turns back at another cusp beside it: it would overshoot.
 int collapse_swallowtails(const Surface& surface, const Camera& camera, ExactPolyline& line) {
   const Drawn drawn(camera, line);
   int collapsed = 0;
   std::vector<std::uint8_t> dropped;
-  for (const std::size_t i : drawn.cusps()) {
-    if (!line.points[i].is_cusp()) continue;
-    const std::optional<std::size_t> j = drawn.next_cusp(i);
-    if (!j || line.points[*j].cusp_jump != line.points[i].cusp_jump) continue;
-    const double apart = drawn.distance(i, *j);
-    if (apart > swallowtail_px || !stays_near(drawn, i, *j, 2 * apart)) continue;
-    for (const std::size_t cusp : {i, *j}) {
+  for (const Swallowtail& s : small_swallowtails(drawn)) {
+    if (!line.points[s.first].is_cusp() || !line.points[s.second].is_cusp()) continue;
+    for (const std::size_t cusp : {s.first, s.second}) {
       line.points[cusp].cusp_jump = 0;
       line.points[cusp].knot = none;
     }
     dropped.resize(drawn.size(), 0);
-    drop_around(surface, drawn, i, std::max(3 * apart, swallowtail_px), dropped);
-    dropped[i] = 0;
+    const double reach = std::max(3 * s.apart, swallowtail_px);
+    dropped[s.first] = drop_around(surface, drawn, s.first, reach, dropped);
     ++collapsed;
   }
   if (collapsed > 0) erase(dropped, line);

@@ -19,8 +19,18 @@ constexpr double most_dilation_px = 3;
 // degrees.
 constexpr double troubled_cos = 0.643;
 
+// A cusp that was found has a smaller |kappa|, and lies no farther beyond its triangle's edges.
+constexpr double lost_kappa = 0.1, beyond_edge = 0.01;
+
 Vec2 patch_uv(const PatchTriangle& patch, int corner, double fraction) {
   return (1 - fraction) * patch.uv(corner) + fraction * patch.uv(next_corner(corner));
+}
+
+// A little beyond its edges too.
+bool is_within(const PatchTriangle& patch, const Vec2& uv) {
+  const Vec2 a = patch.uv(1) - patch.uv(0), b = patch.uv(2) - patch.uv(0), p = uv - patch.uv(0);
+  const double area = cross(a, b), b1 = cross(p, b) / area, b2 = cross(a, p) / area;
+  return std::min({b1, b2, 1 - b1 - b2}) > -beyond_edge;
 }
 
 // The same point of the contour on the other sheet of a double cover.
@@ -53,6 +63,8 @@ void ExactChain::solve(Span<const EdgePoint> linear, bool closed, bool everywher
     for (std::size_t i = 0; i < stations_.size(); ++i) solve_station(i);
     return;
   }
+  images_.clear();
+  for (const Station& s : stations_) images_.push_back(camera_.project(s.point.position).xy);
   for (const std::size_t i : near_suspects()) solve_station(i);
   spread();
 }
@@ -79,7 +91,14 @@ int ExactChain::sign_at_end(std::size_t i) const {
 
 bool ExactChain::is_suspect(std::size_t i) const {
   if (!closed_ && (i == 0 || i + 1 == segments())) return true;
-  return stations_[i].point.has_both_signs || sign(stations_[i]) != sign_at_end(i);
+  return stations_[i].point.has_both_signs || sign(stations_[i]) != sign_at_end(i) || turns_back(i);
+}
+
+// Whether the image turns back where the segment ends: as if at a cusp that nothing else tells of.
+bool ExactChain::turns_back(std::size_t i) const {
+  if (!closed_ && i + 1 == segments()) return false;
+  const Vec2 &from = images_[i], &here = images_[after(i)], &to = images_[after(after(i))];
+  return (here - from).dot(to - here) < 0;
 }
 
 double ExactChain::dilation_reach(const Station& station) const {
@@ -92,16 +111,13 @@ double ExactChain::dilation_reach(const Station& station) const {
 
 void ExactChain::want_around(std::size_t i, bool forward, std::vector<std::uint8_t>& wanted) const {
   const std::size_t count = stations_.size();
-  const Vec2 centre = camera_.project(stations_[i].point.position).xy;
+  const Vec2& centre = images_[i];
   const double reach = dilation_reach(stations_[i]);
   wanted[i] = 1;
   for (std::size_t step = 1; step < count; ++step) {
     if (!closed_ && i == (forward ? count - 1 : 0)) return;
     i = forward ? (i + 1) % count : (i + count - 1) % count;
-    if (step > dilation) {
-      const Vec2 image = camera_.project(stations_[i].point.position).xy;
-      if (!((image - centre).norm() < reach)) return;
-    }
+    if (step > dilation && !((images_[i] - centre).norm() < reach)) return;
     wanted[i] = 1;
   }
 }
@@ -129,6 +145,7 @@ void ExactChain::solve_station(std::size_t i) {
   if (surface_.patches[idx(t)].ptex_face == none) return;
   if (!(camera_.near_distance(p.position) > 0)) return;
   const SolvedEdge found = solved_edge(p);
+  station.at_pinch = found.at_pinch;
   if (!found.sample) return;
   station.sample = static_cast<int>(samples_.size());
   samples_.push_back(*found.sample);
@@ -177,8 +194,9 @@ SolvedEdge ExactChain::solve_edge(const EdgePoint& p) {
     f -= sample->g / sample->gradient.dot(along);
     if (!(f > low && f < high)) f = (low + high) / 2;
   }
+  if (std::abs(sample->g) > flat && sample->spread < pinch_spread) return {0, 1, {}, true};
   if (std::abs(sample->g) > flat || sample->tangent.isZero()) return {};
-  return {ascends(p) ? f : 1 - f, sheet_of(p), sample};
+  return {ascends(p) ? f : 1 - f, sheet_of(p), sample, false};
 }
 
 // Where an exact point and a linear one beside it disagree, the linear one must become exact too.
@@ -194,7 +212,17 @@ void ExactChain::spread() {
   }
 }
 
-std::vector<int> ExactChain::troubled() const {
+// Whether the cusp that the signs at a segment's ends tell of is not found within its triangle: the
+// contour makes an excursion over an edge.
+bool ExactChain::has_lost_cusp(std::size_t i) {
+  if (sign(stations_[i]) == sign_at_end(i)) return false;
+  const PatchTriangle& patch = surface_.patches[idx(stations_[i].point.on.triangle)];
+  const std::optional<ExactKnot> from = knot_of(i), to = knot_of(after(i));
+  const ContourKnot cusp = segment_.cusp_between(patch.ptex_face, from->leaving, to->arriving);
+  return std::abs(cusp.sample.kappa) > lost_kappa || !is_within(patch, cusp.uv);
+}
+
+std::vector<int> ExactChain::troubled() {
   std::vector<int> triangles;
   for (std::size_t i = 0; i < segments(); ++i) {
     const Station &a = stations_[i], &b = stations_[after(i)];
@@ -202,7 +230,7 @@ std::vector<int> ExactChain::troubled() const {
     const ContourSample &from = samples_[idx(a.sample)], &to = samples_[idx(b.sample)];
     const Vec3 chord = (to.position - from.position).normalized();
     const double least = std::min(chord.dot(from.tangent), chord.dot(to.tangent));
-    if (least < troubled_cos) triangles.push_back(a.point.on.triangle);
+    if (least < troubled_cos || has_lost_cusp(i)) triangles.push_back(a.point.on.triangle);
   }
   return triangles;
 }
@@ -217,6 +245,7 @@ void ExactChain::make_finer(int segment, double longest_px) {
 ExactPolyline ExactChain::polyline() {
   ExactPolyline line;
   line.closed = closed_;
+  line.edges = static_cast<int>(stations_.size());
   line.points.reserve(stations_.size() + samples_.size());
   line.knots.reserve(3 * samples_.size());
   std::optional<ExactKnot> here = knot_of(0);
@@ -268,7 +297,8 @@ void ExactChain::add_between(std::size_t i, const std::optional<ExactKnot>& star
                              const std::optional<ExactKnot>& end, ExactPolyline& line) {
   const Station& from = stations_[i];
   if (!start || !end) {
-    if (sign(from) != sign_at_end(i)) add_linear_cusp(i, line);
+    const bool straight_on = from.at_pinch || stations_[after(i)].at_pinch;
+    if (sign(from) != sign_at_end(i) && !straight_on) add_linear_cusp(i, line);
     return;
   }
   const int t = from.point.on.triangle;

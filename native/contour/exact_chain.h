@@ -24,6 +24,7 @@ struct ExactKnot {
 
 struct ExactPolyline {
   bool closed = false;
+  int edges = 0;  // that the linear chain crosses
   std::vector<ExactPoint> points;
   std::vector<ExactKnot> knots;
 };
@@ -34,6 +35,7 @@ struct SolvedEdge {
   double fraction = 0;  // from the lower vertex
   double sheet = 1;     // sign of the lower vertex's normal on the sheet of the sample
   std::optional<ContourSample> sample;
+  bool at_pinch = false;  // no root: the normal turns over at a pinch point
 };
 using SolvedEdges = std::unordered_map<std::uint64_t, SolvedEdge>;
 
@@ -52,9 +54,9 @@ class ExactChain {
   // Finds the exact points of a linear chain; everywhere: all of them.
   void solve(Span<const EdgePoint> linear, bool closed, bool everywhere);
 
-  // Triangles whose segment runs far from the contour's direction at an end: they hold more of the
-  // contour than the signs at their corners tell.
-  std::vector<int> troubled() const;
+  // Triangles whose segment runs far from the contour's direction at an end, or misses its cusp:
+  // they hold more of the contour than the signs at their corners tell.
+  std::vector<int> troubled();
 
   // The chain that was solved, with what lies within its triangles.
   ExactPolyline polyline();
@@ -68,6 +70,7 @@ class ExactChain {
     // Beyond this point's segment: the sheet is the other one of a double cover.
     bool turns_over = false;
     bool is_tried = false;  // whether it was asked to be exact
+    bool at_pinch = false;
     int sample = none;
     double longest_px = std::numeric_limits<double>::infinity();  // between points up to the next
   };
@@ -80,7 +83,9 @@ class ExactChain {
   int sign(const Station& station) const;
   int sign_at_end(std::size_t segment) const;
 
+  bool has_lost_cusp(std::size_t segment);
   bool is_suspect(std::size_t segment) const;
+  bool turns_back(std::size_t segment) const;
   double dilation_reach(const Station& station) const;
   void want_around(std::size_t station, bool forward, std::vector<std::uint8_t>& wanted) const;
   std::vector<std::size_t> near_suspects() const;
@@ -108,6 +113,7 @@ class ExactChain {
   ExactSegment segment_;
   bool closed_ = false;
   std::vector<Station> stations_;
+  std::vector<Vec2> images_;  // of the linear stations
   std::vector<ContourSample> samples_;
   std::vector<ContourKnot> between_;
 };

@@ -10,7 +10,8 @@ constexpr double shortest_px = 0.02;
 constexpr double largest_turn_rad = 20 * 3.14159265358979323846 / 180;
 // A mid-point is looked for this far from the chord, in lengths of the chord.
 constexpr double search_reach = 0.7;
-constexpr double at_cusp = 1e-4;  // |kappa|
+constexpr double at_cusp = 1e-4;       // |kappa|
+constexpr double beside_pinch = 0.05;  // |kappa|
 
 // From a to b, counter-clockwise positive.
 double angle(const Vec2& a, const Vec2& b) { return std::atan2(cross(a, b), a.dot(b)); }
@@ -36,6 +37,12 @@ void ExactSegment::refine(int ptex_face, const ContourKnot& a, const ContourKnot
   refine(a, b, most_halvings);
 }
 
+ContourKnot ExactSegment::cusp_between(int ptex_face, const ContourKnot& a, const ContourKnot& b) {
+  ptex_face_ = ptex_face;
+  SignChange nearest{a, b};
+  return find_cusp(a, b, nearest);
+}
+
 std::optional<ContourKnot> ExactSegment::between(int ptex_face, const ContourKnot& a,
                                                  const ContourKnot& b, double fraction) {
   const Vec2 chord = b.uv - a.uv;
@@ -51,7 +58,7 @@ std::optional<ContourKnot> ExactSegment::between(int ptex_face, const ContourKno
 void ExactSegment::refine(const ContourKnot& a, const ContourKnot& b, int depth) {
   if (depth == 0) return settle(a, b);
   if (a.after != b.before && !a.is_cusp() && !b.is_cusp()) {
-    split(a, b, find_cusp(a, b), depth);
+    split_at_sign_change(a, b, depth);
   } else if (a.after != b.before || needs_split(a, b)) {
     const auto middle = between(ptex_face_, a, b, 0.5);
     middle ? split(a, b, *middle, depth) : settle(a, b);
@@ -68,6 +75,23 @@ void ExactSegment::split(const ContourKnot& a, const ContourKnot& b, const Conto
   refine(a, middle, depth - 1);
   found_->push_back(middle);
   refine(middle, b, depth - 1);
+}
+
+// A cusp, or a pinch point: there the normal vanishes and turns over, so kappa jumps from one sign
+// to the other, but the image of the contour goes straight on.
+void ExactSegment::split_at_sign_change(const ContourKnot& a, const ContourKnot& b, int depth) {
+  SignChange change{a, b};
+  const ContourKnot cusp = find_cusp(a, b, change);
+  const auto is_beside_pinch = [](const ContourSample& sample) {
+    return sample.spread < pinch_spread && std::abs(sample.kappa) > beside_pinch;
+  };
+  const bool is_pinch =
+      is_beside_pinch(change.before.sample) && is_beside_pinch(change.behind.sample);
+  if (!is_pinch) return split(a, b, cusp, depth);
+  refine(a, change.before, depth - 1);
+  found_->push_back(change.before);
+  found_->push_back(change.behind);
+  refine(change.behind, b, depth - 1);
 }
 
 Vec2 ExactSegment::image_tangent(const ContourKnot& knot, int sign) const {
@@ -103,7 +127,8 @@ ContourKnot ExactSegment::linear_cusp(const ContourKnot& a, const ContourKnot& b
 }
 
 // The Illinois variant of the false position.
-ContourKnot ExactSegment::find_cusp(const ContourKnot& a, const ContourKnot& b) {
+ContourKnot ExactSegment::find_cusp(const ContourKnot& a, const ContourKnot& b,
+                                    SignChange& nearest) {
   constexpr int most_steps = 40;
   double low = 0, high = 1, low_kappa = a.sample.kappa, high_kappa = b.sample.kappa;
   int last_side = 0;
@@ -118,6 +143,7 @@ ContourKnot ExactSegment::find_cusp(const ContourKnot& a, const ContourKnot& b) 
     const int side = sign(kappa) == a.after ? -1 : 1;
     (side < 0 ? low : high) = fraction;
     (side < 0 ? low_kappa : high_kappa) = kappa;
+    (side < 0 ? nearest.before : nearest.behind) = *middle;
     if (side == last_side) (side < 0 ? high_kappa : low_kappa) /= 2;
     last_side = side;
   }

@@ -37,6 +37,10 @@ class ExactSegment {
   void refine(int ptex_face, const ContourKnot& a, const ContourKnot& b, double longest_px,
               std::vector<ContourKnot>& between);
 
+  // The cusp between a and b, whose signs differ; where it is not found the place on the chord at
+  // which kappa would vanish.
+  ContourKnot cusp_between(int ptex_face, const ContourKnot& a, const ContourKnot& b);
+
   // The point of the contour across from `fraction` of the chord from a to b.
   std::optional<ContourKnot> between(int ptex_face, const ContourKnot& a, const ContourKnot& b,
                                      double fraction);
@@ -47,7 +51,12 @@ class ExactSegment {
   void split(const ContourKnot& a, const ContourKnot& b, const ContourKnot& middle, int depth);
   bool needs_split(const ContourKnot& a, const ContourKnot& b) const;
   Vec2 image_tangent(const ContourKnot& knot, int sign) const;
-  ContourKnot find_cusp(const ContourKnot& a, const ContourKnot& b);
+  // Points of the contour between which kappa changes its sign.
+  struct SignChange {
+    ContourKnot before, behind;
+  };
+  void split_at_sign_change(const ContourKnot& a, const ContourKnot& b, int depth);
+  ContourKnot find_cusp(const ContourKnot& a, const ContourKnot& b, SignChange& nearest);
   ContourKnot linear_cusp(const ContourKnot& a, const ContourKnot& b) const;
 
   LimitContour& contour_;

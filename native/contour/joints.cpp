@@ -4,6 +4,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "contour/triple_points.h"
 #include "surface/locate.h"
 
 namespace illustrate {
@@ -18,12 +19,13 @@ class JointFinder {
  public:
   JointFinder(const Surface& surface, const std::vector<FeatureEdge>& features,
               const Silhouettes& silhouettes, const IntersectionCurves& intersections,
-              const CurvatureCurves& curvature_curves)
+              const CurvatureCurves& curvature_curves, const Camera& camera)
       : surface_(surface),
         features_(features),
         silhouettes_(silhouettes),
         intersections_(intersections),
-        lines_(curvature_curves.lines) {}
+        lines_(curvature_curves.lines),
+        camera_(camera) {}
 
   Joints run() {
     index_features();
@@ -32,6 +34,7 @@ class JointFinder {
     for (std::size_t c = 0; c < intersections_.curves.size(); ++c) {
       cut_intersection(static_cast<int>(c));
     }
+    cut_at_triple_points();
     joints_.first_line_node = static_cast<int>(joints_.nodes.size());
     if (!lines_.curves.empty()) index_intersections();
     for (std::size_t c = 0; c < lines_.curves.size(); ++c) cut_line(static_cast<int>(c));
@@ -60,9 +63,30 @@ class JointFinder {
       const Span<const ChainPoint> chain = silhouettes_.chains[c];
       const std::size_t count = chain.size() - (silhouettes_.closed[c] ? 0 : 1);
       for (std::size_t i = 0; i < count; ++i) {
-        segments_[chain[i].on.triangle].push_back({static_cast<int>(c), static_cast<int>(i)});
+        const CurveSegment segment{static_cast<int>(c), static_cast<int>(i)};
+        for (const int triangle : triangles_of(chain[i], chain[(i + 1) % chain.size()])) {
+          segments_[triangle].push_back(segment);
+        }
       }
     }
+  }
+
+  // Where a chain's segment may lie: in the triangle it starts in, but beside cusps, where points
+  // were left out, anywhere round its ends.
+  std::vector<int> triangles_of(const ChainPoint& from, const ChainPoint& to) const {
+    const int first = from.on.triangle, last = to.on.triangle;
+    const bool to_next_edge =
+        to.edge != none && opposite_side(surface_, {last, to.edge}).triangle == first;
+    if (first == last || to_next_edge) return {first};
+    std::vector<int> result{first, last};
+    for (const int t : {first, last}) {
+      for (const int neighbour : surface_.neighbours[idx(t)]) {
+        if (neighbour != none) result.push_back(neighbour);
+      }
+    }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
   }
 
   void index_intersections() {
@@ -118,7 +142,7 @@ class JointFinder {
       else if (p.edge != none)
         node = cut_feature(p.on.triangle, p.edge, p.fraction, p.position);
       if (node == none && tip) node = add_node(NodeKind::end, p.position);
-      if (node != none) joints_.chains.push_back({c, static_cast<int>(i), 0, node});
+      if (node != none) joints_.chains.push_back({c, static_cast<int>(i), 0, node, p.cusp_jump});
     }
   }
 
@@ -130,7 +154,7 @@ class JointFinder {
       int node = cut_at_edge(curve[i].a, curve[i].position);
       if (node == none) node = cut_at_edge(curve[i].b, curve[i].position);
       if (node == none && tip) node = add_node(NodeKind::end, curve[i].position);
-      if (node != none) joints_.intersections.push_back({c, static_cast<int>(i), 0, node});
+      if (node != none) joints_.intersections.push_back({c, static_cast<int>(i), 0, node, {}});
       if (i + 1 < curve.size() || closed) cut_by_chains(c, static_cast<int>(i));
     }
   }
@@ -165,7 +189,7 @@ class JointFinder {
         node = cut_feature(p.on.triangle, p.edge, p.fraction, p.position, false);
       }
       if (node == none && tip) node = add_node(NodeKind::end, p.position);
-      if (node != none) joints_.lines.push_back({c, static_cast<int>(i), 0, node});
+      if (node != none) joints_.lines.push_back({c, static_cast<int>(i), 0, node, {}});
       if (i + 1 < line.size() || closed) cut_line_segment(c, static_cast<int>(i));
     }
   }
@@ -182,28 +206,32 @@ class JointFinder {
         const Vec3& a = curve[idx(s.segment)].position;
         const Vec3& b = curve[(idx(s.segment) + 1) % curve.size()].position;
         double f, h;
-        if (!cross(triangle, start, end, a, b, f, h)) continue;
+        if (!segments_cross(
+                barycentrics(surface_, triangle, start), barycentrics(surface_, triangle, end),
+                barycentrics(surface_, triangle, a), barycentrics(surface_, triangle, b), f, h))
+          continue;
         const int node = add_node(NodeKind::joint, a + h * (b - a));
-        joints_.lines.push_back({c, i, f, node});
-        cuts.push_back({s.curve, s.segment, h, node});
+        joints_.lines.push_back({c, i, f, node, {}});
+        cuts.push_back({s.curve, s.segment, h, node, 0});
       }
     };
     cut(segments_, silhouettes_.chains, joints_.chains);
     cut(intersection_segments_, intersections_.curves, joints_.intersections);
   }
 
-  // Whether two segments cross in the plane of a triangle, at f and h of their ways.
-  bool cross(int triangle, const Vec3& start, const Vec3& end, const Vec3& other_start,
-             const Vec3& other_end, double& f, double& h) const {
-    const Vec2 a = barycentrics(surface_, triangle, start);
-    const Vec2 b = barycentrics(surface_, triangle, other_start);
-    const Vec2 along = barycentrics(surface_, triangle, end) - a;
-    const Vec2 other = barycentrics(surface_, triangle, other_end) - b;
-    const double determinant = illustrate::cross(along, other);
-    if (determinant == 0) return false;
-    f = illustrate::cross(b - a, other) / determinant;
-    h = illustrate::cross(b - a, along) / determinant;
-    return f >= 0 && f < 1 && h >= 0 && h < 1;
+  // Barycentrics of a chain's point on a triangle that its segment lies in. Exact points are off
+  // the plane of the triangle: where they are on an edge they have to be for both its sides.
+  Vec2 place_on(int triangle, const ChainPoint& p) const {
+    if (p.on.triangle == triangle) return {p.on.b1, p.on.b2};
+    const EdgeSide side =
+        p.edge == none ? EdgeSide{} : opposite_side(surface_, {p.on.triangle, p.edge});
+    if (side.triangle != triangle) return barycentrics(surface_, triangle, p.position);
+    const auto place = [&](int t, int k) {
+      return surface_.places[idx(surface_.triangles[idx(t)][idx(k)])];
+    };
+    const bool parallel = place(triangle, side.corner) == place(p.on.triangle, p.edge);
+    const SurfacePoint on = on_edge(triangle, side.corner, parallel ? p.fraction : 1 - p.fraction);
+    return {on.b1, on.b2};
   }
 
   std::size_t global_point(int c, int i) const {
@@ -215,14 +243,58 @@ class JointFinder {
     const Span<const ChainPoint> chain = silhouettes_.chains[idx(s.curve)];
     const Vec3& start = chain[idx(s.segment)].position;
     const Vec3& end = chain[(idx(s.segment) + 1) % chain.size()].position;
+    const Vec3 &from = curve[idx(i)].position, &to = curve[(idx(i) + 1) % curve.size()].position;
     double f, h;
-    if (!cross(triangle, curve[idx(i)].position, curve[(idx(i) + 1) % curve.size()].position, start,
-               end, f, h)) {
+    if (!segments_cross(barycentrics(surface_, triangle, from),
+                        barycentrics(surface_, triangle, to),
+                        place_on(triangle, chain[idx(s.segment)]),
+                        place_on(triangle, chain[(idx(s.segment) + 1) % chain.size()]), f, h)) {
       return;
     }
     const int node = add_node(NodeKind::joint, start + h * (end - start));
-    joints_.intersections.push_back({c, i, f, node});
-    joints_.chains.push_back({s.curve, s.segment, h, node});
+    const auto& sheets = intersections_.segment_triangles[global_point(c, i)];
+    const int other = sheets[0] == triangle ? sheets[1] : sheets[0];
+    joints_.intersections.push_back(
+        {c, i, f, node, change_of_strand(triangle, end - start, to - from)});
+    joints_.chains.push_back({s.curve, s.segment, h, node, change_through(other, end - start)});
+  }
+
+  void cut_at_triple_points() {
+    if (intersections_.curves.empty()) return;
+    for (const TriplePoint& point : triple_points(surface_, intersections_)) {
+      const int node = add_node(NodeKind::joint, point.position);
+      for (const Passage& p : point.passages) {
+        const Span<const IntersectionPoint> curve = intersections_.curves[idx(p.curve)];
+        const Vec3& from = curve[idx(p.segment)].position;
+        const Vec3& to = curve[(idx(p.segment) + 1) % curve.size()].position;
+        joints_.intersections.push_back(
+            {p.curve, p.segment, p.fraction, node, change_through(p.through, to - from)});
+      }
+    }
+  }
+
+  // Of what passes through a triangle in a direction: +1 from its near side to its far side.
+  int change_through(int triangle, const Vec3& along) const {
+    const Vec3 normal = winding_normal(triangle);
+    const Vec3& corner = surface_.positions[idx(surface_.triangles[idx(triangle)][0])];
+    return (normal.dot(camera_.to_eye(corner)) >= 0) == (normal.dot(along) >= 0) ? -1 : 1;
+  }
+
+  // Of a curve on a triangle that crosses its contour: the front is on the left of the contour, and
+  // is the nearer strand where the contour's image runs as that of n x r, r the line of sight.
+  int change_of_strand(int triangle, const Vec3& contour, const Vec3& along) const {
+    const Vec3 normal = winding_normal(triangle);
+    const Vec3& corner = surface_.positions[idx(surface_.triangles[idx(triangle)][0])];
+    const bool to_front = normal.dot(contour.cross(along)) >= 0;
+    const bool front_is_near = contour.dot(camera_.to_eye(corner).cross(normal)) >= 0;
+    return to_front == front_is_near ? -1 : 1;
+  }
+
+  Vec3 winding_normal(int triangle) const {
+    const Triangle& t = surface_.triangles[idx(triangle)];
+    const Vec3& a = surface_.positions[idx(t[0])];
+    const Vec3 &b = surface_.positions[idx(t[1])], &c = surface_.positions[idx(t[2])];
+    return (b - a).cross(c - a);
   }
 
   void sort_cuts() {
@@ -243,6 +315,7 @@ class JointFinder {
   const Silhouettes& silhouettes_;
   const IntersectionCurves& intersections_;
   const ZeroCurves& lines_;
+  const Camera& camera_;
   std::unordered_map<std::int64_t, int> feature_of_side_;
   std::unordered_map<int, std::vector<CurveSegment>> segments_;               // of chains
   std::unordered_map<int, std::vector<CurveSegment>> intersection_segments_;  // by triangle
@@ -253,8 +326,8 @@ class JointFinder {
 
 Joints find_joints(const Surface& surface, const std::vector<FeatureEdge>& features,
                    const Silhouettes& silhouettes, const IntersectionCurves& intersections,
-                   const CurvatureCurves& curvature_curves) {
-  return JointFinder(surface, features, silhouettes, intersections, curvature_curves).run();
+                   const CurvatureCurves& curvature_curves, const Camera& camera) {
+  return JointFinder(surface, features, silhouettes, intersections, curvature_curves, camera).run();
 }
 
 }  // namespace illustrate

@@ -2,6 +2,8 @@
 // and intersection curves that have to be cut there.
 #pragma once
 
+#include <optional>
+
 #include "contour/contour_functions.h"
 #include "contour/curvature_curves.h"
 #include "contour/curve_network.h"
@@ -20,12 +22,14 @@ struct EdgeCut {
   EdgeSide side;
 };
 
-// A cut of a polyline behind its point `segment`, at `fraction` of the way to the next one.
+// A cut of a polyline behind its point `segment`, at `fraction` of the way to the next one, where
+// quantitative invisibility changes by `jump`, if that is known.
 struct CurveCut {
   int curve;
   int segment;
   double fraction;
   int node;
+  std::optional<int> jump;
 };
 
 struct Joints {
@@ -37,10 +41,14 @@ struct Joints {
   int first_line_node = 0;              // nodes from here on are only due to curvature curves
 };
 
+// Where a contour passes through another sheet it goes behind it (+1) or comes out in front of it
+// (-1). There a self-intersection curve changes from the nearer of the two strands of surface that
+// meet at the contour to the farther one (+1), or back.
+//
 // Nodes where chains end on or pass over feature edges, where self-intersection curves cross
 // feature edges and chains, and at cusps; where curvature curves end or meet any of these.
 Joints find_joints(const Surface& surface, const std::vector<FeatureEdge>& features,
                    const Silhouettes& silhouettes, const IntersectionCurves& intersections,
-                   const CurvatureCurves& curvature_curves);
+                   const CurvatureCurves& curvature_curves, const Camera& camera);
 
 }  // namespace illustrate

@@ -1,5 +1,6 @@
 #include "contour/limit_contour.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace illustrate {
@@ -24,6 +25,7 @@ std::optional<ContourSample> LimitContour::at(const BasePlace& place) {
   s.across = n.cross(sight).normalized();
   s.kappa = s.tangent.dot(s.across);
   s.rho = s.tangent.dot(sight);
+  s.spread = n.norm() / std::max(p->du.squaredNorm(), p->dv.squaredNorm());
   return s;
 }
 

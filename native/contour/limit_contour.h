@@ -20,6 +20,7 @@ struct ContourSample {
   Vec3 across;    // unit, w
   double kappa;
   double rho;
+  double spread;  // |Pu x Pv| in squares of the longer of the two
 };
 
 class LimitContour {
@@ -43,5 +44,8 @@ class LimitContour {
 
 // |g| below this is on the contour.
 constexpr double on_contour = 1e-7;
+
+// A spread below this is that of a pinch point, where the normal vanishes and turns over.
+constexpr double pinch_spread = 1e-3;
 
 }  // namespace illustrate

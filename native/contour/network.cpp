@@ -48,7 +48,7 @@ CurveNetwork build_network(const ContourScene& scene, const Camera& camera,
     lines = curvature_curves(surface, *scene.derivative, scene.intersections, camera,
                              options.curvature_curves);
   }
-  const Joints joints = find_joints(surface, features, found, scene.intersections, lines);
+  const Joints joints = find_joints(surface, features, found, scene.intersections, lines, camera);
   CurveNetwork network;
   network.nodes = joints.nodes;
   add_silhouette_strands(surface, found, joints, network);

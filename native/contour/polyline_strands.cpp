@@ -25,7 +25,7 @@ struct CutPolyline {
 
 Span<const CurveCut> cuts_of(const std::vector<CurveCut>& cuts, int curve) {
   const auto range =
-      std::equal_range(cuts.begin(), cuts.end(), CurveCut{curve, 0, 0, 0},
+      std::equal_range(cuts.begin(), cuts.end(), CurveCut{curve, 0, 0, 0, {}},
                        [](const CurveCut& a, const CurveCut& b) { return a.curve < b.curve; });
   const auto first = static_cast<std::size_t>(range.first - cuts.begin());
   return {cuts.data() + first, static_cast<std::size_t>(range.second - range.first)};
@@ -102,21 +102,14 @@ std::vector<int> add_polyline(const Surface& surface, const Polyline& line,
   return add_strands(cut, strand, network);
 }
 
-// Strands first .. first + count follow each other; where the chain itself says what happens
-// between two of them they are tied.
-void add_ties(Span<const ChainPoint> chain, bool closed, int first, const std::vector<int>& sources,
-              int first_line_node, CurveNetwork& network) {
-  const int count = static_cast<int>(sources.size());
-  for (int i = closed ? 0 : 1; i < count; ++i) {
+// Strands first .. first + count follow each other, one behind each cut (but the last cut of an
+// open curve); where the change between two of them is known they are tied.
+void add_ties(Span<const CurveCut> cuts, bool closed, int first, CurveNetwork& network) {
+  const int count = static_cast<int>(network.strands.size()) - first;
+  for (int i = closed ? 0 : 1; i < count && !cuts.empty(); ++i) {
+    const CurveCut& cut = cuts[idx(i)];
     const int strand = first + i, previous = first + (i + count - 1) % count;
-    const int node = network.strands[idx(strand)].start_node;
-    const Vec3& position = network.nodes[idx(node)].position;
-    const ChainPoint& p = chain[idx(sources[idx(i)])];
-    if (p.position == position) {
-      network.ties.push_back({node, previous, strand, p.cusp_jump});
-    } else if (node >= first_line_node) {
-      network.ties.push_back({node, previous, strand, 0});
-    }  // else inside a segment: a self-intersection, which may change anything
+    if (cut.jump) network.ties.push_back({cut.node, previous, strand, *cut.jump});
   }
 }
 
@@ -185,11 +178,10 @@ void add_silhouette_strands(const Surface& surface, const Silhouettes& silhouett
   for (std::size_t c = 0; c < silhouettes.chains.size(); ++c) {
     const Span<const ChainPoint> chain = silhouettes.chains[c];
     const bool closed = silhouettes.closed[c];
+    const Span<const CurveCut> cuts = cuts_of(joints.chains, static_cast<int>(c));
     const int first = static_cast<int>(network.strands.size());
-    const std::vector<int> sources =
-        add_polyline(surface, polyline_of(chain, closed),
-                     cuts_of(joints.chains, static_cast<int>(c)), strand, network);
-    add_ties(chain, closed, first, sources, joints.first_line_node, network);
+    add_polyline(surface, polyline_of(chain, closed), cuts, strand, network);
+    add_ties(cuts, closed, first, network);
   }
 }
 
@@ -202,8 +194,10 @@ void add_intersection_strands(const Surface& surface, const IntersectionCurves& 
     for (const IntersectionPoint& p : intersections.curves[c]) {
       line.points.push_back({p.position, p.a});
     }
-    add_polyline(surface, line, cuts_of(joints.intersections, static_cast<int>(c)), strand,
-                 network);
+    const Span<const CurveCut> cuts = cuts_of(joints.intersections, static_cast<int>(c));
+    const int first = static_cast<int>(network.strands.size());
+    add_polyline(surface, line, cuts, strand, network);
+    add_ties(cuts, line.closed, first, network);
   }
 }
 

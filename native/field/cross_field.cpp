@@ -79,6 +79,7 @@ Solution solve(const FieldProblem& p, Pulls pulls, const CrossNumbers& nearby,
         minimise(graph, options.max_evaluations, options.threads, z, progress.part(0.7, 1));
     solution.result = {last.converged, solution.result.evaluations + last.evaluations};
   }
+  progress.report(1);
   for (std::size_t i = 0; i < vertices.size(); ++i) solution.z[idx(vertices[i])] = z[i];
   return solution;
 }
@@ -100,8 +101,9 @@ void keep_better_parts(const FieldProblem& p, const CrossNumbers& solution, Cros
 // Parts that features have kept from improving, although they are not parallel.
 bool features_are_in_the_way(const FieldProblem& p, const CrossNumbers& z,
                              const std::vector<std::uint8_t>& improved) {
-  const std::vector<double> energies = part_energies(p, z), least = least_energies(p);
   const std::vector<std::uint8_t> has_features = parts_with_features(p);
+  if (std::find(has_features.begin(), has_features.end(), 1) == has_features.end()) return false;
+  const std::vector<double> energies = part_energies(p, z), least = least_energies(p);
   for (std::size_t part = 0; part < energies.size(); ++part) {
     const bool is_parallel = energies[part] <= least[part] * (1 - least_gain);
     if (has_features[part] && !improved[part] && !is_parallel) return true;
@@ -127,8 +129,8 @@ void turn_improved_parts(const FieldProblem& p, const Curvature& curvature,
   turn_parts(p.parts, improved, wanted, z);
 }
 
-// (parts) 1: where the singularities are not those that are prescribed; -1 in `triangle` or one of
-// them.
+// (parts) 1: where the singularities are not those that are prescribed; `triangle` becomes one of
+// those that differ, or none.
 std::vector<std::uint8_t> disobedient_parts(const Surface& surface, const FieldProblem& p,
                                             const std::vector<int>& indices, int& triangle) {
   std::vector<std::uint8_t> disobedient(idx(p.parts.count), 0);
@@ -143,28 +145,40 @@ std::vector<std::uint8_t> disobedient_parts(const Surface& surface, const FieldP
 }
 
 // Prescribed singularities come before everything that pulls: parts that would have others are
-// solved again from the parallel field, without features and then without guides.
+// solved again without features; they get the parallel field that they started from where that has
+// the right ones, and else what is parallel without guides.
 void obey_prescription(const Surface& surface, const FieldProblem& p, const FieldOptions& options,
                        CrossNumbers& z, const Progress& progress) {
   const std::vector<FieldEdge> plain = plain_edges(p);
   int triangle = none;
-  const auto disobedient = [&] {
+  std::vector<std::uint8_t> parts, is_held(z.size());
+  const auto obeys = [&] {
     const std::vector<int> indices =
         triangle_indices(surface, p.triangle_edges, plain, p.excess, z, options.threads, progress);
-    return disobedient_parts(surface, p, indices, triangle);
-  };
-  for (const Pulls pulls : {Pulls::guides, Pulls::none}) {
-    const std::vector<std::uint8_t> parts = disobedient();
-    if (triangle == none) return;
-    std::vector<std::uint8_t> is_held(z.size());
+    parts = disobedient_parts(surface, p, indices, triangle);
     for (std::size_t i = 0; i < z.size(); ++i) is_held[i] = !parts[idx(p.parts.of_vertex[i])];
-    const CrossNumbers again = solve(p, pulls, p.initial, is_held, options, progress).z;
+    return triangle == none;
+  };
+  const auto take_over = [&](const CrossNumbers& other) {
     for (std::size_t i = 0; i < z.size(); ++i) {
-      if (!is_held[i]) z[i] = again[i];
+      if (!is_held[i]) z[i] = other[i];
     }
-  }
-  disobedient();
-  if (triangle == none) return;
+  };
+  const auto solved = [&](Pulls pulls) {
+    CrossNumbers again = solve(p, pulls, p.initial, is_held, options, progress).z;
+    if (pulls == Pulls::guides) return again;
+    std::vector<std::uint8_t> may_turn = parts_that_may_turn(p);
+    for (std::size_t part = 0; part < parts.size(); ++part) may_turn[part] &= parts[part];
+    turn_parts(p.parts, may_turn, p.guide_pulls, again);
+    return again;
+  };
+  if (obeys()) return;
+  take_over(solved(Pulls::guides));
+  if (obeys()) return;
+  take_over(p.initial);
+  if (obeys()) return;
+  take_over(solved(Pulls::none));
+  if (obeys()) return;
   const Vec3 at = position_at(surface, {triangle, 1.0 / 3, 1.0 / 3});
   throw InvalidInput("singularities: the mesh is too coarse for them near (" +
                      std::to_string(at.x()) + ", " + std::to_string(at.y()) + ", " +
@@ -255,6 +269,7 @@ CrossField solve_cross_field(const Surface& surface, const Curvature& curvature,
   std::vector<std::uint8_t> improved(idx(p.parts.count), 0);
   Solution solution = solve(p, Pulls::all, nearby, is_settled, options, progress.part(0.2, 0.7));
   keep_better_parts(p, solution.z, z, improved);
+  progress.report(0.7);
   CrossField field;
   field.evaluations = solution.result.evaluations;
   if (options.alignment_weight > 0 && features_are_in_the_way(p, z, improved)) {

@@ -83,6 +83,9 @@ CrossField solve_cross_field(const Surface& surface, const Curvature& curvature,
                              const FieldOptions& options, const FieldAids& aids = {},
                              const Progress& progress = {});
 
+// The field turned by an eighth of a circle. Energy and singularities are the same.
+CrossField diagonals(const Surface& surface, CrossField field);
+
 // The branch of the cross at a point that is nearest to `towards` (a world direction), as a unit
 // tangent of the triangle's sheet at that point; the three corners' crosses are combed to agree
 // before they are interpolated.

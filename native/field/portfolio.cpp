@@ -14,8 +14,10 @@ namespace {
 constexpr std::size_t vertices_per_aggregate = 10;
 constexpr std::size_t least_coarse_size = 2500, most_coarse_size = 8000;
 
-// No more starts than touch so many crosses; one in three is shaken.
-constexpr std::size_t pool_crosses = 100000;
+// No more starts than touch so many crosses, more where the whole graph is large and all else takes
+// longer; one in three is shaken.
+constexpr std::size_t least_pool_crosses = 100000;
+constexpr std::size_t vertices_per_pool_cross = 4;
 constexpr std::size_t most_random_starts = 40;
 constexpr std::size_t starts_per_shake = 3;
 constexpr std::size_t kept_starts = 6;
@@ -133,7 +135,7 @@ CrossNumbers random_field(std::size_t size, SeededNumbers& numbers) {
 
 // The pool of the coarsest graph: given starts, random ones, then the best of them shaken.
 Pool coarse_pool(const FieldGraph& graph, const std::vector<int>& parts, int count,
-                 const Pool& given, const Progress& progress) {
+                 const Pool& given, std::size_t pool_crosses, const Progress& progress) {
   SeededNumbers numbers(seed);
   Pool pool;
   const auto diffused = [&](CrossNumbers z, double tau) {
@@ -142,7 +144,10 @@ Pool coarse_pool(const FieldGraph& graph, const std::vector<int>& parts, int cou
     return z;
   };
   for (const CrossNumbers& z : given) {
-    for (const double tau : {far_tau, middle_tau}) pool.push_back(diffused(z, tau));
+    for (const double tau : {far_tau, middle_tau}) {
+      progress.report(0);
+      pool.push_back(diffused(z, tau));
+    }
   }
   const std::size_t room = pool_crosses / std::max<std::size_t>(1, graph.size());
   const std::size_t random_starts = std::min(most_random_starts, room);
@@ -173,10 +178,16 @@ CrossNumbers portfolio_start(const FieldGraph& graph, const std::vector<CrossNum
   const Hierarchy hierarchy(graph, coarse_size, Pairing::parallel, progress.part(0, 0.2));
   const FieldGraph& coarsest = hierarchy.graph(hierarchy.coarsest());
   Pool given;
-  for (const CrossNumbers& start : starts) given.push_back(hierarchy.restricted(start));
+  for (const CrossNumbers& start : starts) {
+    progress.report(0.2);
+    given.push_back(hierarchy.restricted(start));
+  }
+  progress.report(0.2);
   int count = 0;
   std::vector<int> parts = parts_of(coarsest, count);
-  Pool pool = coarse_pool(coarsest, parts, count, given, progress.part(0.2, 0.6));
+  const std::size_t pool_crosses =
+      std::max(least_pool_crosses, graph.size() / vertices_per_pool_cross);
+  Pool pool = coarse_pool(coarsest, parts, count, given, pool_crosses, progress.part(0.2, 0.6));
   const Progress way_down = progress.part(0.6, 1);
   for (std::size_t level = hierarchy.coarsest(); level-- > 0;) {
     const FieldGraph& finer = hierarchy.graph(level);

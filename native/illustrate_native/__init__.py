@@ -3,6 +3,7 @@
     prepared = prepare([PolygonMesh(positions, face_sizes, corner_vertices)])
     drawing = draw(prepared, Camera(projection, view, width_px, height_px))
 
+Lengths are in pixels; `lengths_in_pixels` gives them from millimetres on paper.
 `illustrate_native.svg` and `illustrate_native.drawing_json` write drawings to files.
 """
 
@@ -30,6 +31,7 @@ from illustrate_native._core import (
     silhouettes,
     solve_cross_field,
 )
+from illustrate_native.millimetres import lengths_in_pixels
 
 __version__ = "0.1.0"
 
@@ -53,6 +55,7 @@ __all__ = [
     "Surface",
     "ToneMap",
     "draw",
+    "lengths_in_pixels",
     "prepare",
     "silhouettes",
     "solve_cross_field",

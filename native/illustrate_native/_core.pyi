@@ -149,7 +149,7 @@ class Light:
     """One light. Immutable.
 
     Brightness is min(1, sum of strength * max(0, n . l)), n turned to the eye, spot and area times
-    their cosine lobe, without fall-off over distance.
+    their cosine lobe. Without a `falloff_distance` it does not depend on the distance.
     """
 
     def __init__(
@@ -159,15 +159,29 @@ class Light:
         strength: float = 1.0,
         direction: ArrayLike | None = None,
         angle_rad: float | None = None,
+        blend: float = 0.0,
+        falloff_distance: float = 0.0,
+        edges: ArrayLike | None = None,
+        ellipse: bool = False,
+        casts_shadows: bool = True,
     ) -> None:
         """Copies its arguments.
 
         Args:
-            kind: 'head' (at the eye), 'sun', 'point', 'spot' or 'area'.
-            vector: (3,) of a sun: direction towards the light; of the others: position, world.
+            kind: 'head' (at the eye), 'side' (to the side of it), 'sun', 'point', 'spot', 'area'.
+            vector: (3,) of a sun: direction towards the light; of a side light: the same as the
+                viewer sees it (right, up, towards the viewer), None: (-1, 1, 1); of point, spot
+                and area: position, world.
             strength: at least 0.
             direction: (3,) where a spot or area light shines.
             angle_rad: half angle of a spot's cone.
+            blend: share of a spot's cone over which it fades, [0, 1].
+            falloff_distance: the distance, world, at which point, spot and area are as strong as
+                `strength`, falling with the square of the distance; 0: as strong everywhere.
+            edges: (2, 3) sides of the rectangle that an area light is, world, centred at its
+                position; None: no larger than a point.
+            ellipse: the ellipse that touches the rectangle's sides instead.
+            casts_shadows: where DrawOptions.cast_shadows asks for them.
 
         Raises:
             InvalidInput: an unknown kind, or what that kind needs is missing.
@@ -188,6 +202,21 @@ class Light:
     @property
     def angle_rad(self) -> float:
         """As given; 0 where none was given."""
+    @property
+    def blend(self) -> float:
+        """As given."""
+    @property
+    def falloff_distance(self) -> float:
+        """As given."""
+    @property
+    def edges(self) -> _Doubles:
+        """(2, 3); 0 where none were given."""
+    @property
+    def ellipse(self) -> bool:
+        """As given."""
+    @property
+    def casts_shadows(self) -> bool:
+        """As given."""
 
 class Guide:
     """A stroke for the field to follow: a polyline on the surface or near it. Immutable."""
@@ -308,6 +337,14 @@ class DrawOptions:
     """Brighter: highlight, not hatched."""
     shadow_threshold: float
     """At most as bright: shadow, hatched in two directions; else midtone, in one."""
+    highlight_share: float | None
+    """Share of the visible hatched objects' area that is highlight, in place of the threshold."""
+    shadow_share: float | None
+    """Share of it that is shadow, in place of the threshold; both together at most 1."""
+    extra_levels: int
+    """Into which shadows are divided further, [0, 3], each with one more set of hatches."""
+    cast_shadows: bool
+    """Whether surfaces keep the light from others."""
     mach_bands: bool
     """Blank bands on the near side of folds."""
     undercuts: bool
@@ -323,9 +360,9 @@ class DrawOptions:
     feature_width_px: float
     """Of all other lines."""
     hatch_width_px: float
-    """Of hatches where the light is middling."""
+    """Of hatches at the border of shadow and midtone."""
     hatch_width_by_light: float
-    """Share by which hatches swell in the dark and thin in the light, [0, 1]."""
+    """Share by which hatches swell towards the dark and thin towards highlights, [0, 1]."""
     hidden_width_scale: float
     """Of hidden lines."""
     taper_px: float
@@ -342,6 +379,11 @@ class DrawOptions:
     """Draw outlines of flat areas."""
     scan_silhouettes: bool
     """Look at every triangle for silhouettes instead of searching: slower, the same drawing."""
+    visibility: str
+    """'labels', which cannot contradict each other, or 'vote', the paper's own, for comparison.
+
+    By vote every arc of the graph has 0 or 1 layers in front, and no rule holds between them.
+    """
     suggestive_contours: bool
     """Draw suggestive contours: where the surface nearly turns away from the eye."""
     ridges: bool
@@ -593,6 +635,15 @@ class ToneMap:
     @property
     def brightness(self) -> _Singles:
         """(h, w) in [0, 1]; 0 where there is no surface."""
+    @property
+    def extra(self) -> _Codes:
+        """(h, w) 1 to extra_levels in the deeper shadows, else 0; (0, 0) without extra_levels."""
+    @property
+    def highlight_threshold(self) -> float:
+        """Brighter is highlight: as given, or what gives its share."""
+    @property
+    def shadow_threshold(self) -> float:
+        """At most as bright is shadow: as given, or what gives its share."""
     @property
     def cell_px(self) -> float:
         """Side of a cell."""

@@ -30,9 +30,11 @@ class SurfaceArrays(Protocol):
     @property
     def positions(self) -> Doubles:
         """(n, 3)."""
+
     @property
     def normals(self) -> Doubles:
         """(n, 3)."""
+
     @property
     def triangles(self) -> NDArray[np.int32]:
         """(t, 3)."""
@@ -44,12 +46,15 @@ class FieldArrays(Protocol):
     @property
     def directions(self) -> Doubles:
         """(n, 3)."""
+
     @property
     def reliable(self) -> NDArray[np.bool_]:
         """(n,)."""
+
     @property
     def singular_triangles(self) -> NDArray[np.int32]:
         """(s,)."""
+
     @property
     def singular_indices(self) -> NDArray[np.int32]:
         """(s,)."""
@@ -61,12 +66,15 @@ class CameraArrays(Protocol):
     @property
     def projection(self) -> Doubles:
         """(4, 4)."""
+
     @property
     def view(self) -> Doubles:
         """(4, 4)."""
+
     @property
     def width_px(self) -> int:
         """Of the image."""
+
     @property
     def height_px(self) -> int:
         """Of the image."""
@@ -145,7 +153,7 @@ class _Seen:
         self._corners, self._depths = image[triangles], depth[triangles, 0]
         columns, rows = max(1, int(width / spacing)), max(1, int(height / spacing))
         node, triangle = _candidates(self._corners / spacing - 0.5, columns, rows)
-        at = (np.stack([node % columns, node // columns], axis=1) + 0.5) * spacing
+        at = (np.stack([node % columns, node // columns], axis=1).astype(float) + 0.5) * spacing
         weights, depths = self._weigh(at, triangle)
         hit = np.flatnonzero(np.isfinite(depths))
         hit = hit[np.lexsort((triangle[hit], depths[hit], node[hit]))]
@@ -188,7 +196,7 @@ def _area(a: Doubles, b: Doubles, c: Doubles) -> Doubles:
 def _candidates(corners: Doubles, columns: int, rows: int) -> tuple[Indices, Indices]:
     """Nodes of the grid in the box of each triangle, with the triangle; corners in grid steps."""
     most = np.array([columns, rows]) - 1
-    whole = np.isfinite(corners).all(axis=(1, 2))
+    whole = np.isfinite(corners.reshape(-1, 6).sum(axis=1))
     boxed = np.where(whole[:, None, None], corners, -2.0)
     low = np.ceil(boxed.min(axis=1).clip(0, most + 1.0)).astype(np.int64)
     high = np.floor(boxed.max(axis=1).clip(-1, most)).astype(np.int64)
@@ -212,8 +220,8 @@ def _crosses(
     reach = 0.42 * spacing / view.pixels_per_unit(view.project(places)[1])[:, None]
     arms = []
     for arm in (along, across):
-        ends = [view.project(places + sign * reach * arm)[0] for sign in (-1, 1)]
-        arms.append(np.stack(ends, axis=1))
+        tips = [view.project(places + sign * reach * arm)[0] for sign in (-1, 1)]
+        arms.append(np.stack(tips, axis=1))
     ends = np.stack(arms, axis=1)  # (m, 2 arms, 2 ends, 2)
     lines = []
     for name, colour in _CROSSES.items():

@@ -153,10 +153,11 @@ class Bvh::Pairs {
   std::vector<Edge> stack_;
 };
 
-void Bvh::hits(const Vec3& origin, const Vec3& direction, double low, double high,
-               std::vector<RayHit>& found) const {
+template <class Visit>
+bool Bvh::any_hit(const Vec3& origin, const Vec3& direction, double low, double high,
+                  const Visit& visit) const {
   if (nodes_.empty() || direction.isZero(0) || !direction.allFinite() || !origin.allFinite())
-    return;
+    return false;
   const ShearedRay ray(origin, direction);
   const BoxTest test(origin, direction, nodes_.front().box);
   std::array<int, depth_limit> stack;
@@ -173,10 +174,23 @@ void Bvh::hits(const Vec3& origin, const Vec3& direction, double low, double hig
       const Triangle& t = (*triangles_)[order_[i]];
       double distance = 0;
       if (ray.meets((*positions_)[t[0]], (*positions_)[t[1]], (*positions_)[t[2]], distance) &&
-          distance > low && distance < high)
-        found.push_back({order_[i], distance});
+          distance > low && distance < high && visit(RayHit{order_[i], distance}))
+        return true;
     }
   }
+  return false;
+}
+
+void Bvh::hits(const Vec3& origin, const Vec3& direction, double low, double high,
+               std::vector<RayHit>& found) const {
+  any_hit(origin, direction, low, high, [&](const RayHit& hit) {
+    found.push_back(hit);
+    return false;
+  });
+}
+
+bool Bvh::is_hit(const Vec3& origin, const Vec3& direction, double low, double high) const {
+  return any_hit(origin, direction, low, high, [](const RayHit&) { return true; });
 }
 
 void Bvh::overlapping_pairs(const std::function<void(int, int)>& visit, double margin) const {

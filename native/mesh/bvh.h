@@ -28,6 +28,9 @@ class Bvh {
   void hits(const Vec3& origin, const Vec3& direction, double low, double high,
             std::vector<RayHit>& found) const;
 
+  // Whether there is any such hit.
+  bool is_hit(const Vec3& origin, const Vec3& direction, double low, double high) const;
+
   // The point of the triangles that is nearest to p, none where all are farther than `reach`. Of
   // triangles that are equally near, the first.
   SurfacePoint nearest(const Vec3& p, double reach) const;
@@ -48,6 +51,10 @@ class Bvh {
   };
   class Builder;
   class Pairs;
+  // Calls visit(RayHit) for the hits of a ray until it returns true; whether it did.
+  template <class Visit>
+  bool any_hit(const Vec3& origin, const Vec3& direction, double low, double high,
+               const Visit& visit) const;
   static constexpr std::size_t depth_limit = 128;  // no path from the root is longer
 
   const Points* positions_ = nullptr;

@@ -10,6 +10,7 @@
 #include "pipeline/stopwatch.h"
 #include "tone/visible_image.h"
 #include "visibility/label_network.h"
+#include "visibility/vote.h"
 
 namespace illustrate {
 namespace {
@@ -81,8 +82,10 @@ class View {
                            progress.part(0, 0.5, "contour"));
     });
     result_.graph = timed(result_.timings["visibility"], [&] {
-      return label_network(network, scene_.surface(), scene_.bvh(), camera_, result_.counts,
-                           progress.part(0.5, 1, "visibility"));
+      const bool by_vote = options_.visibility == VisibilityMethod::vote;
+      return (by_vote ? vote_network : label_network)(network, scene_.surface(), scene_.bvh(),
+                                                      camera_, result_.counts,
+                                                      progress.part(0.5, 1, "visibility"));
     });
   }
 
@@ -97,16 +100,15 @@ class View {
     tone_options.threads = options_.threads;
     result_.tone = timed(result_.timings["tone"], [&] {
       return tone_regions(surface, visible, result_.graph, camera_, lights, tone_options,
-                          tone_progress);
+                          &scene_.bvh(), unhatched_objects(options_.styles), tone_progress);
     });
-    const Hatches placed = timed(result_.timings["hatch"], [&] {
-      return place_hatches(surface, field, camera_, visible, result_.tone, result_.graph,
-                           spacing_scales(options_.styles), unhatched_objects(options_.styles),
-                           options_.hatch, result_.counts, progress.part(0.3, 1, "hatch"));
-    });
+    const Progress hatch_progress = progress.part(0.3, 1, "hatch");
     hatches_ = timed(result_.timings["hatch"], [&] {
-      return reduce_hatches(placed, surface, result_.tone, result_.graph, options_.hatch,
-                            result_.counts, spacing_scales(options_.styles));
+      const bool has_extra = options_.tone.extra_levels > 0;
+      Hatches made =
+          hatches(field, visible, result_.tone, hatch_progress.part(0, has_extra ? 0.6 : 1));
+      if (has_extra) add_extra(made, field, visible, hatch_progress.part(0.6, 1));
+      return made;
     });
   }
 
@@ -124,6 +126,28 @@ class View {
   }
 
  private:
+  Hatches hatches(const CrossField& field, const VisibleImage& visible, const ToneMap& tone,
+                  const Progress& progress) {
+    const Hatches placed =
+        place_hatches(scene_.surface(), field, camera_, visible, tone, result_.graph,
+                      spacing_scales(options_.styles), unhatched_objects(options_.styles),
+                      options_.hatch, result_.counts, progress);
+    return reduce_hatches(placed, scene_.surface(), tone, result_.graph, options_.hatch,
+                          result_.counts, spacing_scales(options_.styles));
+  }
+
+  // The deeper levels of shadow are hatched once more, along the diagonals of the cross.
+  void add_extra(Hatches& made, const CrossField& field, const VisibleImage& visible,
+                 const Progress& progress) {
+    const Hatches extra =
+        hatches(diagonals(scene_.surface(), field), visible, extra_tones(result_.tone), progress);
+    for (std::size_t i = 0; i < extra.kinds.size(); ++i) {
+      made.curves.add(extra.curves[i]);
+      made.kinds.push_back(Kind::cross_hatch);
+      made.objects.push_back(extra.objects[i]);
+    }
+  }
+
   const SeenScene& scene_;
   const Camera& camera_;
   const DrawOptions& options_;

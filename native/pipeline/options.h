@@ -34,6 +34,10 @@ struct ObjectStyle {
   double width_scale = 1;    // of all its strokes
 };
 
+// How curves are told visible: labels that cannot contradict each other (visibility/
+// label_network.h), or the paper's vote, for comparison (visibility/vote.h).
+enum class VisibilityMethod : std::uint8_t { labels, vote };
+
 struct DrawOptions {
   bool hatching = true;  // false: lines only, no tone
   ToneOptions tone;
@@ -42,7 +46,8 @@ struct DrawOptions {
   CurvatureCurveOptions curvature_curves;
   double cell_px =
       1;  // cells of the tone map, [0.25, 64]; larger where the image has over 16 million of them
-  bool scan_silhouettes = false;    // look at all triangles instead of searching the dual surface
+  bool scan_silhouettes = false;  // look at all triangles instead of searching the dual surface
+  VisibilityMethod visibility = VisibilityMethod::labels;
   std::vector<ObjectStyle> styles;  // one per mesh, or empty
   int threads = 0;                  // 0: all cores
 };

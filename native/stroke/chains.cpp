@@ -10,6 +10,13 @@ namespace {
 // tiny hooks near cusps do not decide how a line goes on.
 constexpr double direction_px = 1.0;
 
+// A line whose tail is cut off goes on in another one if it turns by less than 150 degrees, one
+// whose free end faces another across a gap by less than 60.
+constexpr double cosine_of_sharpest_corner = 0.866;
+constexpr double cosine_of_largest_turn = -0.5;
+constexpr double gap_px = 1.0;
+constexpr double steepest_gap = 8;  // in the world, in units of the lines' own length for a pixel
+
 // Ends are numbered 2 arc for the start of an arc, 2 arc + 1 for its end.
 int number_of(const ArcEnd& end) { return 2 * end.arc + (end.at_start ? 0 : 1); }
 
@@ -55,6 +62,14 @@ Vec2 leaving_direction(const LabelledGraph& graph, const ArcEnd& end) {
   return length > 0 ? Vec2(away / length) : Vec2(Vec2::Zero());
 }
 
+double image_length(const LabelledGraph& graph, int arc) {
+  const Span<const Vec2> image = graph.image[idx(arc)];
+  double length = 0;
+  for (std::size_t i = 1; i < image.size(); ++i) length += (image[i] - image[i - 1]).norm();
+  if (graph.arcs[idx(arc)].start_node == none) length += (image.back() - image.front()).norm();
+  return length;
+}
+
 class Mates {
  public:
   Mates(const LabelledGraph& graph, const std::vector<std::uint8_t>& drawn)
@@ -87,12 +102,115 @@ class Mates {
     for (const Candidate& c : candidates) join(ends[c.a], ends[c.b]);
   }
 
+  // Where a line goes on for less than `speck_px` after a node and then ends freely, and another
+  // one starts at that node in its direction: that one is its continuation, and the tail a speck.
+  // Of several such nodes, the one nearest to the free end.
+  void cut_tail(const ArcEnd& free_end, const Ragged<ArcEnd>& ends, double speck_px) {
+    double length = 0;
+    ArcEnd end = free_end;  // of the tail
+    while (true) {
+      length += image_length(graph_, end.arc);
+      end.at_start = !end.at_start;
+      const ArcEnd before = of(end);
+      if (before.arc == none || length >= speck_px) return;
+      const ArcEnd onward = continuation(before, ends[idx(node_of(graph_, before))]);
+      if (onward.arc != none && !dangles(onward, ends, speck_px)) {
+        mates_[idx(number_of(end))] = mates_[idx(number_of(before))] = none;
+        return join(before, onward);
+      }
+      end = before;
+    }
+  }
+
+  // Two free ends less than a pixel apart that face each other: their line is hidden for less than
+  // the eye can see. The nearest pairs first.
+  void close_gaps(const Ragged<ArcEnd>& ends) {
+    std::vector<ArcEnd> free;
+    for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
+      if (ends[n].size() == 1 && of(ends[n][0]).arc == none) free.push_back(ends[n][0]);
+    }
+    std::stable_sort(free.begin(), free.end(), [&](const ArcEnd& a, const ArcEnd& b) {
+      return image_at(a).x() < image_at(b).x();
+    });
+    struct Gap {
+      double width;
+      ArcEnd a, b;
+    };
+    std::vector<Gap> gaps;
+    for (std::size_t i = 0; i < free.size(); ++i) {
+      for (std::size_t j = i + 1; j < free.size(); ++j) {
+        if (image_at(free[j]).x() - image_at(free[i]).x() > gap_px) break;
+        if (!face_each_other(free[i], free[j])) continue;
+        gaps.push_back({(image_at(free[j]) - image_at(free[i])).norm(), free[i], free[j]});
+      }
+    }
+    std::stable_sort(gaps.begin(), gaps.end(),
+                     [](const Gap& a, const Gap& b) { return a.width < b.width; });
+    for (const Gap& gap : gaps) join(gap.a, gap.b);
+  }
+
   ArcEnd of(const ArcEnd& end) const {
     const int mate = mates_[idx(number_of(end))];
     return mate == none ? ArcEnd{} : ArcEnd{mate / 2, mate % 2 == 0};
   }
 
  private:
+  // Of the ends without a mate the one that `end` turns into least, none where it turns too much.
+  ArcEnd continuation(const ArcEnd& end, Span<const ArcEnd> ends) const {
+    ArcEnd best;
+    double least = cosine_of_sharpest_corner;
+    for (const ArcEnd& other : ends) {
+      if (other.arc == end.arc || of(other).arc != none) continue;
+      if (!are_one_line(graph_.arcs[idx(end.arc)], graph_.arcs[idx(other.arc)])) continue;
+      const double cosine = leaving_direction(graph_, end).dot(leaving_direction(graph_, other));
+      if (cosine >= least) continue;
+      least = cosine;
+      best = other;
+    }
+    return best;
+  }
+
+  const Vec2& image_at(const ArcEnd& end) const {
+    const Span<const Vec2> image = graph_.image[idx(end.arc)];
+    return end.at_start ? image.front() : image.back();
+  }
+
+  const Vec3& world_at(const ArcEnd& end) const {
+    const Span<const CurvePoint> points = graph_.points[idx(end.arc)];
+    return (end.at_start ? points.front() : points.back()).position;
+  }
+
+  double world_length(int arc) const {
+    const Span<const CurvePoint> points = graph_.points[idx(arc)];
+    double length = 0;
+    for (std::size_t i = 1; i < points.size(); ++i)
+      length += (points[i].position - points[i - 1].position).norm();
+    return length;
+  }
+
+  bool face_each_other(const ArcEnd& a, const ArcEnd& b) const {
+    if (a.arc == b.arc || !are_one_line(graph_.arcs[idx(a.arc)], graph_.arcs[idx(b.arc)]))
+      return false;
+    if ((image_at(a) - image_at(b)).norm() > gap_px) return false;
+    const double px = image_length(graph_, a.arc) + image_length(graph_, b.arc);
+    const double world = world_length(a.arc) + world_length(b.arc);
+    if ((world_at(a) - world_at(b)).norm() * px > steepest_gap * gap_px * world) return false;
+    return leaving_direction(graph_, a).dot(leaving_direction(graph_, b)) < cosine_of_largest_turn;
+  }
+
+  // Whether the line that starts at this end runs freely to its other one, in less than a speck.
+  bool dangles(ArcEnd end, const Ragged<ArcEnd>& ends, double speck_px) const {
+    double length = 0;
+    while (true) {
+      length += image_length(graph_, end.arc);
+      end.at_start = !end.at_start;
+      const ArcEnd next = of(end);
+      if (length >= speck_px) return false;
+      if (next.arc == none) return ends[idx(node_of(graph_, end))].size() == 1;
+      end = next;
+    }
+  }
+
   void join(const ArcEnd& a, const ArcEnd& b) {
     if (a.arc == none || b.arc == none || !drawn_[idx(a.arc)] || !drawn_[idx(b.arc)]) return;
     if (!are_one_line(graph_.arcs[idx(a.arc)], graph_.arcs[idx(b.arc)])) return;
@@ -138,11 +256,7 @@ Chain follow(const LabelledGraph& graph, const Mates& mates, const ArcEnd& first
 
 double image_length(const LabelledGraph& graph, const Chain& chain) {
   double length = 0;
-  for (const int arc : chain.arcs) {
-    const Span<const Vec2> image = graph.image[idx(arc)];
-    for (std::size_t i = 1; i < image.size(); ++i) length += (image[i] - image[i - 1]).norm();
-    if (graph.arcs[idx(arc)].start_node == none) length += (image.back() - image.front()).norm();
-  }
+  for (const int arc : chain.arcs) length += image_length(graph, arc);
   return length;
 }
 
@@ -242,7 +356,7 @@ Ragged<ArcEnd> ends_at_nodes(const LabelledGraph& graph, const std::vector<std::
 }
 
 std::vector<Chain> chain_arcs(const LabelledGraph& graph, const std::vector<std::uint8_t>& drawn,
-                              const Ragged<ArcEnd>& ends) {
+                              const Ragged<ArcEnd>& ends, double speck_px) {
   Mates mates(graph, drawn);
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
     if (graph.nodes[n].kind == NodeKind::crossing) {
@@ -251,6 +365,10 @@ std::vector<Chain> chain_arcs(const LabelledGraph& graph, const std::vector<std:
       mates.pair_by_turn(ends[n]);
     }
   }
+  for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
+    if (ends[n].size() == 1) mates.cut_tail(ends[n][0], ends, speck_px);
+  }
+  mates.close_gaps(ends);
   std::vector<Chain> chains;
   std::vector<std::uint8_t> chained(graph.arcs.size(), 0);
   for (int a = 0; a < static_cast<int>(graph.arcs.size()); ++a) {

@@ -31,18 +31,19 @@ double line_width(const GraphArc& arc, const std::vector<double>& width_scale,
   return width * hidden * scale_of(width_scale, arc.object);
 }
 
-// The points of the chain's arcs, the shared ones at nodes once.
+// The points of the chain's arcs, those that arcs share at a node once.
 std::vector<StrokePoint> points_of(const LabelledGraph& graph, const Chain& chain, double width) {
   std::vector<StrokePoint> points;
   for (std::size_t i = 0; i < chain.arcs.size(); ++i) {
     const Span<const CurvePoint> curve = graph.points[idx(chain.arcs[i])];
     const Span<const Vec2> image = graph.image[idx(chain.arcs[i])];
-    for (std::size_t k = i == 0 ? 0 : 1; k < curve.size(); ++k) {
+    for (std::size_t k = 0; k < curve.size(); ++k) {
       const std::size_t p = chain.reversed[i] ? curve.size() - 1 - k : k;
-      points.push_back({curve[p].position, curve[p].on, image[p], width});
+      const bool is_shared = i > 0 && k == 0 && points.back().image == image[p];
+      if (!is_shared) points.push_back({curve[p].position, curve[p].on, image[p], width});
     }
   }
-  const bool repeats_first = chain.closed && graph.arcs[idx(chain.arcs[0])].start_node != none;
+  const bool repeats_first = chain.closed && points.front().image == points.back().image;
   if (repeats_first) points.pop_back();
   return points;
 }
@@ -57,7 +58,7 @@ std::vector<Stroke> line_strokes(const LabelledGraph& graph, const std::vector<d
                                  const StrokeOptions& options) {
   const std::vector<std::uint8_t> drawn = drawn_arcs(graph, undrawn, options);
   const Ragged<ArcEnd> ends = ends_at_nodes(graph, drawn);
-  const std::vector<Chain> chains = chain_arcs(graph, drawn, ends);
+  const std::vector<Chain> chains = chain_arcs(graph, drawn, ends, options.speck_px);
   const auto kept = chains_without_specks(graph, chains, ends, options.speck_px);
   std::vector<Stroke> strokes;
   for (std::size_t c = 0; c < chains.size(); ++c) {
@@ -74,25 +75,36 @@ std::vector<Stroke> line_strokes(const LabelledGraph& graph, const std::vector<d
   return strokes;
 }
 
+// How much thicker (1, in the dark) or thinner (-1, at the highlights) than usual a hatch is: it
+// changes evenly with the light within either level, and is 0 where shadow and midtone meet.
+double swelling(double light, const ToneMap& tone) {
+  const double shadow = tone.shadow_threshold, highlight = tone.highlight_threshold;
+  if (light <= shadow) return shadow > 0 ? 1 - light / shadow : 1;
+  return highlight > shadow ? -std::min(1.0, (light - shadow) / (highlight - shadow)) : -1;
+}
+
 // Width by light; where the tone map sees nothing, the light of the point before counts on.
+// Undercuts, which are to be dark, do not thin out in the light.
 class HatchWidth {
  public:
-  HatchWidth(const ToneMap& tone, double width, double by_light)
-      : tone_(tone), width_(width), by_light_(by_light) {}
+  HatchWidth(const ToneMap& tone, double width, double by_light, Kind kind)
+      : tone_(tone), width_(width), by_light_(by_light), least_(kind == Kind::undercut ? 0 : -1) {}
 
   double operator()(const Vec2& image) {
     const int cell = tone_.cell_of(image);
     if (cell != none && tone_.level[idx(cell)] != Tone::nothing) {
-      light_ = static_cast<double>(tone_.brightness[idx(cell)]);
+      swelling_ =
+          std::max(least_, swelling(static_cast<double>(tone_.brightness[idx(cell)]), tone_));
     }
-    return width_ * (1 + by_light_ * (1 - 2 * light_));
+    return width_ * (1 + by_light_ * swelling_);
   }
 
  private:
   const ToneMap& tone_;
   double width_;
   double by_light_;
-  double light_ = 0.5;
+  double least_;
+  double swelling_ = 0;
 };
 
 std::vector<Stroke> hatch_strokes(const Hatches& hatches, const ToneMap& tone,
@@ -101,7 +113,7 @@ std::vector<Stroke> hatch_strokes(const Hatches& hatches, const ToneMap& tone,
   std::vector<Stroke> strokes;
   for (std::size_t h = 0; h < hatches.curves.size(); ++h) {
     const double width = options.hatch_width_px * scale_of(width_scale, hatches.objects[h]);
-    HatchWidth width_at(tone, width, options.hatch_width_by_light);
+    HatchWidth width_at(tone, width, options.hatch_width_by_light, hatches.kinds[h]);
     StrokePath path;
     path.free_start = path.free_end = true;
     for (const HatchPoint& p : hatches.curves[h]) {

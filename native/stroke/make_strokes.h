@@ -20,9 +20,9 @@ namespace illustrate {
 struct StrokeOptions {
   double line_width_px = 2.0;     // silhouettes, boundaries
   double feature_width_px = 1.4;  // all other lines
-  double hatch_width_px = 1.0;    // where the light is middling
+  double hatch_width_px = 1.0;    // at the border of shadow and midtone
   double hatch_width_by_light =
-      0.4;  // share by which hatches swell in the dark and thin in the light
+      0.4;  // share by which hatches swell towards the dark and thin towards highlights
   double hidden_width_scale = 0.5;
   double taper_px =
       6;  // length over which open ends thin out, for hatches and lines that end freely

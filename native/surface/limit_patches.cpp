@@ -24,8 +24,8 @@ constexpr int patch_level_smooth = 7, patch_level_sharp = 10;
 constexpr int most_edges = 100;
 
 // What is kept for good of one mesh; beyond, only what was asked for last. All of a scan of 100,000
-// irregular faces would take three times as much.
-constexpr std::size_t most_kept_bytes = std::size_t{256} << 20;
+// irregular faces would take five times as much.
+constexpr std::size_t most_kept_bytes = std::size_t{160} << 20;
 constexpr int recent_faces = 256;
 // Of trees that wait for other faces of the same kind. Where every edge is semi-sharp in its own
 // way each face has one of its own, of about a megabyte.

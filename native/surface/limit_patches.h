@@ -1,5 +1,5 @@
 // The limit surface of one subdivided mesh, piece by piece (paper section 3): the patches of a face
-// are made when it is first asked for, and kept, up to 256 MB. What faces of the same kind share is
+// are made when it is first asked for, and kept, up to 160 MB. What faces of the same kind share is
 // kept with them, and up to 128 MB more of it for faces to come.
 //
 // Regular faces without creases are one polynomial. Others are OpenSubdiv's adaptive patches (Bfr),

@@ -25,4 +25,13 @@ SurfacePoint locate(const Surface& surface, int triangle, const Vec3& p) {
   return {triangle, weights.x(), weights.y()};
 }
 
+bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, double& f,
+                    double& h) {
+  const double determinant = cross(b - a, d - c);
+  if (determinant == 0) return false;
+  f = cross(c - a, d - c) / determinant;
+  h = cross(c - a, b - a) / determinant;
+  return f >= 0 && f < 1 && h >= 0 && h < 1;
+}
+
 }  // namespace illustrate

@@ -12,6 +12,10 @@ Vec2 barycentrics(const Surface& surface, int triangle, const Vec3& p);
 // At `fraction` of the edge from `corner` to the next one.
 SurfacePoint on_edge(int triangle, int corner, double fraction);
 
+// Whether the segments a b and c d of a plane cross, at f and h of their ways, each in [0, 1).
+bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, double& f,
+                    double& h);
+
 // The same as `barycentrics`, as a SurfacePoint.
 SurfacePoint locate(const Surface& surface, int triangle, const Vec3& p);
 

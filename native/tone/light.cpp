@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/errors.h"
+#include "tone/area_light.h"
 
 namespace illustrate {
 namespace {
@@ -14,12 +15,26 @@ Vec3 unit(const Vec3& v) {
   return length > 0 ? Vec3(v / length) : Vec3::Zero();
 }
 
+bool has_place(LightKind kind) {
+  return kind == LightKind::point || kind == LightKind::spot || kind == LightKind::area;
+}
+
+// What of its light a spot sends at a cosine from its axis: the cosine itself, which fades smoothly
+// towards the edge of the cone.
+double spot_lobe(const Light& light, double cosine) {
+  const double edge = std::cos(light.angle_rad);
+  if (!(cosine >= edge)) return 0;
+  const double fade = (1 - edge) * light.blend;
+  const double t = fade > 0 ? std::min(1.0, (cosine - edge) / fade) : 1;
+  return std::max(0.0, cosine) * t * t * (3 - 2 * t);
+}
+
 // What of its light a lamp sends along `ray`, a unit vector away from the lamp.
 double lobe(const Light& light, const Vec3& ray) {
   const double cosine = unit(light.direction).dot(ray);
   switch (light.kind) {
     case LightKind::spot:
-      return cosine >= std::cos(light.angle_rad) ? std::max(0.0, cosine) : 0;
+      return spot_lobe(light, cosine);
     case LightKind::area:
       return std::max(0.0, cosine);
     default:
@@ -27,24 +42,48 @@ double lobe(const Light& light, const Vec3& ray) {
   }
 }
 
-double received(const Light& light, const Vec3& position, const Vec3& normal, const Vec3& to_eye) {
-  switch (light.kind) {
-    case LightKind::head:
-      return light.strength * std::max(0.0, normal.dot(to_eye));
-    case LightKind::sun:
-      return light.strength * std::max(0.0, normal.dot(unit(light.vector)));
-    default:
-      break;
+// Closer than this share of its distance of full strength a lamp grows no stronger.
+constexpr double least_distance = 1e-6;
+
+double from_lamp(const Light& light, const Vec3& position, const Vec3& normal) {
+  const Vec3 to_lamp = light.vector - position;
+  const double distance = to_lamp.stableNorm(), full = light.falloff_distance;
+  if (light.kind == LightKind::area && light.has_extent()) {
+    const double scale = full > 0 ? full : distance;
+    return light.strength * scale * scale * mean_form_factor(light, position, normal);
   }
-  const Vec3 to_light = unit(light.vector - position);
-  return light.strength * std::max(0.0, normal.dot(to_light)) * lobe(light, -to_light);
+  const Vec3 towards = unit(to_lamp);
+  const double share = full > 0 ? full / std::max(distance, least_distance * full) : 1;
+  return light.strength * share * share * std::max(0.0, normal.dot(towards)) *
+         lobe(light, -towards);
+}
+
+void validate_lobe(const Light& light, const std::string& name) {
+  if (light.direction.isZero(0)) throw InvalidInput(name + "direction must not be zero");
+  if (light.kind != LightKind::spot) return;
+  if (!(light.angle_rad > 0 && light.angle_rad <= 3.2)) {
+    throw InvalidInput(name + "angle_rad must be the half angle of the cone, in (0, pi]");
+  }
+  if (!(light.blend >= 0 && light.blend <= 1)) {
+    throw InvalidInput(name + "blend must be in [0, 1]");
+  }
+}
+
+void validate_extent(const Light& light, const std::string& name) {
+  if (!light.edge_u.allFinite() || !light.edge_v.allFinite()) {
+    throw InvalidInput(name + "edges must be finite");
+  }
+  const double area = light.edge_u.cross(light.edge_v).norm();
+  if (light.has_extent() && !(area > 0 && std::isfinite(area))) {
+    throw InvalidInput(name + "edges must span a rectangle; both zero for a lamp without extent");
+  }
 }
 
 }  // namespace
 
 void validate(const Light& light, std::size_t index) {
   const std::string name = "lights[" + std::to_string(index) + "].";
-  if (static_cast<int>(light.kind) > static_cast<int>(LightKind::area)) {
+  if (static_cast<int>(light.kind) > static_cast<int>(LightKind::side)) {
     throw InvalidInput(name + "kind is unknown");
   }
   if (!light.vector.allFinite()) throw InvalidInput(name + "vector must be finite");
@@ -52,16 +91,31 @@ void validate(const Light& light, std::size_t index) {
   if (!(light.strength >= 0) || !std::isfinite(light.strength)) {
     throw InvalidInput(name + "strength must be finite and at least 0");
   }
-  const bool has_lobe = light.kind == LightKind::spot || light.kind == LightKind::area;
-  if (light.kind == LightKind::sun && light.vector.isZero(0)) {
-    throw InvalidInput(name + "vector must point towards the sun, it is zero");
+  if (!(light.falloff_distance >= 0) || !std::isfinite(light.falloff_distance)) {
+    throw InvalidInput(name + "falloff_distance must be finite and at least 0");
   }
-  if (has_lobe && light.direction.isZero(0)) {
-    throw InvalidInput(name + "direction must not be zero");
+  const bool is_directed = light.kind == LightKind::sun || light.kind == LightKind::side;
+  if (is_directed && light.vector.isZero(0)) {
+    throw InvalidInput(name + "vector must point towards the light, it is zero");
   }
-  if (light.kind == LightKind::spot && !(light.angle_rad > 0 && light.angle_rad <= 3.2)) {
-    throw InvalidInput(name + "angle_rad must be the half angle of the cone, in (0, pi]");
+  if (light.kind == LightKind::spot || light.kind == LightKind::area) validate_lobe(light, name);
+  if (light.kind == LightKind::area) validate_extent(light, name);
+}
+
+Vec3 side_direction(const Light& light, const Camera& camera) {
+  return unit(camera.view().topLeftCorner<3, 3>().transpose() * light.vector);
+}
+
+double received(const Light& light, const Camera& camera, const Vec3& position,
+                const Vec3& normal) {
+  if (has_place(light.kind)) {
+    const double light_there = from_lamp(light, position, normal);
+    return std::isfinite(light_there) ? light_there : 0;
   }
+  const Vec3 towards = light.kind == LightKind::head   ? unit(camera.to_eye(position))
+                       : light.kind == LightKind::side ? side_direction(light, camera)
+                                                       : unit(light.vector);
+  return light.strength * std::max(0.0, normal.dot(towards));
 }
 
 double brightness(const std::vector<Light>& lights, const Camera& camera, const Vec3& position,
@@ -70,7 +124,7 @@ double brightness(const std::vector<Light>& lights, const Camera& camera, const 
   const Vec3 n = normal.dot(to_eye) < 0 ? Vec3(-normal) : normal;
   if (lights.empty()) return std::min(1.0, std::max(0.0, n.dot(to_eye)));
   double sum = 0;
-  for (const Light& light : lights) sum += received(light, position, n, to_eye);
+  for (const Light& light : lights) sum += received(light, camera, position, n);
   return std::min(1.0, sum);
 }
 

@@ -5,22 +5,41 @@
 
 namespace illustrate {
 
-enum class LightKind : std::uint8_t { head, sun, point, spot, area };
+enum class LightKind : std::uint8_t { head, sun, point, spot, area, side };
 
 struct Light {
   LightKind kind = LightKind::head;
-  Vec3 vector = Vec3::Zero();  // sun: direction towards the light; point, spot, area: position
+  // sun: direction towards the light, world; side: the same as the viewer sees it (right, up,
+  // towards the viewer); point, spot, area: position.
+  Vec3 vector = Vec3::Zero();
   double strength = 1;
   Vec3 direction = -Vec3::UnitZ();  // spot, area: where it shines
   double angle_rad = 0;             // spot: half angle of its cone
+  double blend = 0;                 // spot: share of the cone over which it fades, [0, 1]
+  // point, spot, area: the distance at which it is as strong as `strength`, which falls with the
+  // square of the distance; 0: as strong everywhere.
+  double falloff_distance = 0;
+  Vec3 edge_u = Vec3::Zero();  // area: sides of its rectangle, centred at its position; both zero:
+  Vec3 edge_v = Vec3::Zero();  // no larger than a point
+  bool ellipse = false;        // area: the ellipse that touches the rectangle's sides instead
+  bool casts_shadows = true;   // where shadows are asked for
+
+  bool has_extent() const { return !edge_u.isZero(0) || !edge_v.isZero(0); }
 };
 
 // Throws InvalidInput naming the field of light `index`.
 void validate(const Light& light, std::size_t index);
 
-// min(1, sum of strength * max(0, n . l)), n turned to the eye, spot and area times their cosine
-// lobe, no fall-off with distance. No lights: one headlight.
+// What one light gives to a point, unless something is between them: strength * max(0, n . l), of
+// spots and areas times the cosine at the lamp; of areas with an extent summed over it, exactly.
+// `normal`: unit, turned to the eye.
+double received(const Light& light, const Camera& camera, const Vec3& position, const Vec3& normal);
+
+// min(1, sum of what is received), `normal` of either side. No lights: one headlight.
 double brightness(const std::vector<Light>& lights, const Camera& camera, const Vec3& position,
                   const Vec3& normal);
+
+// World direction towards a side light.
+Vec3 side_direction(const Light& light, const Camera& camera);
 
 }  // namespace illustrate

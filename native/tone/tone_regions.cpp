@@ -1,10 +1,13 @@
 #include "tone/tone_regions.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/errors.h"
 #include "core/parallel.h"
 #include "tone/bands.h"
+#include "tone/levels.h"
+#include "tone/shadows.h"
 
 namespace illustrate {
 namespace {
@@ -13,9 +16,98 @@ void require(bool good, const char* message) {
   if (!good) throw InvalidInput(message);
 }
 
-Tone level_of(double light, const ToneOptions& options) {
-  if (light > options.highlight_threshold) return Tone::highlight;
-  return light <= options.shadow_threshold ? Tone::shadow : Tone::midtone;
+bool is_share(const std::optional<double>& share) { return !share || (*share >= 0 && *share <= 1); }
+
+// The light at the visible cells.
+class Illumination {
+ public:
+  Illumination(const Surface& surface, const VisibleImage& visible, const Camera& camera,
+               const std::vector<Light>& lights, const Bvh* casters)
+      : surface_(surface),
+        visible_(visible),
+        camera_(camera),
+        lights_(lights.empty() ? std::vector<Light>{Light{}} : lights),
+        casters_(casters),
+        map_(image_map(camera)) {}
+
+  double at(std::size_t cell) const {
+    const auto row = cell / std::size_t(visible_.width),
+               column = cell % std::size_t(visible_.width);
+    const Vec2 centre = Vec2(double(column) + 0.5, double(row) + 0.5) * visible_.cell_px;
+    const SurfacePoint on = surface_point_under(surface_, map_, visible_.triangle[cell], centre);
+    const Vec3 position = position_at(surface_, on);
+    Vec3 normal = normal_at(surface_, on);
+    if (normal.dot(camera_.to_eye(position)) < 0) normal = -normal;
+    double sum = 0;
+    for (const Light& light : lights_) {
+      const double share = received(light, camera_, position, normal);
+      if (!(share > 0)) continue;
+      sum += share * reaching(light, on, normal);
+    }
+    return sum;
+  }
+
+ private:
+  double reaching(const Light& light, const SurfacePoint& on, const Vec3& normal) const {
+    if (!casters_ || !light.casts_shadows) return 1;
+    return share_reaching(light, camera_, *casters_, shadow_origin(surface_, on, normal), normal);
+  }
+
+  const Surface& surface_;
+  const VisibleImage& visible_;
+  const Camera& camera_;
+  const std::vector<Light> lights_;
+  const Bvh* casters_;
+  const ImageMap map_;
+};
+
+Tone level_of(double light, const Thresholds& thresholds) {
+  if (light > thresholds.highlight) return Tone::highlight;
+  return light <= thresholds.shadow ? Tone::shadow : Tone::midtone;
+}
+
+std::uint8_t extra_level(double light, const Thresholds& thresholds) {
+  const auto& extra = thresholds.extra;
+  return static_cast<std::uint8_t>(
+      std::count_if(extra.begin(), extra.end(), [&](double t) { return light <= t; }));
+}
+
+// The light of all visible cells whose objects are hatched, in order.
+std::vector<double> counted_light(const Surface& surface, const VisibleImage& visible,
+                                  const std::vector<double>& light,
+                                  const std::vector<std::uint8_t>& unhatched) {
+  std::vector<double> counted;
+  for (std::size_t cell = 0; cell < light.size(); ++cell) {
+    const int triangle = visible.triangle[cell];
+    if (triangle == none) continue;
+    if (!unhatched.empty() && unhatched[idx(surface.triangle_objects[idx(triangle)])]) continue;
+    counted.push_back(light[cell]);
+  }
+  return counted;
+}
+
+ToneMap levels_of(const VisibleImage& visible, const std::vector<double>& light,
+                  const Thresholds& thresholds, const ToneOptions& options) {
+  const std::size_t cells = light.size();
+  ToneMap tone;
+  tone.width = visible.width;
+  tone.height = visible.height;
+  tone.cell_px = visible.cell_px;
+  tone.highlight_threshold = std::min(thresholds.highlight, 1.0);
+  tone.shadow_threshold = std::clamp(thresholds.shadow, 0.0, 1.0);
+  tone.level.assign(cells, Tone::nothing);
+  tone.band.assign(cells, Band::nothing);
+  tone.brightness.assign(cells, 0);
+  if (options.extra_levels > 0) tone.extra.assign(cells, 0);
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    if (visible.triangle[cell] == none) continue;
+    tone.level[cell] = level_of(light[cell], thresholds);
+    tone.brightness[cell] = static_cast<float>(std::min(1.0, light[cell]));
+    if (tone.level[cell] == Tone::shadow && !tone.extra.empty()) {
+      tone.extra[cell] = extra_level(light[cell], thresholds);
+    }
+  }
+  return tone;
 }
 
 }  // namespace
@@ -23,6 +115,11 @@ Tone level_of(double light, const ToneOptions& options) {
 void validate(const ToneOptions& options) {
   require(std::isfinite(options.highlight_threshold), "highlight_threshold must be finite");
   require(std::isfinite(options.shadow_threshold), "shadow_threshold must be finite");
+  require(is_share(options.highlight_share), "highlight_share must be in [0, 1], or none");
+  require(is_share(options.shadow_share), "shadow_share must be in [0, 1], or none");
+  require(options.highlight_share.value_or(0) + options.shadow_share.value_or(0) <= 1 + 1e-9,
+          "highlight_share and shadow_share must be at most 1 together");
+  require(options.extra_levels >= 0 && options.extra_levels <= 3, "extra_levels must be in [0, 3]");
   require(options.mach_band_px >= 0 && options.mach_band_px <= 100,
           "mach_band_px must be in [0, 100]");
   require(options.undercut_px >= 0 && options.undercut_px <= 100,
@@ -38,38 +135,43 @@ int ToneMap::cell_of(const Vec2& image) const {
 ToneMap tone_regions(const Surface& surface, const VisibleImage& visible,
                      const LabelledGraph& graph, const Camera& camera,
                      const std::vector<Light>& lights, const ToneOptions& options,
+                     const Bvh* casters, const std::vector<std::uint8_t>& unhatched,
                      const Progress& progress) {
   validate(options);
   for (std::size_t i = 0; i < lights.size(); ++i) validate(lights[i], i);
+  require(casters || !options.cast_shadows, "cast_shadows needs what casts them");
   progress.report(0);
-  const std::size_t cells = visible.triangle.size();
-  ToneMap tone;
-  tone.width = visible.width;
-  tone.height = visible.height;
-  tone.cell_px = visible.cell_px;
-  tone.level.assign(cells, Tone::nothing);
-  tone.band.assign(cells, Band::nothing);
-  tone.brightness.assign(cells, 0);
-
-  const ImageMap map = image_map(camera);
-  parallel_for(cells, options.threads, [&](std::size_t begin, std::size_t end) {
+  const Illumination illumination(surface, visible, camera, lights,
+                                  options.cast_shadows ? casters : nullptr);
+  std::vector<double> light(visible.triangle.size(), 0);
+  parallel_for(light.size(), options.threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t cell = begin; cell < end; ++cell) {
-      if (visible.triangle[cell] == none) continue;
-      const auto row = cell / visible.width, column = cell % visible.width;
-      const Vec2 centre = Vec2(double(column) + 0.5, double(row) + 0.5) * visible.cell_px;
-      const SurfacePoint at = surface_point_under(surface, map, visible.triangle[cell], centre);
-      const double light =
-          brightness(lights, camera, position_at(surface, at), normal_at(surface, at));
-      tone.level[cell] = level_of(light, options);
-      tone.brightness[cell] = static_cast<float>(light);
+      if (visible.triangle[cell] != none) light[cell] = illumination.at(cell);
     }
   });
   progress.report(0.7);
+  const bool by_share = options.highlight_share || options.shadow_share;
+  const Thresholds thresholds =
+      find_thresholds(options, by_share ? counted_light(surface, visible, light, unhatched)
+                                        : std::vector<double>{});
+  ToneMap tone = levels_of(visible, light, thresholds, options);
   if (options.mach_bands || options.undercuts) {
     mark_bands(surface, visible, graph, camera, options, tone.band);
   }
   progress.report(1);
   return tone;
+}
+
+ToneMap extra_tones(const ToneMap& tone) {
+  ToneMap extra = tone;
+  extra.extra.clear();
+  for (std::size_t cell = 0; cell < tone.level.size(); ++cell) {
+    const int level = tone.extra.empty() ? 0 : tone.extra[cell];
+    const bool is_hatched = level > 0 && tone.band[cell] != Band::mach_band;
+    extra.band[cell] = is_hatched && level == 3 ? Band::undercut : Band::nothing;
+    extra.level[cell] = !is_hatched ? Tone::nothing : level == 1 ? Tone::midtone : Tone::shadow;
+  }
+  return extra;
 }
 
 }  // namespace illustrate

@@ -5,7 +5,10 @@
 // and a wider one beyond it an undercut (densely cross-hatched, also in a highlight).
 #pragma once
 
+#include <optional>
+
 #include "core/progress.h"
+#include "mesh/bvh.h"
 #include "tone/light.h"
 #include "tone/visible_image.h"
 #include "visibility/labelled_graph.h"
@@ -15,10 +18,15 @@ namespace illustrate {
 struct ToneOptions {
   double highlight_threshold = 0.8;  // brightness above: highlight, no hatching
   double shadow_threshold = 0.4;     // at or below: shadow, two directions; else midtone, one
+  // In place of a threshold: the share of the visible area that is to be highlight, or shadow; in
+  // [0, 1], together at most 1.
+  std::optional<double> highlight_share, shadow_share;
+  int extra_levels = 0;       // into which shadows are divided further, [0, 3]
+  bool cast_shadows = false;  // whether surfaces keep the light from others
   bool mach_bands = true;
   bool undercuts = true;
-  double mach_band_px = 4;  // in [0, 100]
-  double undercut_px = 10;  // in [0, 100]
+  double mach_band_px = 6;  // in [0, 100]
+  double undercut_px = 14;  // in [0, 100]
   int threads = 0;
 };
 void validate(const ToneOptions& options);  // throws InvalidInput naming the field
@@ -32,15 +40,26 @@ struct ToneMap {
   double cell_px = 1;
   std::vector<Tone> level;  // (height * width)
   std::vector<Band> band;
-  std::vector<float> brightness;  // 0 where nothing is seen
+  std::vector<float> brightness;    // 0 where nothing is seen
+  std::vector<std::uint8_t> extra;  // 1 to extra_levels in the deeper shadows; empty without them
+  // What divides the levels, as used.
+  double highlight_threshold = 0.8;
+  double shadow_threshold = 0.4;
 
   // Cell of an image point, none outside the frame.
   int cell_of(const Vec2& image) const;
 };
 
+// `casters`: what casts shadows, needed where the options ask for them. `unhatched`: objects whose
+// area does not count towards the shares, empty: none.
 ToneMap tone_regions(const Surface& surface, const VisibleImage& visible,
                      const LabelledGraph& graph, const Camera& camera,
                      const std::vector<Light>& lights, const ToneOptions& options,
+                     const Bvh* casters = nullptr, const std::vector<std::uint8_t>& unhatched = {},
                      const Progress& progress = {});
+
+// The extra levels of a map as levels of their own: the first as midtone, the second as shadow, the
+// third as undercut, and nothing elsewhere.
+ToneMap extra_tones(const ToneMap& tone);
 
 }  // namespace illustrate

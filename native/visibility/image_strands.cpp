@@ -27,6 +27,25 @@ void share_node_ids(const CurveNetwork& network, std::vector<GridPoint>& grid) {
   }
 }
 
+// Consecutive points at one place of the grid become one point, that of the strand's end there if
+// there is one: a segment of no length would cross others at the whim of the perturbation.
+void merge_coincident(const CurveNetwork& network, std::vector<GridPoint>& grid) {
+  const auto follow = [&](std::size_t i, std::size_t neighbour) {
+    const bool same = grid[i].x == grid[neighbour].x && grid[i].y == grid[neighbour].y;
+    if (same) grid[i].id = grid[neighbour].id;
+    return same;
+  };
+  for (std::size_t s = 0; s < network.strands.size(); ++s) {
+    const std::size_t begin = idx(network.points.offsets[s]);
+    const std::size_t end = idx(network.points.offsets[s + 1]);
+    if (end - begin < 2) continue;
+    const bool closed = network.strands[s].closed();
+    for (std::size_t i = begin + 1; i + (closed ? 0 : 1) < end; ++i) follow(i, i - 1);
+    std::size_t next = closed ? begin : end - 1;
+    for (std::size_t i = closed ? end - 1 : end - 2; i > begin && follow(i, next); --i) next = i;
+  }
+}
+
 }  // namespace
 
 ImageStrands project_strands(const CurveNetwork& network, const Camera& camera) {
@@ -42,6 +61,7 @@ ImageStrands project_strands(const CurveNetwork& network, const Camera& camera) 
     result.grid.push_back({to_grid(xy.x()), -to_grid(xy.y()), id});
   }
   share_node_ids(network, result.grid);
+  merge_coincident(network, result.grid);
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "visibility/bases.h"
 #include "visibility/build_graph.h"
 #include "visibility/labels.h"
 #include "visibility/repairs.h"
@@ -10,9 +11,8 @@ namespace illustrate {
 namespace {
 
 std::int64_t count_unbalanced(const Arrangement& arrangement) {
-  return std::count_if(arrangement.paths.begin(), arrangement.paths.end(), [&](const Path& path) {
-    return path.cyclic && relative_labels(arrangement, path).residual != 0;
-  });
+  return std::count_if(arrangement.paths.begin(), arrangement.paths.end(),
+                       [&](const Path& path) { return imbalance(arrangement, path) != 0; });
 }
 
 std::int64_t count_breaks(const std::vector<LabelledPath>& labels) {
@@ -44,9 +44,9 @@ class ConsistentLabels {
 
   // Ends, since every round takes at least one crossing or cusp away.
   std::vector<LabelledPath> run(const Progress& progress) {
-    if (arrangement_.crossings.size() > crowd) demote_all();
     labels_.resize(arrangement_.paths.size());
     changed_.assign(labels_.size(), 1);
+    if (arrangement_.crossings.size() > crowd) demote_all();
     for (;; ++round_) {
       label_changed(progress);
       if (!repair_crossings() && !free_broken_places()) return std::move(labels_);
@@ -70,8 +70,7 @@ class ConsistentLabels {
   // Where other bases help, paths get them; crossings that contradict each other still go with
   // their lens, or else become joints of their back strand: the front strand runs on.
   bool repair_crossings() {
-    settle_bases(arrangement_, labels_);
-    const std::vector<int> wrong = contradictions(arrangement_, labels_);
+    const std::vector<int> wrong = settle_bases(arrangement_, labels_);
     if (wrong.empty()) return false;
     const std::vector<CrossingState> before = arrangement_.states;
     if (drop_lenses(arrangement_, wrong, moved_px_) == 0) {
@@ -82,12 +81,10 @@ class ConsistentLabels {
   }
 
   void demote_all() {
-    for (CrossingState& state : arrangement_.states) {
-      if (state != CrossingState::live) continue;
-      state = CrossingState::demoted;
-      ++repairs_;
-    }
-    arrangement_.forget_visits();
+    const std::vector<CrossingState> before = arrangement_.states;
+    std::replace(arrangement_.states.begin(), arrangement_.states.end(), CrossingState::live,
+                 CrossingState::demoted);
+    note_changes(before);
   }
 
   // In the end, with all that its back path passes behind.
@@ -165,6 +162,8 @@ LabelledGraph label_network(const CurveNetwork& network, const Surface& surface,
   Arrangement arrangement = arrange(network, camera);
   progress.report(0.3);
   double moved_px = 0;
+  const int touches = drop_touches(arrangement, moved_px);
+  counts["dropped_touches"] += touches;
   int repairs = drop_twists_and_lenses(arrangement, moved_px);
   counts["repaired_twists"] += repairs;
   const std::int64_t unbalanced = count_unbalanced(arrangement);
@@ -183,8 +182,9 @@ LabelledGraph label_network(const CurveNetwork& network, const Surface& surface,
                                    [](const Path& path) { return path.cyclic; });
   counts["unbalanced_loops"] += unbalanced;
   counts["repaired_crossings"] += consistent.repairs();
-  counts["repaired_breaks"] += count_breaks(labels);
-  counts["repairs"] += repairs + consistent.repairs() + count_breaks(labels);
+  const std::int64_t breaks = count_breaks(labels);
+  counts["repaired_breaks"] += breaks;
+  counts["repairs"] += repairs + consistent.repairs() + breaks;
   return graph;
 }
 

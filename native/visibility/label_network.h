@@ -21,7 +21,8 @@
 namespace illustrate {
 
 // Adds "crossings", "rays", "loops", "unbalanced_loops", "repairs" to `counts`, the repairs by kind
-// too: "repaired_twists", "repaired_swallowtails", "repaired_crossings", "repaired_breaks".
+// too: "repaired_twists", "repaired_swallowtails", "repaired_crossings", "repaired_breaks"; and
+// "dropped_touches" apart: crossings next to joints that are no crossings (repairs.h).
 LabelledGraph label_network(const CurveNetwork& network, const Surface& surface, const Bvh& bvh,
                             const Camera& camera, Counts& counts, const Progress& progress = {});
 

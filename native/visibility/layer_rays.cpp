@@ -6,10 +6,12 @@ namespace illustrate {
 namespace {
 
 // How far beside a fold rays start. The interpolated contour of a rim narrower than the triangles
-// runs up to a pixel inside their outline, so the farther ray may find fewer layers.
+// runs up to a pixel inside their outline; the farther ray then finds fewer layers, in front and
+// behind. Fewer in front alone: another curve runs between.
 constexpr std::array<double, 2> asides_px{0.7, 2.0};
 constexpr double blind_px = 3;     // hits nearer than this are the curve's own surface
-constexpr double blind_edges = 3;  // the same in edges of the curve's triangle, for silhouettes
+constexpr double blind_edges = 3;  // so may those be that are nearer than so many edges of the
+                                   // curve's triangle, for silhouettes
 constexpr double blind_diagonals = 0.01;  // and never more than this share of everything's diagonal
 
 double longest_edge(const Surface& surface, int triangle) {
@@ -47,9 +49,14 @@ LayerCount LayerRays::count_from(const Vec3& origin, double blind) {
   hits_.clear();
   bvh_.hits(origin, towards, -2 * surface_.diagonal / length, camera_.ray_end(origin), hits_);
   ++rays_;
-  const auto in_front = std::count_if(
-      hits_.begin(), hits_.end(), [&](const RayHit& hit) { return hit.distance > blind / length; });
-  return {static_cast<int>(in_front), hits_.empty()};
+  const auto farther_than = [&](double distance) {
+    return static_cast<int>(std::count_if(hits_.begin(), hits_.end(), [&](const RayHit& hit) {
+      return hit.distance > distance / length;
+    }));
+  };
+  const int layers = farther_than(blind);
+  const int unsure = farther_than(blind_px * camera_.pixel_size(origin)) - layers;
+  return {layers, std::max(unsure, 0), static_cast<int>(hits_.size()) - layers, hits_.empty()};
 }
 
 LayerCount LayerRays::count(const Arrangement& arrangement, const StrandPlace& place) {
@@ -59,12 +66,16 @@ LayerCount LayerRays::count(const Arrangement& arrangement, const StrandPlace& p
   const std::size_t j = arrangement.point(place.strand, place.segment + 1);
   const Vec3 p = arrangement.world_at(place);
   const double blind = blind_distance(strand, network.points.values[i].on.triangle, p);
-  if (strand.left_layers == strand.right_layers) return {count_from(p, blind).layers, false};
+  if (strand.left_layers == strand.right_layers) {
+    const LayerCount on_curve = count_from(p, blind);
+    return {on_curve.layers, on_curve.unsure, on_curve.behind, false};
+  }
   const Vec2 along = arrangement.image.image[j] - arrangement.image.image[i];
   const LayerCount near = count_from(beside(p, along, asides_px[0]), blind);
   if (near.layers == 0) return near;
   const LayerCount far = count_from(beside(p, along, asides_px[1]), blind);
-  return far.layers < near.layers ? far : near;
+  const bool leaves_own_rim = far.layers < near.layers && near.behind > far.behind;
+  return leaves_own_rim ? far : near;
 }
 
 }  // namespace illustrate

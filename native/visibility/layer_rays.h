@@ -9,8 +9,9 @@ namespace illustrate {
 
 struct LayerCount {
   int layers;
-  bool beside_nothing;  // the line of sight beside the curve meets no surface at all, before or
-                        // behind
+  int unsure;           // more that are too near to be told from the curve's own surface
+  int behind;           // all hits of the line of sight but the layers
+  bool beside_nothing;  // the line of sight meets no surface at all
 };
 
 class LayerRays {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace illustrate {
 namespace {
@@ -13,6 +14,7 @@ constexpr double row_px = 0.5;
 constexpr int most_rows = 8192;  // a drawing that reaches far out of the frame gets wider rows
 constexpr double clear_px =
     0.05;  // nearer curves on a scan line are one line: neither is certain to be first
+constexpr int finer_rows = 16;  // in a row where they are
 
 // The nearest two curves to one end of a scan line.
 struct RowEnd {
@@ -36,33 +38,72 @@ struct RowEnd {
 struct Segment {
   int strand;
   int index;
-  Vec2 a;
-  Vec2 b;
+  int a;  // its two points among all points
+  int b;
 };
 
-std::vector<Segment> image_segments(const CurveNetwork& network, const ImageStrands& strands) {
+std::vector<Segment> all_segments(const CurveNetwork& network) {
   std::vector<Segment> result;
+  result.reserve(network.points.values.size());
   for (std::size_t s = 0; s < network.strands.size(); ++s) {
-    const int begin = network.points.offsets[s];
-    const int count = network.points.offsets[s + 1] - begin;
-    const int last = network.strands[s].closed() ? count : count - 1;
-    for (int i = 0; i < last; ++i) {
-      result.push_back({static_cast<int>(s), i, strands.image[idx(begin + i)],
-                        strands.image[idx(begin + (i + 1) % count)]});
-    }
+    const int begin = network.points.offsets[s], end = network.points.offsets[s + 1];
+    const int strand = static_cast<int>(s);
+    for (int p = begin; p + 1 < end; ++p) result.push_back({strand, p - begin, p, p + 1});
+    if (network.strands[s].closed()) result.push_back({strand, end - 1 - begin, end - 1, begin});
   }
   return result;
 }
 
 class OutlineScan {
  public:
-  explicit OutlineScan(const std::vector<Segment>& segments)
-      : segments_(segments), hits_(segments.size(), -1) {}
+  OutlineScan(const std::vector<Segment>& segments, const std::vector<Vec2>& points)
+      : segments_(segments),
+        points_(points),
+        rows_(points.size()),
+        next_line_(points.size()),
+        hits_(segments.size(), -1) {}
 
   void scan(double angle) {
     across_ = Vec2(std::cos(angle), std::sin(angle));
     set_rows();
     for (std::size_t i = 0; i < segments_.size(); ++i) cross_rows(static_cast<int>(i));
+    note_hits();
+    if (find_unclear_rows()) scan_finer();
+  }
+
+  // Fraction along each segment at which it was first or last, -1 where it never was.
+  const std::vector<double>& hits() const { return hits_; }
+
+ private:
+  // Scan lines run through the middle of rows, at multiples of a row's width.
+  void set_rows() {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t p = 0; p < points_.size(); ++p) {
+      rows_[p] = points_[p].dot(across_);
+      low = std::min(low, rows_[p]);
+      high = std::max(high, rows_[p]);
+    }
+    const double row = std::max(row_px, (high - low) / most_rows);
+    low = (std::floor(low / row) - 0.5) * row;
+    for (std::size_t p = 0; p < points_.size(); ++p) {
+      rows_[p] = (rows_[p] - low) / row;
+      const double from_first = rows_[p] - 0.5;  // not negative
+      next_line_[p] = static_cast<int>(from_first);
+      next_line_[p] += next_line_[p] < from_first;
+    }
+    lower_.assign(static_cast<std::size_t>((high - low) / row) + 2, {});
+    upper_.assign(lower_.size(), {});
+  }
+
+  // A segment that ends on a scan line belongs to it at its lower end only.
+  void cross_rows(int i) {
+    const Segment& s = segments_[idx(i)];
+    const auto [first, end] = std::minmax(next_line_[idx(s.a)], next_line_[idx(s.b)]);
+    const double a = rows_[idx(s.a)], b = rows_[idx(s.b)];
+    for (int row = first; row < end; ++row) offer(i, (row + 0.5 - a) / (b - a), idx(row));
+  }
+
+  void note_hits() {
     for (const std::vector<RowEnd>* ends : {&lower_, &upper_}) {
       for (const RowEnd& e : *ends) {
         if (e.segment != none && e.second - e.first > clear_px) hits_[idx(e.segment)] = e.fraction;
@@ -70,44 +111,65 @@ class OutlineScan {
     }
   }
 
-  // Fraction along each segment at which it was first or last, -1 where it never was.
-  const std::vector<double>& hits() const { return hits_; }
-
- private:
-  void set_rows() {
-    low_ = std::numeric_limits<double>::infinity();
-    double high = -low_;
-    for (const Segment& s : segments_) {
-      low_ = std::min({low_, s.a.dot(across_), s.b.dot(across_)});
-      high = std::max({high, s.a.dot(across_), s.b.dot(across_)});
+  // Curves that run close together on the outside change places between two rows. Whether there
+  // are any; numbers the rows where they may.
+  bool find_unclear_rows() {
+    const auto is_unclear = [](const RowEnd& e) { return e.second - e.first <= clear_px; };
+    const std::size_t count = lower_.size();
+    finer_.assign(count + 1, 0);
+    for (std::size_t row = 0; row < count; ++row) {
+      if (!is_unclear(lower_[row]) && !is_unclear(upper_[row])) continue;
+      for (std::size_t k = row == 0 ? 0 : row - 1; k <= std::min(row + 1, count - 1); ++k)
+        finer_[k] = 1;
     }
-    row_ = std::max(row_px, (high - low_) / most_rows);
-    lower_.assign(static_cast<std::size_t>((high - low_) / row_) + 2, {});
-    upper_.assign(lower_.size(), {});
+    int next = 0;
+    for (int& number : finer_) next += std::exchange(number, next);
+    return next > 0;
   }
 
-  // Scan lines run through the middle of rows; a segment that ends on one belongs to it at its
-  // lower end only.
-  void cross_rows(int i) {
+  // finer_[row + 1] - finer_[row] tells whether a row is scanned again.
+  void scan_finer() {
+    const std::size_t count = idx(finer_.back()) * finer_rows;
+    lower_.assign(count, {});
+    upper_.assign(count, {});
+    for (std::size_t i = 0; i < segments_.size(); ++i) cross_finer_rows(static_cast<int>(i));
+    note_hits();
+  }
+
+  void cross_finer_rows(int i) {
     const Segment& s = segments_[idx(i)];
-    const Vec2 along(-across_.y(), across_.x());
-    const double a = (s.a.dot(across_) - low_) / row_, b = (s.b.dot(across_) - low_) / row_;
-    const double end = std::ceil(std::max(a, b) - 0.5);
-    for (double row = std::ceil(std::min(a, b) - 0.5); row < end; ++row) {
-      const double fraction = (row + 0.5 - a) / (b - a);
-      const double v = (s.a + fraction * (s.b - s.a)).dot(along);
-      lower_[static_cast<std::size_t>(row)].offer(v, i, fraction);
-      upper_[static_cast<std::size_t>(row)].offer(-v, i, fraction);
+    const double a = rows_[idx(s.a)], b = rows_[idx(s.b)];
+    const auto first = static_cast<std::size_t>(std::min(a, b));
+    const auto last = static_cast<std::size_t>(std::max(a, b));
+    if (finer_[first] == finer_[last + 1]) return;
+    const double width = 1.0 / finer_rows;
+    for (std::size_t row = first; row <= last; ++row) {
+      if (finer_[row] == finer_[row + 1]) continue;
+      for (int k = 0; k < finer_rows; ++k) {
+        const double at = static_cast<double>(row) + (k + 0.5) * width;
+        if ((at < a) == (at < b)) continue;
+        offer(i, (at - a) / (b - a), idx(finer_[row]) * finer_rows + idx(k));
+      }
     }
+  }
+
+  void offer(int i, double fraction, std::size_t row) {
+    const Segment& s = segments_[idx(i)];
+    const Vec2 &a = points_[idx(s.a)], &b = points_[idx(s.b)];
+    const double v = (a + fraction * (b - a)).dot(Vec2(-across_.y(), across_.x()));
+    lower_[row].offer(v, i, fraction);
+    upper_[row].offer(-v, i, fraction);
   }
 
   const std::vector<Segment>& segments_;
-  std::vector<double> hits_;
+  const std::vector<Vec2>& points_;
   Vec2 across_ = Vec2::UnitX();
-  double low_ = 0;
-  double row_ = 1;
+  std::vector<double> rows_;    // (points) where each one is, in rows
+  std::vector<int> next_line_;  // (points) the first scan line that is not below
+  std::vector<double> hits_;
   std::vector<RowEnd> lower_;  // the first curve of each row
   std::vector<RowEnd> upper_;  // the last one
+  std::vector<int> finer_;     // (rows + 1) how many of the rows before are scanned again
 };
 
 bool is_cut_open(const CurveNetwork& network) {
@@ -123,9 +185,9 @@ bool is_cut_open(const CurveNetwork& network) {
 std::vector<std::vector<StrandPlace>> outline_places(const CurveNetwork& network,
                                                      const ImageStrands& strands) {
   std::vector<std::vector<StrandPlace>> result(network.strands.size());
-  const std::vector<Segment> segments = image_segments(network, strands);
+  const std::vector<Segment> segments = all_segments(network);
   if (segments.empty() || is_cut_open(network)) return result;
-  OutlineScan scan(segments);
+  OutlineScan scan(segments, strands.image);
   for (int d = 0; d < directions; ++d) scan.scan(half_turn * (d + 0.137) / directions);
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const double fraction = scan.hits()[i];

@@ -58,13 +58,17 @@ class PathWalker {
 
   // Image length and the sample places.
   void measure(PathArc arc, const StrandPlace& from, const StrandPlace& to) {
-    std::vector<StrandPlace> places{from};
+    std::vector<StrandPlace>& places = places_;
+    places.assign(1, from);
     for (int i = from.segment + 1; i <= to.segment; ++i) places.push_back({arc.strand, i, 0});
     places.push_back(to);
-    std::vector<double> reach{0};
+    std::vector<double>& reach = reach_;
+    reach.assign(1, 0);
+    Vec2 last = image_of(from);
     for (std::size_t i = 1; i < places.size(); ++i) {
-      const Vec2 step = image_of(places[i]) - image_of(places[i - 1]);
-      reach.push_back(reach.back() + step.norm());
+      const Vec2 next = image_of(places[i]);
+      reach.push_back(reach.back() + (next - last).norm());
+      last = next;
     }
     arc.length_px = reach.back();
     const double tip = std::min(0.25, tip_px / std::max(reach.back(), tip_px));
@@ -97,9 +101,23 @@ class PathWalker {
   const Path& path_;
   PathLabels labels_;
   int offset_ = 0;
+  std::vector<StrandPlace> places_;  // of one arc
+  std::vector<double> reach_;
 };
 
 }  // namespace
+
+int imbalance(const Arrangement& arrangement, const Path& path) {
+  int sum = 0;
+  for (std::size_t i = 0; path.cyclic && i < path.strands.size(); ++i) {
+    sum += path.jumps[i];
+    for (const Visit& visit : arrangement.visits[idx(path.strands[i])]) {
+      if (visit.front || !arrangement.is_live(visit.crossing)) continue;
+      sum += back_change(arrangement, arrangement.crossings[idx(visit.crossing)]);
+    }
+  }
+  return sum;
+}
 
 PathLabels relative_labels(const Arrangement& arrangement, const Path& path) {
   return PathWalker(arrangement, path).run();

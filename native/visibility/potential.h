@@ -30,6 +30,9 @@ struct PathLabels {
   }
 };
 
+// The residual of relative_labels alone.
+int imbalance(const Arrangement& arrangement, const Path& path);
+
 PathLabels relative_labels(const Arrangement& arrangement, const Path& path);
 
 }  // namespace illustrate

@@ -1,7 +1,10 @@
 #include "visibility/repairs.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
+
+#include "visibility/potential.h"
 
 namespace illustrate {
 namespace {
@@ -62,11 +65,23 @@ class Repairer {
   }
 
   int twists() {
-    index_stops();
+    start();
+    int dropped = 0;
+    for (int c = 0; c < static_cast<int>(arrangement_.crossings.size()); ++c) {
+      if (arrangement_.is_live(c) && balances(c) && is_twist(c)) dropped += drop(c);
+    }
+    arrangement_.forget_visits();
+    return dropped;
+  }
+
+  // Between a contour and another curve that runs through it, next to their joint.
+  int touches() {
+    start();
     int dropped = 0;
     for (std::size_t c = 0; c < arrangement_.crossings.size(); ++c) {
-      if (arrangement_.is_live(static_cast<int>(c)) && is_twist(static_cast<int>(c)))
-        dropped += drop(static_cast<int>(c));
+      const int crossing = static_cast<int>(c);
+      if (arrangement_.is_live(crossing) && is_of_contour(crossing) && ends_in_joint(crossing))
+        dropped += drop(crossing);
     }
     arrangement_.forget_visits();
     return dropped;
@@ -74,7 +89,7 @@ class Repairer {
 
   // All contradictory lenses, or those of the given crossings.
   int lenses(const std::vector<int>* wanted) {
-    index_stops();
+    start();
     int dropped = 0;
     for (std::size_t k = 0; k < (wanted ? wanted->size() : arrangement_.crossings.size()); ++k) {
       const int c = wanted ? (*wanted)[k] : static_cast<int>(k);
@@ -82,7 +97,7 @@ class Repairer {
       const int partner = lens_partner(c, wanted == nullptr);
       if (partner != none) {
         dropped += drop(c) + drop(partner);
-      } else if (wanted && ends_in_joint(c)) {
+      } else if (wanted && balances(c) && ends_in_joint(c)) {
         dropped += drop(c);
       }
     }
@@ -92,7 +107,9 @@ class Repairer {
 
  private:
   // stops_[2 c] where crossing c is front, stops_[2 c + 1] where it is back.
-  void index_stops() {
+  void start() {
+    sums_.clear();
+    for (const Path& path : arrangement_.paths) sums_.push_back(imbalance(arrangement_, path));
     stops_.assign(2 * arrangement_.crossings.size(), {none, none, none});
     for (std::size_t s = 0; s < arrangement_.visits.size(); ++s) {
       const std::vector<Visit>& visits = arrangement_.visits[s];
@@ -110,7 +127,20 @@ class Repairer {
     return arrangement_.visits[idx(strand(stop))][idx(stop.visit)];
   }
 
+  int without(int c) const {
+    return sums_[idx(stops_[2 * idx(c) + 1].path)] -
+           back_change(arrangement_, arrangement_.crossings[idx(c)]);
+  }
+
+  // Whether its back path, where closed, comes nearer to balance without a crossing.
+  bool balances(int c) const {
+    const int path = stops_[2 * idx(c) + 1].path;
+    return !arrangement_.paths[idx(path)].cyclic ||
+           std::abs(without(c)) < std::abs(sums_[idx(path)]);
+  }
+
   int drop(int c) {
+    sums_[idx(stops_[2 * idx(c) + 1].path)] = without(c);
     arrangement_.states[idx(c)] = CrossingState::dropped;
     return 1;
   }
@@ -163,6 +193,15 @@ class Repairer {
     return from.step == to.step && from.visit >= to.visit;
   }
 
+  // Whether one of its two strands is a contour, the other one not.
+  bool is_of_contour(int c) const {
+    const Crossing& x = arrangement_.crossings[idx(c)];
+    const auto is_contour = [&](int strand) {
+      return arrangement_.network->strands[idx(strand)].kind == Kind::silhouette;
+    };
+    return is_contour(x.front.strand) != is_contour(x.back.strand);
+  }
+
   bool is_twist(int c) {
     const Stop a = stops_[2 * idx(c)], b = stops_[2 * idx(c) + 1];
     if (a.path != b.path) return false;
@@ -205,27 +244,36 @@ class Repairer {
     return is_thin(one, two, lens_px);
   }
 
-  // Whether both strands run from the crossing into one joint without anything in between, close
-  // together.
+  // Whether both strands run from the crossing into one joint without crossing each other again,
+  // close together.
   bool ends_in_joint(int c) {
     const Stop a = stops_[2 * idx(c)], b = stops_[2 * idx(c) + 1];
     for (const bool a_forward : {true, false}) {
       for (const bool b_forward : {true, false}) {
-        const int node = end_behind(a, a_forward);
-        if (node == none || node != end_behind(b, b_forward)) continue;
-        if (is_thin(way_to_end(a, a_forward), way_to_end(b, b_forward), joint_lens_px)) return true;
+        const int node = end_node(a, a_forward);
+        if (node == none || node != end_node(b, b_forward)) continue;
+        const Stretch one = way_to_end(a, a_forward), two = way_to_end(b, b_forward);
+        if (!one.found || !two.found || meets_behind(a, a_forward, strand(b))) continue;
+        if (is_thin(one, two, joint_lens_px)) return true;
       }
     }
     return false;
   }
 
-  // The node that the strand ends in behind (before) a stop, none if there is another crossing
-  // first.
-  int end_behind(const Stop& stop, bool forward) const {
+  int end_node(const Stop& stop, bool forward) const {
     const Strand& s = arrangement_.network->strands[idx(strand(stop))];
-    const int last = static_cast<int>(arrangement_.visits[idx(strand(stop))].size()) - 1;
-    if (stop.visit != (forward ? last : 0)) return none;
     return forward ? s.end_node : s.start_node;
+  }
+
+  // Whether a strand crosses another one between a stop and the strand's end (start).
+  bool meets_behind(const Stop& stop, bool forward, int other) const {
+    const std::vector<Visit>& visits = arrangement_.visits[idx(strand(stop))];
+    const int last = static_cast<int>(visits.size()) - 1;
+    for (int v = forward ? stop.visit + 1 : 0; v <= (forward ? last : stop.visit - 1); ++v) {
+      const Crossing& x = arrangement_.crossings[idx(visits[idx(v)].crossing)];
+      if ((visits[idx(v)].front ? x.back : x.front).strand == other) return true;
+    }
+    return false;
   }
 
   Stretch way_to_end(const Stop& stop, bool forward) const {
@@ -259,6 +307,7 @@ class Repairer {
   std::vector<int> path_of_;
   std::vector<int> step_of_;
   std::vector<Stop> stops_;
+  std::vector<int> sums_;  // (paths) of their changes; closed ones should have 0
 };
 
 }  // namespace
@@ -270,6 +319,15 @@ int drop_twists_and_lenses(Arrangement& arrangement, double& moved_px) {
     const int dropped = repairer.twists() + repairer.lenses(nullptr);
     total += dropped;
     if (dropped == 0) break;
+  }
+  return total;
+}
+
+int drop_touches(Arrangement& arrangement, double& moved_px) {
+  Repairer repairer(arrangement, moved_px);
+  int total = 0;
+  for (int dropped = repairer.touches(); dropped > 0; dropped = repairer.touches()) {
+    total += dropped;
   }
   return total;
 }

@@ -5,11 +5,17 @@
 
 namespace illustrate {
 
-// Drops twists (a path crosses itself, all between stays within a pixel, at most one cusp) and
-// lenses whose two crossings contradict each other: consecutive on both strands, everything between
-// closer than 0.3 px, front and back exchanged. Returns the number of crossings dropped; `moved_px`
-// grows to the farthest distance bridged.
+// Drops twists (a path crosses itself, all between stays within a pixel, at most one cusp; a closed
+// path must come nearer to balance) and lenses whose two crossings contradict each other:
+// consecutive on both strands, everything between closer than 0.3 px, front and back exchanged.
+// Returns the number of crossings dropped; `moved_px` grows to the farthest distance bridged.
 int drop_twists_and_lenses(Arrangement& arrangement, double& moved_px);
+
+// A curve that runs through a contour touches it there in the image, since its surface lies on one
+// side of the contour only, near strand and far strand: drops crossings between a contour and such
+// a curve where both run on, less than a pixel apart and without crossing again, into their
+// joint. Returns their number.
+int drop_touches(Arrangement& arrangement, double& moved_px);
 
 // Drops the lens that each of these crossings belongs to, where it belongs to one: with another
 // crossing, or with the joint that both strands run into. Returns the number of crossings dropped.
@@ -17,7 +23,8 @@ int drop_lenses(Arrangement& arrangement, const std::vector<int>& crossings, dou
 
 // Joins pairs of cusps that turn the same way with no more than a pixel of strand between them, on
 // cycles whose changes do not sum to zero: swallowtails whose crossing the interpolation has lost.
-// The smallest go first. Returns the number of pairs; the cusps' jumps become 0.
+// The smallest go first. Single cusps go where an open path ends, a tenth of a pixel from there.
+// Returns the number of pairs and single ones; the cusps' jumps become 0.
 int collapse_swallowtails(Arrangement& arrangement, double& moved_px);
 
 }  // namespace illustrate

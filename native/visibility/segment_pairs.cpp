@@ -1,12 +1,11 @@
 #include "visibility/segment_pairs.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace illustrate {
 namespace {
 
-constexpr int leaf_size = 8;
+constexpr int longest_run = 8;
 
 bool overlap(const SegmentBox& a, const SegmentBox& b) {
   return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] &&
@@ -20,15 +19,34 @@ void grow(SegmentBox& box, const SegmentBox& other) {
   }
 }
 
-// A binary tree of boxes; a node's children are `left` and `left + 1`, leaves hold a range of
-// `order`.
-class BoxTree {
+// Boxes that follow one another and touch, as those of a polyline do.
+struct Run {
+  SegmentBox box;
+  int begin;
+  int end;
+};
+
+std::vector<Run> runs_of(const std::vector<SegmentBox>& boxes) {
+  std::vector<Run> runs;
+  for (int i = 0; i < static_cast<int>(boxes.size()); ++i) {
+    const SegmentBox& box = boxes[idx(i)];
+    const bool goes_on =
+        !runs.empty() && i - runs.back().begin < longest_run && overlap(boxes[idx(i - 1)], box);
+    if (!goes_on) runs.push_back({box, i, i});
+    grow(runs.back().box, box);
+    runs.back().end = i + 1;
+  }
+  return runs;
+}
+
+// A binary tree of runs; a node's children are `left` and `left + 1`, a leaf is one run.
+class RunTree {
  public:
-  explicit BoxTree(const std::vector<SegmentBox>& boxes) : boxes_(boxes), order_(boxes.size()) {
-    std::iota(order_.begin(), order_.end(), 0);
-    if (boxes.empty()) return;
+  explicit RunTree(const std::vector<SegmentBox>& boxes) : boxes_(boxes), runs_(runs_of(boxes)) {
+    if (runs_.empty()) return;
+    nodes_.reserve(2 * runs_.size());
     nodes_.push_back({});
-    build(0, 0, static_cast<int>(boxes.size()));
+    build(0, runs_.begin(), runs_.end());
   }
 
   void self_pairs(const std::function<void(int, int)>& visit) const {
@@ -39,26 +57,33 @@ class BoxTree {
   struct Node {
     SegmentBox box;
     int left = none;
-    int begin = 0;
+    int begin = 0;  // boxes of a leaf
     int end = 0;
+    int size = 0;  // boxes of the whole
   };
 
-  void build(int node, int begin, int end) {
-    SegmentBox box = boxes_[idx(order_[idx(begin)])];
-    for (int i = begin + 1; i < end; ++i) grow(box, boxes_[idx(order_[idx(i)])]);
-    nodes_[idx(node)] = {box, none, begin, end};
-    if (end - begin <= leaf_size) return;
+  using RunIterator = std::vector<Run>::iterator;
+
+  void build(int node, RunIterator begin, RunIterator end) {
+    Node made{begin->box, none, begin->begin, begin->end, 0};
+    for (auto run = begin; run != end; ++run) {
+      grow(made.box, run->box);
+      made.size += run->end - run->begin;
+    }
+    if (end - begin > 1) made.left = static_cast<int>(nodes_.size());
+    nodes_[idx(node)] = made;
+    if (made.left == none) return;
+    const SegmentBox& box = made.box;
     const std::size_t axis = box.high[0] - box.low[0] >= box.high[1] - box.low[1] ? 0 : 1;
-    const int middle = (begin + end) / 2;
-    const auto centre = [&](int i) { return boxes_[idx(i)].low[axis] + boxes_[idx(i)].high[axis]; };
-    std::nth_element(
-        order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
-        [&](int i, int j) { return centre(i) != centre(j) ? centre(i) < centre(j) : i < j; });
-    const int left = static_cast<int>(nodes_.size());
-    nodes_[idx(node)].left = left;
+    const auto middle = begin + (end - begin) / 2;
+    std::nth_element(begin, middle, end, [axis](const Run& a, const Run& b) {
+      const std::int64_t at = a.box.low[axis] + a.box.high[axis];
+      const std::int64_t other = b.box.low[axis] + b.box.high[axis];
+      return at != other ? at < other : a.begin < b.begin;
+    });
     nodes_.resize(nodes_.size() + 2);
-    build(left, begin, middle);
-    build(left + 1, middle, end);
+    build(made.left, begin, middle);
+    build(made.left + 1, middle, end);
   }
 
   void within(int n, const std::function<void(int, int)>& visit) const {
@@ -80,13 +105,12 @@ class BoxTree {
     if (!overlap(p.box, q.box)) return;
     if (p.left == none && q.left == none) {
       for (int i = p.begin; i < p.end; ++i) {
+        if (!overlap(boxes_[idx(i)], q.box)) continue;
         for (int j = q.begin; j < q.end; ++j) offer(i, j, visit);
       }
       return;
     }
-    const bool descend_first =
-        q.left == none || (p.left != none && p.end - p.begin >= q.end - q.begin);
-    if (descend_first) {
+    if (q.left == none || (p.left != none && p.size >= q.size)) {
       between(p.left, b, visit);
       between(p.left + 1, b, visit);
     } else {
@@ -96,12 +120,11 @@ class BoxTree {
   }
 
   void offer(int i, int j, const std::function<void(int, int)>& visit) const {
-    const int a = order_[idx(i)], b = order_[idx(j)];
-    if (overlap(boxes_[idx(a)], boxes_[idx(b)])) visit(std::min(a, b), std::max(a, b));
+    if (overlap(boxes_[idx(i)], boxes_[idx(j)])) visit(std::min(i, j), std::max(i, j));
   }
 
   const std::vector<SegmentBox>& boxes_;
-  std::vector<int> order_;
+  std::vector<Run> runs_;
   std::vector<Node> nodes_;
 };
 
@@ -109,7 +132,7 @@ class BoxTree {
 
 void overlapping_boxes(const std::vector<SegmentBox>& boxes,
                        const std::function<void(int, int)>& visit) {
-  BoxTree(boxes).self_pairs(visit);
+  RunTree(boxes).self_pairs(visit);
 }
 
 }  // namespace illustrate

@@ -8,6 +8,7 @@ namespace illustrate {
 namespace {
 
 constexpr double swallowtail_px = 1.0;
+constexpr double end_px = 0.1;  // a cusp nearer to where its chain ends is not told from the end
 
 // A strand between two cusps of one jump; `step` enters it.
 struct Swallowtail {
@@ -39,12 +40,31 @@ std::vector<Swallowtail> swallowtails_of(const Arrangement& arrangement, const P
   return result;
 }
 
+// At the end of an open path nothing ties its label, and a stretch of no length has none to show.
+int drop_cusps_at_ends(const Arrangement& arrangement, Path& path, double& moved_px) {
+  if (path.cyclic) return 0;
+  int dropped = 0;
+  const auto drop = [&](int strand, int& jump) {
+    const double reach = reach_of(arrangement, strand);
+    if (jump == 0 || reach > end_px) return;
+    jump = 0;
+    moved_px = std::max(moved_px, reach);
+    ++dropped;
+  };
+  if (path.strands.size() > 1) {
+    drop(path.strands.front(), path.jumps[1]);
+    drop(path.strands.back(), path.jumps.back());
+  }
+  return dropped;
+}
+
 }  // namespace
 
 int collapse_swallowtails(Arrangement& arrangement, double& moved_px) {
   int collapsed = 0;
   for (Path& path : arrangement.paths) {
-    int residual = path.cyclic ? relative_labels(arrangement, path).residual : 0;
+    collapsed += drop_cusps_at_ends(arrangement, path, moved_px);
+    int residual = imbalance(arrangement, path);
     if (std::abs(residual) < 2) continue;
     const int jump = residual > 0 ? 1 : -1;
     for (const Swallowtail& s : swallowtails_of(arrangement, path, jump)) {

@@ -4,7 +4,7 @@ import bpy
 
 settings = bpy.context.scene.illustrate
 settings.restore_defaults()
-settings.unit = "MM"
+settings.unit = "MILLIMETRE"
 settings.page_width_mm = 200.0
 settings.line_width_mm = 0.3
 settings.feature_width_mm = 0.3

@@ -166,6 +166,30 @@ TEST(ExactSilhouettes, CuspsStandClearOfTheirStrands) {
 }
 
 // Just where the cusps are born they come in pairs that no image shows.
+// (u, v^2, u v) pinches at u = v = 0. Its contour from (0, 1, 1/2) is the line u = v without cusps,
+// through the pinch point, which lies within a face, on an edge or at a vertex.
+TEST(ExactSilhouettes, GoStraightOnThroughAPinchPoint) {
+  for (const Vec2& shift : {Vec2(.031, .047), Vec2(0, .047), Vec2(0, 0)}) {
+    PolygonMesh umbrella = shapes::plane(16, 16);
+    for (Vec3& p : umbrella.positions) {
+      const double u = p.x() + shift.x(), v = p.y() + shift.y();
+      p = Vec3(u, v * v, u * v);
+    }
+    const Surface surface = refined(umbrella, at_level(3));
+    const Camera camera = cameras::orthographic(Vec3(0, 1, .5), 2);
+    const Drawn drawn = draw(surface, camera);
+    double nearest = 1;
+    for (const ChainPoint& p : drawn.exact.chains.values) {
+      const double distance = Vec2(p.position.x(), p.position.z()).norm();
+      nearest = std::min(nearest, distance);
+      if (distance < .5) {
+        EXPECT_EQ(p.cusp_jump, 0) << p.position.transpose();
+      }
+    }
+    EXPECT_LT(nearest, .02);
+  }
+}
+
 TEST(ExactSilhouettes, SwallowtailsTooSmallToSeeAreOnePoint) {
   const Surface torus = refined(shapes::torus_mesh(1, .4, 24, 12), at_level(-1));
   std::int64_t collapsed = 0;

@@ -22,15 +22,6 @@ Camera flat_camera() {
   return {projection, Mat4::Identity(), size_px, size_px};
 }
 
-Camera perspective_camera() {
-  Mat4 projection = Mat4::Zero();
-  projection(0, 0) = projection(1, 1) = 2;
-  projection(2, 2) = -1.02;
-  projection(2, 3) = -0.2;
-  projection(3, 2) = -1;
-  return {projection, Mat4::Identity(), size_px, size_px};
-}
-
 // A graph by hand: nodes at image points, arcs as polylines through image points.
 struct GraphBuilder {
   LabelledGraph graph;
@@ -240,6 +231,85 @@ TEST(MakeStrokes, ChainOfDanglingSpecksGoesWhole) {
   EXPECT_EQ(count_of(strokes_of(b.graph)), 1U);
 }
 
+// A swallowtail on an outline: the line from the left passes over itself at the crossing and ends
+// at a cusp, `tail_px` on; the line that goes on to the right comes out from under it there.
+struct SwallowtailGraph : GraphBuilder {
+  explicit SwallowtailGraph(double tail_px, const Vec2& onward = {90, 53}, int object = 0) {
+    const int left = node(NodeKind::joint, {10, 50});
+    const int right = node(NodeKind::joint, onward);
+    const int crossing = node(NodeKind::crossing, {50, 50});
+    const int near_cusp = node(NodeKind::cusp, {50 + tail_px, 50});
+    const int far_cusp = node(NodeKind::cusp, {50 - tail_px, 50});
+    const int front_in = line(left, crossing);
+    const int front_out = line(crossing, near_cusp);
+    const int folded = line(near_cusp, far_cusp, 1);
+    const int back_in = line(far_cusp, crossing, 2, Kind::silhouette, object);
+    const int back_out = line(crossing, right, 0, Kind::silhouette, object);
+    const auto arcs_of = [&](int n) -> auto& { return graph.nodes[idx(n)].arcs; };
+    arcs_of(crossing) = {front_in, front_out, back_in, back_out};
+    arcs_of(near_cusp) = {front_out, folded, none, none};
+    arcs_of(far_cusp) = {folded, back_in, none, none};
+  }
+};
+
+TEST(MakeStrokes, OutlineRunsOnPastASwallowtail) {
+  const Drawing drawing = strokes_of(SwallowtailGraph(2.5).graph);
+  ASSERT_EQ(count_of(drawing), 1U);
+  EXPECT_EQ(first_of(drawing, 0), Vec2(10, 50));
+  EXPECT_EQ(last_of(drawing, 0), Vec2(90, 53));
+  for (std::size_t i = 0; i < drawing.points.size(); ++i) {
+    const double x = drawing.image[i].x();
+    if (x > 17 && x < 83) {
+      EXPECT_FLOAT_EQ(drawing.widths[i], 2.0F) << "thinner at " << x;
+    }
+  }
+  EXPECT_EQ(drawing.image[drawing.points.size() / 2], Vec2(50, 50));
+}
+
+// A hole of two pixels: each of its sides is shorter than a speck, and one of them ends in a tail.
+TEST(MakeStrokes, OutlineOfATinyHoleStays) {
+  GraphBuilder b;
+  const int left = b.node(NodeKind::joint, {10, 50}), right = b.node(NodeKind::joint, {90, 50});
+  const int from = b.node(NodeKind::joint, {49, 50}), to = b.node(NodeKind::joint, {51, 50});
+  const int corner = b.node(NodeKind::crossing, {51, 48});
+  b.line(left, from);
+  b.line(from, to);
+  b.line(to, right);
+  const int side = b.line(from, corner);
+  const int tail = b.line(corner, b.node(NodeKind::cusp, {51.5, 47.5}));
+  const int hidden = b.line(b.node(NodeKind::cusp, {51.2, 47}), corner, 2);
+  const int other_side = b.line(corner, to);
+  b.graph.nodes[idx(corner)].arcs = {side, tail, hidden, other_side};
+  const Drawing drawing = strokes_of(b.graph);
+  ASSERT_EQ(count_of(drawing), 2U);
+  EXPECT_EQ(first_of(drawing, 1), Vec2(49, 50));
+  EXPECT_EQ(last_of(drawing, 1), Vec2(51, 50));
+}
+
+TEST(MakeStrokes, TailsThatAreLongOrTurnAwayOrBelongToOthersStay) {
+  for (const SwallowtailGraph& b : {SwallowtailGraph(3.5), SwallowtailGraph(2.5, {10, 60}),
+                                    SwallowtailGraph(2.5, {90, 53}, 1)}) {
+    const Drawing drawing = strokes_of(b.graph);
+    ASSERT_EQ(count_of(drawing), 2U);
+    EXPECT_EQ(last_of(drawing, 0), b.graph.nodes[3].image) << "the cusp";
+    EXPECT_EQ(first_of(drawing, 1), Vec2(50, 50));
+  }
+}
+
+TEST(MakeStrokes, FreeEndsThatFaceEachOtherAreOneLine) {
+  const auto count = [](const Vec2& end, const Vec2& far, double depth) {
+    GraphBuilder b;
+    b.line(b.node(NodeKind::cusp, {10, 50}), b.node(NodeKind::cusp, {50, 50}));
+    b.line(b.node(NodeKind::joint, end), b.node(NodeKind::cusp, far));
+    for (std::size_t i = 2; i < 4; ++i) b.graph.points.values[i].position.z() -= depth;
+    return count_of(strokes_of(b.graph));
+  };
+  EXPECT_EQ(count({50.8, 50.2}, {90, 52}, 0), 1U);
+  EXPECT_EQ(count({51.3, 50}, {90, 52}, 0), 2U) << "a gap that is seen";
+  EXPECT_EQ(count({50.8, 50.2}, {50.8, 90}, 0), 2U) << "a corner";
+  EXPECT_EQ(count({50.8, 50.2}, {90, 52}, 30), 2U) << "one behind the other";
+}
+
 TEST(MakeStrokes, ClosedStrokeIsCutAtFrame) {
   GraphBuilder b;
   b.arc(circle({50, 50}, 60, 400), none, none);
@@ -269,70 +339,6 @@ TEST(MakeStrokes, WhatIsOutsideOrNotFiniteGivesNothing) {
   EXPECT_EQ(count_of(strokes_of(b.graph)), 0U);
 }
 
-TEST(ClipAtFrame, WorldPointsFollowInPerspective) {
-  const Camera camera = perspective_camera();
-  StrokePath path;
-  for (const Vec3& p : {Vec3(0, 0, -2), Vec3(9, 1, -7)}) {
-    path.points.push_back({p, {}, camera.project(p).xy, 1});
-  }
-  const std::vector<StrokePath> parts = clip_at_frame(path, camera);
-  ASSERT_EQ(parts.size(), 1U);
-  const StrokePoint& cut = parts[0].points.back();
-  EXPECT_NEAR(cut.image.x(), size_px, 1e-12);
-  EXPECT_NEAR((camera.project(cut.position).xy - cut.image).norm(), 0, 1e-9);
-}
-
-double farthest_from(const std::vector<StrokePoint>& line, const Vec2& p) {
-  double nearest = INFINITY;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const Vec2 a = line[i].image;
-    const Vec2 chord = line[(i + 1) % line.size()].image - a;
-    const double t = std::clamp((p - a).dot(chord) / chord.squaredNorm(), 0.0, 1.0);
-    nearest = std::min(nearest, (p - a - t * chord).norm());
-  }
-  return nearest;
-}
-
-TEST(Simplify, StaysWithinToleranceAndNeedsFewerPoints) {
-  StrokePath path;
-  path.closed = true;
-  for (const Vec2& p : circle({50, 50}, 40, 2000)) path.points.push_back({Vec3::Zero(), {}, p, 1});
-  std::size_t last_count = 2000;
-  for (const double tolerance : {0.01, 0.1, 1.0}) {
-    const StrokePath simple = simplify(path, tolerance, 1);
-    for (const StrokePoint& p : path.points) {
-      EXPECT_LE(farthest_from(simple.points, p.image), tolerance + 1e-12);
-    }
-    // Chords of sagitta s on radius r span 2 sqrt(2 s / r); twice as many points are generous.
-    const double fewest = pi / std::sqrt(2 * tolerance / 40);
-    EXPECT_LE(static_cast<double>(simple.points.size()), 2 * fewest + 3);
-    EXPECT_LT(simple.points.size(), last_count);
-    last_count = simple.points.size();
-  }
-}
-
-TEST(Simplify, KeepsEndsAndTriangles) {
-  StrokePath line;
-  for (const double x : {0.0, 1.0, 2.0, 3.0}) line.points.push_back({Vec3::Zero(), {}, {x, 0}, 1});
-  EXPECT_EQ(simplify(line, 0.1, 1).points.size(), 2U);
-  StrokePath loop = line;
-  loop.closed = true;
-  EXPECT_EQ(simplify(loop, 10, 1).points.size(), 3U);
-}
-
-// Straight in the image, a parabola in depth: points stay within five tolerances of it, in pixels
-// of the world.
-TEST(Simplify, KeepsTheDepthOfAStroke) {
-  StrokePath path;
-  for (int i = 0; i <= 100; ++i) {
-    const double x = i, depth = 0.02 * (x - 50) * (x - 50);
-    path.points.push_back({Vec3(x, 0, depth) * 0.01, {}, {x, 0}, 1});
-  }
-  const StrokePath simple = simplify(path, 0.1, 0.01);
-  EXPECT_GT(simple.points.size(), 5U);
-  EXPECT_LT(simple.points.size(), 40U);
-}
-
 // Brightness 0 on the left half, 1 on the right.
 ToneMap half_lit() {
   ToneMap tone;
@@ -360,6 +366,38 @@ TEST(MakeStrokes, HatchesSwellInTheDarkAndThinOut) {
   }
   EXPECT_LT(drawing.widths.front(), 0.3F);
   EXPECT_LT(drawing.widths.back(), 0.3F);
+}
+
+// Light that grows from 0 to 1 from the left to the right, shadow below .25, highlight above .75.
+TEST(MakeStrokes, WidthFollowsTheLightWithinEachLevel) {
+  ToneMap tone = half_lit();
+  tone.shadow_threshold = 0.25;
+  tone.highlight_threshold = 0.75;
+  for (int i = 0; i < size_px * size_px; ++i) {
+    tone.brightness[static_cast<std::size_t>(i)] =
+        (static_cast<float>(i % size_px) + 0.5F) / size_px;
+  }
+  Hatches hatches;
+  for (int i = 0; i <= 98; ++i) hatches.curves.push({Vec3::Zero(), {}, Vec2(0.5 + i, 30)});
+  hatches.curves.close_list();
+  hatches.objects = {0};
+  StrokeOptions options;
+  options.taper_px = 0;
+  options.simplify_px = 0;
+  hatches.kinds = {Kind::undercut};
+  for (const float width : make_strokes({}, hatches, tone, flat_camera(), {}, {}, options).widths) {
+    EXPECT_GE(width, 1) << "undercuts stay dark in the light";
+  }
+  hatches.kinds = {Kind::cross_hatch};
+  const Drawing drawing = make_strokes({}, hatches, tone, flat_camera(), {}, {}, options);
+  ASSERT_EQ(count_of(drawing), 1U);
+  for (std::size_t i = 0; i < drawing.image.size(); ++i) {
+    const double light = drawing.image[i].x() / size_px;
+    const double swelling = light <= 0.25   ? 1 - light / 0.25
+                            : light <= 0.75 ? -(light - 0.25) / 0.5
+                                            : -1.0;
+    EXPECT_NEAR(drawing.widths[i], 1 + 0.4 * swelling, 1e-5) << light;
+  }
 }
 
 TEST(StrokeOptions, WrongFieldIsNamed) {

@@ -2,12 +2,26 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import illustrate_native as ill
 import numpy as np
 from numpy.typing import NDArray
 
 # An arc ends at its node: far above the image grid of 2^-16 px, far below anything visible.
 MEET_PX = 0.05
+
+# The end of a stroke lies at a node: five times the 0.1 px of simplification.
+END_PX = 0.5
+
+# Layers that a curve gains or loses where it passes behind one of this kind. Creases hide nothing
+# between two front faces, and as much as a silhouette at a fold.
+LAYERS_HIDDEN_BY = {
+    ill.Kind.SILHOUETTE: {2}, ill.Kind.BOUNDARY: {1}, ill.Kind.SEAM: {1},
+    ill.Kind.CREASE: {0, 2}, ill.Kind.MARK: {0, 2}, ill.Kind.MATERIAL: {0, 2},
+    ill.Kind.FLAT_OUTLINE: {0, 2}, ill.Kind.INTERSECTION: {0}, ill.Kind.SUGGESTIVE: {0},
+    ill.Kind.RIDGE: {0}, ill.Kind.VALLEY: {0},
+}  # fmt: skip
 
 STROKE_ARRAYS = (
     "points", "image", "widths", "triangles", "barycentrics", "offsets", "kinds", "closed",
@@ -37,6 +51,14 @@ def check_drawing(drawing: ill.Drawing, camera: ill.Camera) -> None:
     check_offsets(drawing.graph)
     check_incidence(drawing.graph)
     check_labels(drawing.graph)
+    check_line_ends(drawing, camera)
+
+
+def draw(prepared: ill.Prepared, camera: ill.Camera, *more: Any, **named: Any) -> ill.Drawing:
+    """`ill.draw`, and the drawing is checked."""
+    drawing = ill.draw(prepared, camera, *more, **named)
+    check_drawing(drawing, camera)
+    return drawing
 
 
 def check_strokes(drawing: ill.Drawing, camera: ill.Camera) -> None:
@@ -94,7 +116,19 @@ def check_labels(graph: ill.Graph) -> None:
     for front_in, front_out, back_in, back_out in graph.node_arcs[graph.node_kind == 1]:
         assert layers[front_in] == layers[front_out], "a front curve changes at a crossing"
         assert min(layers[back_in], layers[back_out]) >= layers[front_in]
-        if graph.arc_kind[front_in] == ill.Kind.SILHOUETTE:
-            assert abs(layers[back_in] - layers[back_out]) == 2
+        hidden = LAYERS_HIDDEN_BY[ill.Kind(int(graph.arc_kind[front_in]))]
+        assert abs(layers[back_in] - layers[back_out]) in hidden, "a wrong step behind a curve"
     for near, far, *_ in graph.node_arcs[graph.node_kind == 0]:
         assert layers[far] == layers[near] + 1, "a cusp's far branch is not one layer deeper"
+
+
+def check_line_ends(drawing: ill.Drawing, camera: ill.Camera) -> None:
+    """Lines end at nodes of the graph or at the frame."""
+    hatches = (ill.Kind.HATCH, ill.Kind.CROSS_HATCH, ill.Kind.UNDERCUT)
+    lines = np.flatnonzero(~drawing.closed & ~np.isin(drawing.kinds, hatches))
+    ends = np.concatenate([drawing.offsets[lines], drawing.offsets[lines + 1] - 1])
+    frame = [camera.width_px, camera.height_px]
+    for xy in drawing.image[ends]:
+        at_frame = min(*xy, *(frame - xy)) < MEET_PX
+        to_nodes = np.linalg.norm(drawing.graph.node_image - xy, axis=1)
+        assert at_frame or to_nodes.min(initial=np.inf) < END_PX, f"a line ends at nothing: {xy}"

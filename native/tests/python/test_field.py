@@ -8,7 +8,6 @@ import illustrate_native as ill
 import numpy as np
 import pytest
 from illustrate_native import field_svg
-
 from shapes import look_at, sphere, torus
 
 LEVEL = 3

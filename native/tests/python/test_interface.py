@@ -11,7 +11,7 @@ from typing import Any
 import illustrate_native as ill
 import numpy as np
 import pytest
-from checker import arrays_of, check_drawing, digest
+from checker import arrays_of, digest, draw
 from shapes import SIZE_PX, Shape, cube, drape, klein_bottle, look_at, sphere, torus
 
 LEVEL = 2
@@ -28,7 +28,7 @@ def prepared() -> ill.Prepared:
 
 @pytest.fixture(scope="module")
 def drawing(prepared: ill.Prepared) -> ill.Drawing:
-    return ill.draw(prepared, look_at())
+    return draw(prepared, look_at())
 
 
 def public_names(names: Iterable[str]) -> set[str]:
@@ -148,8 +148,8 @@ def test_mesh_without_faces_stays_an_object() -> None:
     empty = ill.PolygonMesh(np.zeros((0, 3)), [], [])
     found = ill.prepare([empty, cube().mesh()], ill.PrepareOptions(level=LEVEL))
     assert set(found.surface.objects) == {1}
-    assert set(ill.draw(found, look_at()).objects) == {1}
-    assert len(ill.draw(ill.prepare([]), look_at()).kinds) == 0
+    assert set(draw(found, look_at()).objects) == {1}
+    assert len(draw(ill.prepare([]), look_at()).kinds) == 0
 
 
 @pytest.mark.parametrize("options", [ill.PrepareOptions, ill.DrawOptions, ill.ObjectStyle])
@@ -193,8 +193,8 @@ def of_any_layout() -> list[tuple[Any, Any, Any]]:
 @pytest.mark.parametrize("arrays", of_any_layout())
 def test_layout_of_arrays_does_not_matter(arrays: tuple[Any, Any, Any]) -> None:
     options = ill.PrepareOptions(level=LEVEL)
-    plain = ill.draw(ill.prepare([cube().mesh()], options), look_at())
-    same = ill.draw(ill.prepare([ill.PolygonMesh(*arrays)], options), look_at())
+    plain = draw(ill.prepare([cube().mesh()], options), look_at())
+    same = draw(ill.prepare([ill.PolygonMesh(*arrays)], options), look_at())
     assert digest(plain) == digest(same)
 
 
@@ -206,7 +206,7 @@ def test_progress_tells_every_stage_and_rises() -> None:
         return True
 
     found = ill.prepare([torus().mesh()], ill.PrepareOptions(level=LEVEL), progress=progress)
-    ill.draw(found, look_at(), progress=progress)
+    draw(found, look_at(), progress=progress)
     assert {"sanitize", "surface", "curvature", "field", "contour", "visibility", "tone", "hatch",
             "stroke"} <= {stage for _, stage in told}  # fmt: skip
     assert all(0 <= fraction <= 1 for fraction, _ in told)
@@ -217,16 +217,16 @@ def test_progress_tells_every_stage_and_rises() -> None:
 
 def test_progress_cancels_at_any_call() -> None:
     shape = torus()
-    plain = digest(ill.draw(prepared_of(shape), look_at()))
+    plain = digest(draw(prepared_of(shape), look_at()))
     for stop_after in (0, 1, 3, 10):
         calls = iter(range(stop_after))
         with pytest.raises(ill.Cancelled):
-            ill.draw(prepared_of(shape, field=False), look_at(),
+            draw(prepared_of(shape, field=False), look_at(),
                      progress=lambda *_, calls=calls: next(calls, None) is not None)  # fmt: skip
     half = prepared_of(shape, field=False)
     with pytest.raises(ill.Cancelled):
-        ill.draw(half, look_at(), progress=lambda _, stage: stage != "field")
-    assert digest(ill.draw(half, look_at())) == plain
+        draw(half, look_at(), progress=lambda _, stage: stage != "field")
+    assert digest(draw(half, look_at())) == plain
 
 
 def test_exception_in_progress_passes_through() -> None:
@@ -239,13 +239,13 @@ def test_exception_in_progress_passes_through() -> None:
     with pytest.raises(OwnError):
         ill.prepare([cube().mesh()], progress=progress)
     with pytest.raises(OwnError):
-        ill.draw(prepared_of(cube()), look_at(), progress=progress)
+        draw(prepared_of(cube()), look_at(), progress=progress)
 
 
 @pytest.mark.parametrize("shape", [torus(), klein_bottle(), drape()])
 def test_threads_do_not_change_a_byte(shape: Shape) -> None:
     found = {
-        b"".join(digest(ill.draw(prepared_of(shape, threads=n), look_at(radius=3.2),
+        b"".join(digest(draw(prepared_of(shape, threads=n), look_at(radius=3.2),
                                  ill.DrawOptions(threads=n))))
         for n in (1, 2, 5)
     }  # fmt: skip
@@ -256,7 +256,7 @@ def test_threads_may_share_a_prepared() -> None:
     shared = prepared_of(torus(), field=False)
     drawn: list[list[bytes]] = []
     workers = [
-        threading.Thread(target=lambda: drawn.append(digest(ill.draw(shared, look_at()))))
+        threading.Thread(target=lambda: drawn.append(digest(draw(shared, look_at()))))
         for _ in range(4)
     ]
     for worker in workers:
@@ -272,13 +272,13 @@ def test_previous_is_taken_over_only_where_nothing_changed() -> None:
     first = ill.prepare([torus().mesh()], options)
     again = ill.prepare([torus().mesh()], options, previous=first)
     assert again.timings["surface"] == again.timings["field"] == 0
-    assert digest(ill.draw(again, look_at())) == digest(ill.draw(first, look_at()))
+    assert digest(draw(again, look_at())) == digest(draw(first, look_at()))
     moved = torus().moved((0.1, 0, 0))
     other = ill.prepare([moved.mesh()], options, previous=first)
     assert other.timings["surface"] > 0
     lines = ill.DrawOptions(hatching=False)  # the field may start from the last one
-    fresh = ill.draw(prepared_of(moved), look_at(), lines)
-    assert digest(ill.draw(other, look_at(), lines)) == digest(fresh)
+    fresh = draw(prepared_of(moved), look_at(), lines)
+    assert digest(draw(other, look_at(), lines)) == digest(fresh)
     turned = ill.PrepareOptions(level=LEVEL, parabolic_ratio=0)
     unreliable = ill.prepare([torus().mesh()], turned, previous=first)
     assert unreliable.timings["surface"] == 0
@@ -286,7 +286,7 @@ def test_previous_is_taken_over_only_where_nothing_changed() -> None:
 
 
 def test_arrays_outlive_what_they_came_from() -> None:
-    points = ill.draw(prepared_of(cube()), look_at()).points
+    points = draw(prepared_of(cube()), look_at()).points
     positions = prepared_of(cube()).surface.positions
     assert np.isfinite(points).all()
     assert np.abs(positions).max() <= 1
@@ -298,16 +298,14 @@ def test_styles_choose_what_is_drawn() -> None:
 
     def drawn(*styles: ill.ObjectStyle, hatching: bool = True) -> ill.Drawing:
         options = ill.DrawOptions(styles=styles, hatching=hatching)
-        result = ill.draw(found, look_at(radius=4), options)
-        check_drawing(result, look_at(radius=4))
-        return result
+        return draw(found, look_at(radius=4), options)
 
     plain, ignored = ill.ObjectStyle(), ill.ObjectStyle(ignore=True)
     assert set(drawn(plain, plain).objects) == {0, 1}
     without = drawn(ignored, plain)
     assert set(without.objects) == {1}
     lines = drawn(ignored, plain, hatching=False)
-    alone = ill.draw(prepared_of(far), look_at(radius=4), ill.DrawOptions(hatching=False))
+    alone = draw(prepared_of(far), look_at(radius=4), ill.DrawOptions(hatching=False))
     np.testing.assert_array_equal(lines.image, alone.image)
     on_second = found.surface.objects[found.surface.triangles[without.triangles, 0]]
     assert set(on_second) == {1}
@@ -323,16 +321,16 @@ def test_styles_choose_what_is_drawn() -> None:
 
 
 def test_without_hatching_there_is_no_tone() -> None:
-    drawing = ill.draw(prepared_of(sphere()), look_at(), ill.DrawOptions(hatching=False))
+    drawing = draw(prepared_of(sphere()), look_at(), ill.DrawOptions(hatching=False))
     assert set(drawing.kinds) == {int(ill.Kind.SILHOUETTE)}
     assert drawing.tone.level.shape == (0, 0)
 
 
 def test_hidden_lines_add_to_the_visible_ones(prepared: ill.Prepared) -> None:
     options = ill.DrawOptions(hatching=False)
-    visible = ill.draw(prepared, look_at(), options)
+    visible = draw(prepared, look_at(), options)
     options.hidden_lines = (1, 9)
-    every = ill.draw(prepared, look_at(), options)
+    every = draw(prepared, look_at(), options)
     assert (visible.invisibility == 0).all()
     assert (every.invisibility > 0).any()
     shown = np.repeat(every.invisibility == 0, np.diff(every.offsets))
@@ -343,10 +341,10 @@ def test_hidden_lines_add_to_the_visible_ones(prepared: ill.Prepared) -> None:
 def test_marked_edges_and_materials_are_drawn_when_asked_for() -> None:
     mesh = cube().mesh(scheme="none", marked_edges=[[0, 1]], face_materials=[0, 1, 1, 1, 1, 1])
     found = ill.prepare([mesh])
-    plain = ill.draw(found, look_at((-1, -2, 0.8)), ill.DrawOptions(hatching=False))
+    plain = draw(found, look_at((-1, -2, 0.8)), ill.DrawOptions(hatching=False))
     assert not set(plain.kinds) & {int(ill.Kind.MARK), int(ill.Kind.MATERIAL)}
     options = ill.DrawOptions(hatching=False, marks=True, materials=True)
-    asked = ill.draw(found, look_at((-1, -2, 0.8)), options)
+    asked = draw(found, look_at((-1, -2, 0.8)), options)
     assert {int(ill.Kind.MARK), int(ill.Kind.MATERIAL)} & set(asked.kinds.tolist())
 
 
@@ -355,18 +353,17 @@ def test_lines_of_curvature_are_drawn_when_asked_for(prepared: ill.Prepared) -> 
     found = ill.prepare([drape().mesh()])
     thresholds = {"suggestive_threshold": 1.0, "ridge_threshold": 1.0, "valley_threshold": 1.0}
     options = ill.DrawOptions(hatching=False, **thresholds)
-    plain = ill.draw(found, look_at(radius=2), options)
+    plain = draw(found, look_at(radius=2), options)
     assert not set(plain.kinds.tolist()) & kinds
     np.testing.assert_array_equal(
-        plain.image, ill.draw(found, look_at(radius=2), ill.DrawOptions(hatching=False)).image
+        plain.image, draw(found, look_at(radius=2), ill.DrawOptions(hatching=False)).image
     )
     options.suggestive_contours = options.ridges = options.valleys = True
-    asked = ill.draw(found, look_at(radius=2), options)
-    check_drawing(asked, look_at(radius=2))
+    asked = draw(found, look_at(radius=2), options)
     assert set(asked.kinds.tolist()) & kinds
     assert set(asked.graph.arc_kind.tolist()) >= set(asked.kinds.tolist())
     round_one = ill.DrawOptions(hatching=False, suggestive_contours=True, ridges=True, valleys=True)
-    assert set(ill.draw(prepared, look_at(), round_one).kinds) <= {0, *kinds}
+    assert set(draw(prepared, look_at(), round_one).kinds) <= {0, *kinds}
 
 
 @pytest.mark.parametrize("perspective", [True, False])
@@ -387,7 +384,7 @@ def test_searched_and_scanned_silhouettes_give_the_same_drawing() -> None:
     for ignored in (None, 0, 1):
         styles = [ill.ObjectStyle(ignore=i == ignored) for i in range(len(meshes))]
         searched, scanned = (
-            ill.draw(
+            draw(
                 found,
                 look_at(),
                 ill.DrawOptions(hatching=False, scan_silhouettes=scan, styles=styles),

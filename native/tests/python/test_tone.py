@@ -1,0 +1,193 @@
+"""Tone as a drawing shows it: bands along folds, shares, shadows, extra levels."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import pairwise
+from typing import Any
+
+import illustrate_native as ill
+import numpy as np
+import pytest
+from checker import check_drawing
+from numpy.typing import NDArray
+from shapes import Shape, look_at, sphere
+
+SIZE_PX = 256
+
+
+def ball(radius: float, centre: tuple[float, float, float]) -> Shape:
+    unit = sphere()
+    return replace(unit, positions=radius * unit.positions + np.array(centre))
+
+
+@pytest.fixture(scope="module")
+def balls() -> ill.Prepared:
+    """A small ball before a large one."""
+    shapes = [ball(1.0, (0, 0, -1.5)), ball(0.5, (0.1, 0.05, 1.0))]
+    return ill.prepare([shape.mesh() for shape in shapes], ill.PrepareOptions(level=4))
+
+
+CAMERA = look_at((0.0, 0.0, 1.0), radius=1.8, perspective=False, size_px=SIZE_PX)
+
+
+def distance_to_outline(prepared: ill.Prepared, drawing: ill.Drawing) -> NDArray[np.float64]:
+    """(h, w) px from each cell's centre to the small ball's outline, positive outside of it."""
+    on_ball = prepared.surface.positions[prepared.surface.objects == 1]
+    clip = np.c_[on_ball, np.ones(len(on_ball))] @ (CAMERA.projection @ CAMERA.view).T
+    image = SIZE_PX / 2 * np.c_[1 + clip[:, 0], 1 - clip[:, 1]]
+    middle = (image.min(axis=0) + image.max(axis=0)) / 2
+    radius = (image.max(axis=0) - image.min(axis=0)).mean() / 2
+    rows, columns = np.indices(drawing.tone.band.shape) + 0.5
+    outside: NDArray[np.float64] = np.hypot(columns - middle[0], rows - middle[1]) - radius
+    return outside
+
+
+def check_bands(
+    outside: NDArray[np.float64], band: NDArray[np.uint8], mach: float, cut: float
+) -> None:
+    slack = 0.6  # half the diagonal of a cell is in doubt, and how the outline is sampled
+    assert (band[(outside > -mach + slack) & (outside < -slack)] == 1).all()
+    assert (band[(outside > slack) & (outside < cut - slack)] == 2).all()
+    assert not (band[outside < -mach - slack] == 1).any()
+    assert not (band[(outside > cut + slack) & (outside < 2 * cut)] == 2).any()
+
+
+def test_overlapping_balls_have_both_bands(balls: ill.Prepared) -> None:
+    drawing = ill.draw(balls, CAMERA)
+    outside = distance_to_outline(balls, drawing)
+    check_bands(outside, drawing.tone.band, 6, 14)
+    check_drawing(drawing, CAMERA)
+    bright = drawing.tone.level == 0
+    assert (drawing.tone.band[bright] == 2).any(), "undercuts lie in highlights too"
+
+
+def test_bands_may_be_given_in_millimetres(balls: ill.Prepared) -> None:
+    lengths = ill.lengths_in_pixels(SIZE_PX / 64, mach_band_mm=2.0, undercut_mm=4.5)
+    assert lengths == {"mach_band_px": 8, "undercut_px": 18}
+    drawing = ill.draw(balls, CAMERA, ill.DrawOptions(**lengths))
+    check_bands(distance_to_outline(balls, drawing), drawing.tone.band, 8, 18)
+
+
+@pytest.mark.parametrize(
+    ("scale", "lengths", "error", "message"),
+    [
+        (0.0, {"undercut_mm": 1.0}, ValueError, "pixels_per_mm is 0.0"),
+        (4.0, {"undercut_mm": -1.0}, ValueError, "undercut_mm is -1.0"),
+        (4.0, {"undercut_px": 1.0}, TypeError, "undercut_px is no length in millimetres"),
+    ],
+)
+def test_wrong_lengths_are_named(
+    scale: float, lengths: dict[str, float], error: type[Exception], message: str
+) -> None:
+    with pytest.raises(error, match=message):
+        ill.lengths_in_pixels(scale, **lengths)
+
+
+def hatch_points(drawing: ill.Drawing) -> NDArray[np.float64]:
+    kinds = [int(k) for k in (ill.Kind.HATCH, ill.Kind.CROSS_HATCH, ill.Kind.UNDERCUT)]
+    per_point = np.repeat(drawing.kinds, np.diff(drawing.offsets))
+    points: NDArray[np.float64] = drawing.image[np.isin(per_point, kinds)]
+    return points
+
+
+def test_hatches_keep_out_of_mach_bands_and_fill_undercuts(balls: ill.Prepared) -> None:
+    options = ill.DrawOptions(mach_band_px=8, undercut_px=16, highlight_threshold=0.5)
+    drawing = ill.draw(balls, CAMERA, options)
+    outside = distance_to_outline(balls, drawing)
+    points = hatch_points(drawing)
+    column, row = np.minimum(points.astype(int), SIZE_PX - 1).T
+    around = outside[row, column]
+    assert not ((around > -7) & (around < -1)).any()
+    area = {
+        name: ((outside > low) & (outside < high)).sum()
+        for name, low, high in (("undercut", 1, 15), ("beyond", 18, 30))
+    }
+    inked = {
+        "undercut": ((around > 1) & (around < 15)).sum(),
+        "beyond": ((around > 18) & (around < 30)).sum(),
+    }
+    assert inked["undercut"] / area["undercut"] > 2 * inked["beyond"] / area["beyond"]
+
+
+def share(drawing: ill.Drawing, level: int) -> float:
+    seen = drawing.tone.level != 255
+    return float((drawing.tone.level == level).sum() / seen.sum())
+
+
+def test_shares_divide_what_is_seen(balls: ill.Prepared) -> None:
+    options = ill.DrawOptions(highlight_share=0.3, shadow_share=0.2)
+    drawing = ill.draw(balls, CAMERA, options)
+    assert share(drawing, 0) == pytest.approx(0.3, abs=1e-3)
+    assert share(drawing, 2) == pytest.approx(0.2, abs=1e-3)
+    tone = drawing.tone
+    assert (tone.level[tone.brightness > tone.highlight_threshold + 1e-5] == 0).all()
+    options.highlight_share = None
+    assert options.highlight_share is None
+    again = ill.draw(balls, CAMERA, options)
+    assert again.tone.highlight_threshold == 0.8
+    assert again.tone.shadow_threshold == tone.shadow_threshold
+
+
+def test_a_ball_shades_the_one_behind(balls: ill.Prepared) -> None:
+    lights = [ill.Light("sun", (0.6, 0, 1))]
+    lit = ill.draw(balls, CAMERA, lights=lights).tone
+    shaded = ill.draw(balls, CAMERA, ill.DrawOptions(cast_shadows=True), lights=lights).tone
+    darker = shaded.brightness < lit.brightness
+    assert darker.sum() > 500 and (shaded.brightness[darker] == 0).all()
+    lights = [ill.Light("sun", (0.6, 0, 1), casts_shadows=False)]
+    same = ill.draw(balls, CAMERA, ill.DrawOptions(cast_shadows=True), lights=lights).tone
+    assert (same.brightness == lit.brightness).all()
+
+
+def ink(drawing: ill.Drawing, where: NDArray[np.bool_]) -> float:
+    """Length of the hatches whose middle lies in the cells, per cell, px."""
+    total = 0.0
+    for i, kind in enumerate(drawing.kinds):
+        if kind not in (int(ill.Kind.HATCH), int(ill.Kind.CROSS_HATCH)):
+            continue
+        line = drawing.image[drawing.offsets[i] : drawing.offsets[i + 1]]
+        column, row = np.minimum((line[:-1] + line[1:]).T / 2, SIZE_PX - 1).astype(int)
+        total += float(np.linalg.norm(np.diff(line, axis=0), axis=1)[where[row, column]].sum())
+    return total / float(where.sum())
+
+
+def test_extra_levels_are_hatched_more_densely(balls: ill.Prepared) -> None:
+    assert ill.draw(balls, CAMERA).tone.extra.shape == (0, 0)
+    options = ill.DrawOptions(
+        shadow_share=0.8, extra_levels=3, undercuts=False, mach_bands=False, spacing_px=5,
+        undercut_spacing_px=2.5, simplify_px=0.01,
+    )  # fmt: skip
+    drawing = ill.draw(balls, CAMERA, options)
+    check_drawing(drawing, CAMERA)
+    extra, shadow = drawing.tone.extra, drawing.tone.level == 2
+    assert extra.shape == (SIZE_PX, SIZE_PX) and set(np.unique(extra)) == {0, 1, 2, 3}
+    assert not extra[~shadow].any()
+    densities = [ink(drawing, shadow & (extra == level)) for level in range(4)]
+    assert all(b > 1.15 * a for a, b in pairwise(densities)), densities
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"kind": "sky"}, "light.kind is 'sky'"),
+        ({"kind": "area", "vector": (0, 0, 1), "direction": (0, 0, -1), "edges": [(1, 0, 0)]},
+         "light.edges"),
+        ({"kind": "spot", "vector": (0, 0, 1), "direction": (0, 0, -1)}, "light.angle_rad"),
+    ],
+)  # fmt: skip
+def test_wrong_lights_are_named(arguments: dict[str, Any], message: str) -> None:
+    with pytest.raises(ill.InvalidInput, match=message):
+        ill.Light(**arguments)
+
+
+def test_lights_keep_what_they_are_given() -> None:
+    area = ill.Light(
+        "area", (0, 0, 3), 2.0, (0, 0, -1), edges=[(1, 0, 0), (0, 2, 0)], ellipse=True,
+        falloff_distance=1.0, casts_shadows=False,
+    )  # fmt: skip
+    assert area.edges.tolist() == [[1, 0, 0], [0, 2, 0]]
+    assert area.ellipse and not area.casts_shadows and area.falloff_distance == 1
+    assert ill.Light("side").vector.tolist() == [-1, 1, 1]
+    spot = ill.Light("spot", (0, 0, 3), 1.0, (0, 0, -1), 0.5, blend=0.25)
+    assert spot.blend == 0.25 and spot.edges.tolist() == [[0, 0, 0], [0, 0, 0]]

@@ -1,0 +1,165 @@
+#include "visibility/bases.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace illustrate {
+namespace {
+
+constexpr double contradiction_px = 40;  // a layer missing behind a crossing
+constexpr double impossible = 1e12;      // the price of a negative label
+constexpr int highest_move = 3;          // above the highest base that a ray speaks for
+
+// What the paths say at a crossing; `back` is the smaller of the labels before and behind it.
+struct CrossingLabels {
+  std::size_t front_path = 0, back_path = 0;
+  int front = 0, back = 0;
+};
+
+std::vector<CrossingLabels> labels_at_crossings(const Arrangement& arrangement,
+                                                const std::vector<LabelledPath>& paths) {
+  std::vector<CrossingLabels> result(arrangement.crossings.size());
+  for (std::size_t p = 0; p < paths.size(); ++p) {
+    for (std::size_t i = 0; i < paths[p].labels.arcs.size(); ++i) {
+      const PathArc& arc = paths[p].labels.arcs[i];
+      if (arc.begin == none) continue;
+      const Visit& visit = arrangement.visits[idx(arc.strand)][idx(arc.begin)];
+      CrossingLabels& labels = result[idx(visit.crossing)];
+      const int label = paths[p].at_start[i];
+      if (visit.front) {
+        labels.front_path = p;
+        labels.front = label;
+      } else {
+        const int change = back_change(arrangement, arrangement.crossings[idx(visit.crossing)]);
+        labels.back_path = p;
+        labels.back = std::min(label, label - change);
+      }
+    }
+  }
+  return result;
+}
+
+// Moves one base after another to where the rays and the crossings with other paths mind it least.
+// Every move makes the sum of all that is minded smaller, so it ends.
+class BaseSettler {
+ public:
+  BaseSettler(const Arrangement& arrangement, std::vector<LabelledPath>& paths)
+      : arrangement_(arrangement),
+        paths_(paths),
+        labels_(labels_at_crossings(arrangement, paths)),
+        crossings_of_(paths.size()),
+        moved_(paths.size(), 0) {
+    for (std::size_t c = 0; c < labels_.size(); ++c) {
+      const CrossingLabels& labels = labels_[c];
+      if (!arrangement.is_live(static_cast<int>(c)) || labels.front_path == labels.back_path)
+        continue;
+      crossings_of_[labels.front_path].push_back(c);
+      crossings_of_[labels.back_path].push_back(c);
+    }
+  }
+
+  // Returns the crossings that contradict the labels even so.
+  std::vector<int> run() {
+    constexpr int most_rounds = 20;
+    bool changed = true;
+    for (int round = 0; changed && round < most_rounds; ++round) {
+      changed = false;
+      for (std::size_t p = 0; p < paths_.size(); ++p) changed |= settle(p);
+    }
+    return contradictions();
+  }
+
+ private:
+  bool settle(std::size_t p) {
+    LabelledPath& path = paths_[p];
+    if (!path.is_balanced() || crossings_of_[p].empty()) return false;
+    const int count = static_cast<int>(path.costs.size());
+    int best = path.base;
+    double least = price(p, best);
+    for (int base = 0; base < count; ++base) {
+      const double other = price(p, base);
+      if (other < least - 1e-9) {
+        best = base;
+        least = other;
+      }
+    }
+    if (best == path.base) return false;
+    moved_[p] += best - path.base;
+    path.move_base(best - path.base);
+    return true;
+  }
+
+  double price(std::size_t p, int base) const {
+    const LabelledPath& path = paths_[p];
+    double sum = path.costs[idx(base)];
+    for (const std::size_t c : crossings_of_[p]) {
+      const CrossingLabels& labels = labels_[c];
+      const int by = base - path.base;
+      const int missing = missing_layers(labels) + (labels.front_path == p ? by : -by);
+      sum += contradiction_px * std::max(missing, 0);
+    }
+    return sum;
+  }
+
+  // Of the back strand's, as its path and the front strand's have moved; none where not positive.
+  int missing_layers(const CrossingLabels& labels) const {
+    return labels.front + moved_[labels.front_path] - labels.back - moved_[labels.back_path];
+  }
+
+  std::vector<int> contradictions() const {
+    std::vector<int> result;
+    for (std::size_t c = 0; c < labels_.size(); ++c) {
+      const int crossing = static_cast<int>(c);
+      if (arrangement_.is_live(crossing) && missing_layers(labels_[c]) > 0)
+        result.push_back(crossing);
+    }
+    return result;
+  }
+
+  const Arrangement& arrangement_;
+  std::vector<LabelledPath>& paths_;
+  std::vector<CrossingLabels> labels_;  // before any move
+  std::vector<std::vector<std::size_t>> crossings_of_;
+  std::vector<int> moved_;  // (paths)
+};
+
+}  // namespace
+
+void LabelledPath::move_base(int by) {
+  base += by;
+  for (std::vector<int>* values : {&at_start, &along, &at_end}) {
+    for (int& label : *values) label += by;
+  }
+}
+
+bool choose_base(const std::vector<Evidence>& evidence, LabelledPath& path) {
+  const std::vector<PathArc>& arcs = path.labels.arcs;
+  int lowest = 0, most = 0;
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    lowest = std::min(lowest, arcs[i].offset);
+    most = std::max(most, evidence[i].layers + evidence[i].unsure - arcs[i].offset);
+  }
+  path.costs.assign(idx(std::max(-lowest, most) + highest_move + 1), impossible);
+  for (std::size_t base = idx(-lowest); base < path.costs.size(); ++base) {
+    path.costs[base] = 0;
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      const int label = static_cast<int>(base) + arcs[i].offset;
+      path.costs[base] += evidence[i].against(label);
+    }
+  }
+  const auto best = std::min_element(path.costs.begin(), path.costs.end());
+  if (!(*best < outline_weight)) {
+    path.costs.clear();
+    return false;
+  }
+  for (const PathArc& arc : arcs) path.along.push_back(arc.offset);
+  path.at_start = path.at_end = path.along;
+  path.move_base(static_cast<int>(best - path.costs.begin()));
+  return true;
+}
+
+std::vector<int> settle_bases(const Arrangement& arrangement, std::vector<LabelledPath>& paths) {
+  return BaseSettler(arrangement, paths).run();
+}
+
+}  // namespace illustrate

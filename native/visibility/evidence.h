@@ -1,0 +1,39 @@
+// What rays say of the arcs of a path.
+#pragma once
+
+#include <algorithm>
+#include <map>
+
+#include "visibility/layer_rays.h"
+#include "visibility/potential.h"
+
+namespace illustrate {
+
+constexpr double outline_weight = 1e9;  // the outside of the drawing is certain: px of length
+
+// What rays say of an arc: so many layers, or up to `unsure` more, worth so many pixels of line.
+struct Evidence {
+  int layers;
+  int unsure;
+  double weight;
+
+  // Pixels of wrong label where the arc has `label` layers.
+  double against(int label) const {
+    return weight * std::max({0, layers - label, label - layers - unsure});
+  }
+};
+
+// What was asked before, by strand and the crossings that bound the arc (none at the strand's
+// ends).
+using KnownEvidence = std::map<std::array<int, 3>, Evidence>;
+
+// One for each arc: those at the outside of the drawing have 0 layers for certain, the others have
+// weight 0.
+std::vector<Evidence> outline_evidence(const Arrangement& arrangement,
+                                       const std::vector<PathArc>& arcs);
+
+// Adds what rays say of the longest of the other arcs.
+void ask_rays(const Arrangement& arrangement, const std::vector<PathArc>& arcs, LayerRays& rays,
+              KnownEvidence& known, std::vector<Evidence>& evidence);
+
+}  // namespace illustrate
