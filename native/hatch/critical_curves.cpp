@@ -11,6 +11,9 @@ namespace {
 
 constexpr double cell_px = 8;
 
+// Squared cosine between what runs along each other.
+constexpr double least_alignment = 0.75;
+
 }  // namespace
 
 bool is_critical(Kind kind) {
@@ -94,6 +97,21 @@ double CriticalCurves::first_crossing(const Vec2& a, const Vec2& b) const {
     }
   }
   return first;
+}
+
+bool CriticalCurves::run_along(const Vec2& p, const Vec2& heading, double radius) const {
+  for (int row = row_of(p.y() - radius); row <= row_of(p.y() + radius); ++row) {
+    for (int i = column_of(p.x() - radius); i <= column_of(p.x() + radius); ++i) {
+      for (const int index : cells_[row * columns_ + i]) {
+        const Vec2 &a = pieces_[index].a, run = pieces_[index].b - a;
+        const double square = run.squaredNorm(), along = run.dot(heading);
+        if (!(square > 0) || along * along < least_alignment * square) continue;
+        const double t = std::clamp(run.dot(p - a) / square, 0.0, 1.0);
+        if ((p - a - t * run).squaredNorm() < radius * radius) return true;
+      }
+    }
+  }
+  return false;
 }
 
 }  // namespace illustrate

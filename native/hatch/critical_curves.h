@@ -18,6 +18,9 @@ class CriticalCurves {
   double first_crossing(const Vec2& a, const Vec2& b) const;
   bool separate(const Vec2& a, const Vec2& b) const { return first_crossing(a, b) <= 1; }
 
+  // Whether a curve passes p nearer than `radius`, within about 30 degrees of the unit `heading`.
+  bool run_along(const Vec2& p, const Vec2& heading, double radius) const;
+
  private:
   struct Piece {
     Vec2 a;

@@ -38,7 +38,7 @@ class Cutter {
  private:
   bool stays(const Streamline& streamline, int number, int index) const {
     const StreamlineNode& node = streamline.nodes[idx(index)];
-    if (!view_.may_pass(node)) return false;
+    if (!view_.may_pass(node, streamline.spacing)) return false;
     const double radius = test_ * streamline.spacing;
     return !set_.grid.any_near(
         node.image, radius + streamline.spacing * node_step / 2, [&](const GridNode& other) {

@@ -13,9 +13,8 @@
 namespace illustrate {
 namespace {
 
-// Seeds on the whole surface for each square of a spacing, seen face on, and the most of them.
+// Seeds on the whole surface for each square of a spacing, seen face on.
 constexpr double seeds_per_square = 4;
-constexpr double most_seeds = 150'000;
 
 // World length of a pixel, on average over what is seen; 0 where nothing is.
 double mean_pixel(const HatchScene& scene) {
@@ -31,21 +30,15 @@ double mean_pixel(const HatchScene& scene) {
   return count > 0 ? sum / count : 0;
 }
 
-std::vector<SurfacePoint> surface_seeds(const HatchScene& scene, double spacing_px) {
-  const SurfaceSeeds all(scene.surface);
+std::size_t seed_count(const HatchScene& scene, double area, double spacing_px) {
   const double spacing = mean_pixel(scene) * spacing_px;
-  if (!(spacing > 0) || !(all.area() > 0)) return {};
-  const double wanted = seeds_per_square * all.area() / (spacing * spacing);
-  std::vector<SurfacePoint> seeds;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(std::min(wanted, most_seeds)); ++i) {
-    seeds.push_back(all[i]);
-  }
-  return seeds;
+  const double count = spacing > 0 ? seeds_per_square * area / (spacing * spacing) : 0;
+  return static_cast<std::size_t>(std::min(count, 1e9));
 }
 
 // A drawing that stands alone.
 void place_anew(StreamlineSet& set, const HatchView& view, const Ragged<SurfacePoint>& curves,
-                const std::vector<SurfacePoint>& seeds, int threads, const Progress& progress) {
+                const std::vector<StreamlineNode>& seeds, int threads, const Progress& progress) {
   place_curves(set, view, curves, {}, progress.part(0, 0.3));
   fill_streamlines(set, view, seeds, {0.9, 0.6, 1.5});
   merge_streamlines(set, view);
@@ -63,7 +56,7 @@ void place_anew(StreamlineSet& set, const HatchView& view, const Ragged<SurfaceP
 
 // A drawing that follows another.
 void place_after(StreamlineSet& set, const HatchView& view, const Ragged<SurfacePoint>& first,
-                 const std::vector<SurfacePoint>& seeds, int threads, const Progress& progress) {
+                 const std::vector<StreamlineNode>& seeds, int threads, const Progress& progress) {
   place_curves(set, view, first, {0.5, 0.5, 0.5}, progress.part(0, 0.3));
   extend_streamlines(set, view, 0.65);
   merge_streamlines(set, view);
@@ -75,7 +68,7 @@ void place_after(StreamlineSet& set, const HatchView& view, const Ragged<Surface
 
 // Right up to what ends the streamlines, and into what is left.
 void finish_ends(StreamlineSet& set, const HatchView& view,
-                 const std::vector<SurfacePoint>& seeds) {
+                 const std::vector<StreamlineNode>& seeds) {
   extend_tips(set, view, 0.7, 0.5);
   set.drop_shorter(view, 0.5);
   fill_streamlines(set, view, seeds, {0.75, 0.5, 0.75});
@@ -84,7 +77,7 @@ void finish_ends(StreamlineSet& set, const HatchView& view,
 
 }  // namespace
 
-Hatches even_hatches(const HatchScene& scene, const Ragged<SurfacePoint>& curves,
+Hatches even_hatches(const HatchScene& scene, const SurfaceCurves& curves,
                      const Ragged<SurfacePoint>& first, const HatchOptions& options, int threads,
                      Counts& counts, const Progress& progress) {
   validate(options);
@@ -92,11 +85,11 @@ Hatches even_hatches(const HatchScene& scene, const Ragged<SurfacePoint>& curves
   progress.report(0);
   const HatchView view(scene.surface, scene.field, scene.camera, scene.visible, scene.tone,
                        scene.graph, scene.spacing_scale, scene.unhatched, options);
-  const std::vector<SurfacePoint> seeds =
-      seen_seeds(view, surface_seeds(scene, options.spacing_px));
+  const std::vector<StreamlineNode> seeds =
+      seed_nodes(view, curves.seeds, seed_count(scene, curves.area, options.spacing_px));
   StreamlineSet set(view);
   if (first.empty()) {
-    place_anew(set, view, curves, seeds, threads, progress.part(0.1, 0.7));
+    place_anew(set, view, curves.curves, seeds, threads, progress.part(0.1, 0.7));
   } else {
     place_after(set, view, first, seeds, threads, progress.part(0.1, 0.7));
   }

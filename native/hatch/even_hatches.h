@@ -27,9 +27,9 @@ struct HatchScene {
 };
 
 // `first`: strokes of the drawing before this one, as points on this surface; where there are any,
-// they are placed before all others and `curves` are not used. The rules of HatchOptions hold for
+// they are placed instead of the curves. The rules of HatchOptions hold for
 // both kinds of seeding. Adds "hatches" to `counts`. Throws as place_hatches.
-Hatches even_hatches(const HatchScene& scene, const Ragged<SurfacePoint>& curves,
+Hatches even_hatches(const HatchScene& scene, const SurfaceCurves& curves,
                      const Ragged<SurfacePoint>& first, const HatchOptions& options, int threads,
                      Counts& counts, const Progress& progress = {});
 

@@ -41,7 +41,7 @@ class Tip {
       StreamlineNode node;
       const bool goes_on = step(walk, nodes.back(), pace.step, node);
       const bool is_long = (node.image - nodes.back().image).norm() > least_step * pace.step;
-      if (!is_long || !view_.may_pass(node)) return;
+      if (!is_long || !view_.may_pass(node, spacing_)) return;
       if (view_.is_near(grid_, node, spacing_, pace.test, streamline_, index + way * k)) return;
       nodes.push_back(node);
       grid_.add(node, spacing_ * node_step / 2, streamline_, index + way * k);
@@ -82,11 +82,11 @@ Pace whole_steps(double spacing, double test) {
   return {spacing * node_step, test * spacing, most_steps};
 }
 
-void grow_new(StreamlineSet& set, const HatchView& view, const SurfacePoint& seed,
-              const Vec3& towards, const GrowRules& rules) {
-  const int object = view.walker.on_surface().surface().triangle_objects[idx(seed.triangle)];
+void grow_new(StreamlineSet& set, const HatchView& view, const StreamlineNode& first,
+              const GrowRules& rules) {
+  const Surface& surface = view.walker.on_surface().surface();
+  const int object = surface.triangle_objects[idx(first.on.triangle)];
   const double spacing = view.spacing_of(object);
-  const StreamlineNode first = view.node(seed, towards);
   const int number = static_cast<int>(set.streamlines.size());
   if (view.is_near(set.grid, first, spacing, rules.clear * spacing, number, 0)) return;
   const std::size_t before = set.grid.size();
@@ -120,29 +120,30 @@ void at_all_ends(StreamlineSet& set, const HatchView& view, const Use& use) {
 
 }  // namespace
 
-std::vector<SurfacePoint> seen_seeds(const HatchView& view,
-                                     const std::vector<SurfacePoint>& seeds) {
+std::vector<StreamlineNode> seed_nodes(const HatchView& view,
+                                       const std::vector<SurfacePoint>& seeds, std::size_t count) {
   const Surface& surface = view.walker.on_surface().surface();
-  std::vector<SurfacePoint> seen;
-  for (const SurfacePoint& on : seeds) {
+  std::vector<StreamlineNode> nodes;
+  for (std::size_t i = 0; i < std::min(count, seeds.size()); ++i) {
+    const SurfacePoint& on = seeds[i];
     if (!view.is_hatched(surface.triangle_objects[idx(on.triangle)])) continue;
     const Vec3 position = position_at(surface, on);
     const Vec3 h = apply(view.walker.map(), position);
-    if (!(h[2] > 0) || view.walker.facing_at(on) == 0) continue;
-    if (view.area.may_pass({position, on, h.head<2>() / h[2]}, Area::hatched)) seen.push_back(on);
+    if (!(h[2] > 0)) continue;
+    if (!view.area.is_seen({position, on, h.head<2>() / h[2]})) continue;
+    const Vec3 normal = normal_at(surface, on);
+    const double spacing = view.spacing_of(surface.triangle_objects[idx(on.triangle)]);
+    const StreamlineNode one = view.node(on, normal.unitOrthogonal());
+    for (const StreamlineNode& node : {one, view.node(on, normal.cross(one.tangent))}) {
+      if (view.may_pass(node, spacing)) nodes.push_back(node);
+    }
   }
-  return seen;
+  return nodes;
 }
 
 void fill_streamlines(StreamlineSet& set, const HatchView& view,
-                      const std::vector<SurfacePoint>& seeds, const GrowRules& rules) {
-  for (const SurfacePoint& seed : seeds) {
-    const Vec3 normal = normal_at(view.walker.on_surface().surface(), seed);
-    const Vec3 one = view.walker.start(seed, normal.unitOrthogonal()).tangent;
-    for (const Vec3& towards : {one, Vec3(normal.cross(one))}) {
-      grow_new(set, view, seed, towards, rules);
-    }
-  }
+                      const std::vector<StreamlineNode>& seeds, const GrowRules& rules) {
+  for (const StreamlineNode& seed : seeds) grow_new(set, view, seed, rules);
 }
 
 void extend_streamlines(StreamlineSet& set, const HatchView& view, double test) {

@@ -13,12 +13,14 @@ struct GrowRules {
   double least_length = 1.5;
 };
 
-// The places on the surface under `seeds`, of those that are seen and where hatches are wanted.
-std::vector<SurfacePoint> seen_seeds(const HatchView& view, const std::vector<SurfacePoint>& seeds);
+// Nodes along both directions of the cross at the first `count` seeds of the surface, of those that
+// are seen and where hatches are wanted.
+std::vector<StreamlineNode> seed_nodes(const HatchView& view,
+                                       const std::vector<SurfacePoint>& seeds, std::size_t count);
 
-// New streamlines from the seeds in their order, along both directions of the cross.
+// New streamlines from the nodes, in their order.
 void fill_streamlines(StreamlineSet& set, const HatchView& view,
-                      const std::vector<SurfacePoint>& seeds, const GrowRules& rules);
+                      const std::vector<StreamlineNode>& seeds, const GrowRules& rules);
 
 // Both ends of all streamlines go on while they are clear by `test` spacings.
 void extend_streamlines(StreamlineSet& set, const HatchView& view, double test);

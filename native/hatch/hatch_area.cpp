@@ -39,9 +39,7 @@ bool HatchArea::is_seen(const HatchPoint& point) const {
       camera_.project(point.position).depth - hidden_px * camera_.pixel_size(point.position);
   if (depth <= visible_.depth[visible_.cell_of(point.image)]) return true;
   bool is_seen = false;
-  around(point.image, [&](int cell) {
-    is_seen = is_seen || (visible_.triangle[cell] != none && depth <= visible_.depth[cell]);
-  });
+  around(point.image, [&](int cell) { is_seen = is_seen || depth <= visible_.depth[cell]; });
   return is_seen;
 }
 

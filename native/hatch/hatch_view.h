@@ -11,6 +11,9 @@
 
 namespace illustrate {
 
+// Hatches that run along a critical curve stay away from it, in spacings.
+constexpr double curve_clearance = 0.4;
+
 class HatchView {
  public:
   HatchView(const Surface& surface, const CrossField& field, const Camera& camera,
@@ -30,10 +33,11 @@ class HatchView {
   // The node at a place, along the branch of the cross nearest to `towards`.
   StreamlineNode node(const SurfacePoint& on, const Vec3& towards) const;
 
-  // Whether a hatch may run through a node: before the near plane, in the frame, seen, and where
-  // hatches are wanted.
-  bool may_pass(const StreamlineNode& node) const {
-    return area.may_pass({node.position, node.on, node.image}, Area::hatched);
+  // Whether a hatch may run through a node: before the near plane, in the frame, seen, where hatches
+  // are wanted, and not close along a critical curve.
+  bool may_pass(const StreamlineNode& node, double spacing) const {
+    return area.may_pass({node.position, node.on, node.image}, Area::hatched) &&
+           !curves.run_along(node.image, node.heading, curve_clearance * spacing);
   }
   bool is_hatched(int object) const { return unhatched_.empty() || !unhatched_[idx(object)]; }
 

@@ -165,10 +165,11 @@ class Merger {
 
   bool is_free(const StreamlineNode& node, double spacing, int one, int other) const {
     const double radius = bridge_clear * spacing;
-    return view_.may_pass(node) && !set_.grid.any_near(node.image, 2 * radius, [&](const auto& n) {
-      return n.streamline != one && n.streamline != other &&
-             HatchView::distance(node, n, spacing, radius) < radius;
-    });
+    return view_.may_pass(node, spacing) &&
+           !set_.grid.any_near(node.image, 2 * radius, [&](const auto& n) {
+             return n.streamline != one && n.streamline != other &&
+                    HatchView::distance(node, n, spacing, radius) < radius;
+           });
   }
 
   // All streamlines, those that are joined as one.

@@ -40,6 +40,8 @@ class CurvePlacer {
     double facing;
   };
 
+  static HatchPoint point(const Place& p) { return {p.position, p.on, p.image}; }
+
   bool project(const SurfacePoint& on, Place& place) const {
     place.on = on;
     place.position = position_at(surface_, on);
@@ -84,16 +86,13 @@ class CurvePlacer {
 
   // What lies between two critical curves is seen or hidden as a whole.
   void place_run() {
-    const auto point = [](const Place& p) { return HatchPoint{p.position, p.on, p.image}; };
     const auto seen = static_cast<std::size_t>(std::count_if(
         run_.begin(), run_.end(), [&](const Place& p) { return view_.area.is_seen(point(p)); }));
     if (run_.size() > 1 && 2 * seen > run_.size()) {
       for (std::size_t i = 0; i < run_.size(); ++i) {
         const std::size_t other = i + 1 < run_.size() ? i + 1 : i - 1;
         const double way = i + 1 < run_.size() ? 1 : -1;
-        const bool good = view_.area.may_pass(point(run_[i]), Area::hatched);
-        if (good) try_node(run_[i], way * (run_[other].position - run_[i].position));
-        if (!good) finish();
+        try_node(run_[i], way * (run_[other].position - run_[i].position));
       }
       finish();
     }
@@ -101,7 +100,9 @@ class CurvePlacer {
   }
 
   void try_node(const Place& place, const Vec3& towards) {
+    if (!view_.area.may_pass(point(place), Area::hatched)) return finish();
     const StreamlineNode node = view_.node(place.on, towards);
+    if (!view_.may_pass(node, spacing_)) return finish();
     const double distance = view_.nearest(set_.grid, node, spacing_, rules_.clear * spacing_);
     if (distance < rules_.test * spacing_) return finish();
     is_clear_ = is_clear_ || distance >= rules_.clear * spacing_;

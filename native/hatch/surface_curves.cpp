@@ -20,6 +20,9 @@ constexpr double least_length = 1.5;
 // In finest radii: between points of a curve.
 constexpr double point_step = 0.6;
 
+// All seeds there are.
+constexpr std::size_t seed_total = 150'000;
+
 // Seeds for each square of a level's radius.
 constexpr double seeds_per_square = 2.5;
 
@@ -34,25 +37,59 @@ struct CurvePlace {
   CurveNode node;
 };
 
+// Places spread evenly over the surface by area.
+class EvenPlaces {
+ public:
+  explicit EvenPlaces(const Surface& surface) {
+    double sum = 0;
+    for (const Triangle& corner : surface.triangles) {
+      const Vec3& origin = surface.positions[idx(corner[0])];
+      const Vec3 u = surface.positions[idx(corner[1])] - origin;
+      const Vec3 v = surface.positions[idx(corner[2])] - origin;
+      const double area = u.cross(v).norm() / 2;
+      sum += std::isfinite(area) ? area : 0;
+      area_to_.push_back(sum);
+    }
+  }
+
+  double area() const { return area_to_.empty() ? 0 : area_to_.back(); }
+
+  SurfacePoint place(std::size_t i) const {
+    const auto turn = [&](std::size_t k) {
+      return fraction(0.5 + seed_steps[k] * static_cast<double>(i));
+    };
+    const auto found = std::upper_bound(area_to_.begin(), area_to_.end() - 1, turn(0) * area());
+    double b1 = turn(1), b2 = turn(2);
+    if (b1 + b2 > 1) b1 = 1 - b1, b2 = 1 - b2;
+    return {static_cast<int>(found - area_to_.begin()), b1, b2};
+  }
+
+ private:
+  std::vector<double> area_to_;  // (t) of all triangles up to and with each one
+};
+
 class CurveBuilder {
  public:
   CurveBuilder(const Surface& surface, const CrossField& field, const Progress& progress)
-      : surface_(surface), walker_(surface, field), seeds_(surface), progress_(progress) {
+      : surface_(surface), walker_(surface, field), progress_(progress) {
     for (const Vec3& p : surface.positions) {
       if (p.allFinite()) box_.extend(p);
     }
   }
 
   SurfaceCurves build() {
-    const double area = seeds_.area();
+    const EvenPlaces places(surface_);
+    const double area = result_.area = places.area();
     if (!(area > 0) || !std::isfinite(area)) return {};
+    for (std::size_t i = 0; i < seed_total; ++i) result_.seeds.push_back(places.place(i));
     const double finest = std::sqrt(area / finest_squares);
     result_.step = point_step * finest;
     double done = 0;
     for (int level = levels - 1; level >= 0; --level) {
       const double radius = finest * std::pow(2, level / 2.0);
       const double share = std::pow(0.5, level + 1);
-      add_level(radius, static_cast<std::size_t>(seeds_per_square * area / (radius * radius)),
+      const double seeds = seeds_per_square * area / (radius * radius);
+      add_level(radius, std::min(seed_total, static_cast<std::size_t>(seeds)),
                 progress_.part(done, done + share));
       done += share;
     }
@@ -67,7 +104,7 @@ class CurveBuilder {
     for (const auto& line : lines_) add_to_cells(cells, line);
     for (std::size_t i = 0; i < seed_count; ++i) {
       if (i % 512 == 0) progress.report(static_cast<double>(i) / static_cast<double>(seed_count));
-      const SurfacePoint seed = seeds_[i];
+      const SurfacePoint& seed = result_.seeds[i];
       const Vec3 normal = normal_at(surface_, seed);
       const Vec3 one = cross_direction(surface_, walker_.field(), seed, normal.unitOrthogonal());
       for (const Vec3& towards : {one, Vec3(normal.cross(one))}) grow(cells, seed, towards);
@@ -136,7 +173,6 @@ class CurveBuilder {
 
   const Surface& surface_;
   FieldWalker walker_;
-  SurfaceSeeds seeds_;
   const Progress& progress_;
   Eigen::AlignedBox3d box_;
   SurfaceCurves result_;
@@ -146,29 +182,6 @@ class CurveBuilder {
 };
 
 }  // namespace
-
-SurfaceSeeds::SurfaceSeeds(const Surface& surface) {
-  area_to_.reserve(surface.triangles.size());
-  double sum = 0;
-  for (const Triangle& corner : surface.triangles) {
-    const Vec3& origin = surface.positions[idx(corner[0])];
-    const Vec3 u = surface.positions[idx(corner[1])] - origin;
-    const Vec3 v = surface.positions[idx(corner[2])] - origin;
-    const double area = u.cross(v).norm() / 2;
-    sum += std::isfinite(area) ? area : 0;
-    area_to_.push_back(sum);
-  }
-}
-
-SurfacePoint SurfaceSeeds::operator[](std::size_t i) const {
-  const auto turn = [&](std::size_t k) {
-    return fraction(0.5 + seed_steps[k] * static_cast<double>(i));
-  };
-  const auto found = std::upper_bound(area_to_.begin(), area_to_.end() - 1, turn(0) * area());
-  double b1 = turn(1), b2 = turn(2);
-  if (b1 + b2 > 1) b1 = 1 - b1, b2 = 1 - b2;
-  return {static_cast<int>(found - area_to_.begin()), b1, b2};
-}
 
 SurfaceCurves surface_curves(const Surface& surface, const CrossField& field,
                              const Progress& progress) {

@@ -17,24 +17,14 @@ namespace illustrate {
 struct SurfaceCurves {
   Ragged<SurfacePoint> curves;  // in rank order; points about `step` apart along a curve
   double step = 0;              // world units
+  // Places to fill gaps from: the first n are spread evenly by area, for any n.
+  std::vector<SurfacePoint> seeds;
+  double area = 0;  // of the surface
 };
 
 // One core; the finest radius is such that about 60,000 of its squares cover the surface. Throws
 // Cancelled through `progress`. Nothing for a surface without area.
 SurfaceCurves surface_curves(const Surface& surface, const CrossField& field,
                              const Progress& progress = {});
-
-// Places spread evenly over the surface by area: the first n of them are spread evenly for any n.
-class SurfaceSeeds {
- public:
-  explicit SurfaceSeeds(const Surface& surface);
-
-  double area() const { return area_to_.empty() ? 0 : area_to_.back(); }
-  // Seed i >= 0. Only where area() > 0.
-  SurfacePoint operator[](std::size_t i) const;
-
- private:
-  std::vector<double> area_to_;  // (t) of all triangles up to and with each one
-};
 
 }  // namespace illustrate

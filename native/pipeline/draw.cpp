@@ -87,12 +87,6 @@ class View {
     });
   }
 
-  // `curves`: not used with the paper's seeding. `first`: strokes to begin with.
-  void hatch_along(Ragged<SurfacePoint> curves, Ragged<SurfacePoint> first) {
-    curves_ = std::move(curves);
-    first_ = std::move(first);
-  }
-
   void hatch(const CrossField& field, const std::vector<Light>& lights, const Progress& progress) {
     const Surface& surface = scene_.surface();
     const Progress tone_progress = progress.part(0, 0.3, "tone");
@@ -139,14 +133,14 @@ class View {
     }
     const HatchScene hatch_scene{surface,      field,         camera_,       visible,
                                  result_.tone, result_.graph, spacing_scale, unhatched};
-    return even_hatches(hatch_scene, curves_, first_, options_.hatch, options_.threads,
-                        result_.counts, progress);
+    return even_hatches(hatch_scene, scene_.hatch_curves(), first_, options_.hatch,
+                        options_.threads, result_.counts, progress);
   }
 
   const SeenScene& scene_;
   const Camera& camera_;
   const DrawOptions& options_;
-  Ragged<SurfacePoint> curves_, first_;
+  Ragged<SurfacePoint> first_;
   Hatches hatches_;
   DrawResult result_;
 };
@@ -158,16 +152,14 @@ DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOption
   validate(options, prepared.object_count());
   for (std::size_t i = 0; i < lights.size(); ++i) validate(lights[i], i);
   const bool hatching = anything_is_hatched(options);
-  const SeenScene scene(prepared, options.styles, options.threads, progress.part(0, 0.1));
-  const CrossField* field = hatching ? &prepared.field(progress.part(0.1, 0.3)) : nullptr;
+  const bool along_curves = hatching && options.hatch.seeding == HatchSeeding::surface_curves;
+  const CrossField* field = hatching ? &prepared.field(progress.part(0, 0.2)) : nullptr;
+  if (along_curves) prepared.hatch_curves(progress.part(0.2, 0.25));
+  const SeenScene scene(prepared, options.styles, options.threads, along_curves,
+                        progress.part(0.25, 0.3));
   View view(scene, camera, options);
   view.label_curves(progress.part(0.3, hatching ? 0.5 : 0.95));
-  if (hatching) {
-    if (options.hatch.seeding == HatchSeeding::surface_curves) {
-      view.hatch_along(scene.seen_parts(prepared.hatch_curves().curves), {});
-    }
-    view.hatch(*field, lights, progress.part(0.5, 0.95));
-  }
+  if (hatching) view.hatch(*field, lights, progress.part(0.5, 0.95));
   return std::move(view).strokes(progress.part(0.95, 1, "stroke"));
 }
 

@@ -75,7 +75,7 @@ IntersectionCurves intersections_of(const IntersectionCurves& whole,
 }  // namespace
 
 SeenScene::SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& styles, int threads,
-                     const Progress& progress)
+                     bool hatching, const Progress& progress)
     : prepared_(prepared), threads_(threads) {
   const IntersectionCurves& intersections = prepared.intersections(progress);
   const bool is_whole = std::none_of(styles.begin(), styles.end(),
@@ -91,6 +91,16 @@ SeenScene::SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& s
   part_->features = feature_edges(part_->surface);
   part_->intersections = intersections_of(intersections, numbers);
   part_->numbers = std::move(numbers);
+  if (hatching) part_->hatch_curves = seen_curves(prepared.hatch_curves());
+}
+
+SurfaceCurves SeenScene::seen_curves(const SurfaceCurves& whole) const {
+  SurfaceCurves part{seen_parts(whole.curves), whole.step, {}, whole.area};
+  for (const SurfacePoint& on : whole.seeds) {
+    const int triangle = part_->numbers[idx(on.triangle)];
+    if (triangle != none) part.seeds.push_back({triangle, on.b1, on.b2});
+  }
+  return part;
 }
 
 Ragged<SurfacePoint> SeenScene::seen_parts(const Ragged<SurfacePoint>& curves) const {

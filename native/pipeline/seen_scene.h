@@ -9,8 +9,9 @@ namespace illustrate {
 // keep their numbers, so field and curvature still fit).
 class SeenScene {
  public:
+  // `hatching`: whether hatch_curves will be asked for.
   SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& styles, int threads,
-            const Progress& progress);
+            bool hatching, const Progress& progress);
 
   const Surface& surface() const { return part_ ? part_->surface : prepared_.surface(); }
   const LimitSurface& limit_surface() const { return prepared_.limit_surface(); }
@@ -33,6 +34,9 @@ class SeenScene {
   // Curves on the whole surface, as far as their triangles are in this scene, with their numbers in
   // it.
   Ragged<SurfacePoint> seen_parts(const Ragged<SurfacePoint>& curves) const;
+  const SurfaceCurves& hatch_curves() const {
+    return part_ ? part_->hatch_curves : prepared_.hatch_curves();
+  }
 
   // From triangles of this scene to those of `prepared`.
   void restore_triangles(std::vector<SurfacePoint>& points) const;
@@ -46,7 +50,10 @@ class SeenScene {
     Lazy<DualSurface> dual_surface;
     std::vector<FeatureEdge> features;
     IntersectionCurves intersections;
+    SurfaceCurves hatch_curves;
   };
+  SurfaceCurves seen_curves(const SurfaceCurves& whole) const;
+
   const Prepared& prepared_;
   int threads_;
   std::unique_ptr<Part> part_;
