@@ -43,7 +43,7 @@ void place_anew(StreamlineSet& set, const HatchView& view, const Ragged<SurfaceP
   fill_streamlines(set, view, seeds, {0.9, 0.6, 1.5});
   merge_streamlines(set, view);
   progress.report(0.4);
-  relax_streamlines(set, view, 5, threads);
+  relax_streamlines(set, view, 4, threads);
   progress.report(0.7);
   cut_streamlines(set, view, 0.5, 1.5);
   extend_streamlines(set, view, 0.65);
@@ -69,10 +69,10 @@ void place_after(StreamlineSet& set, const HatchView& view, const Ragged<Surface
 // Right up to what ends the streamlines, and into what is left.
 void finish_ends(StreamlineSet& set, const HatchView& view,
                  const std::vector<StreamlineNode>& seeds) {
-  extend_tips(set, view, 0.7, 0.5);
+  extend_tips(set, view, 0.72, 0.6);
   set.drop_shorter(view, 0.5);
-  fill_streamlines(set, view, seeds, {0.75, 0.5, 0.75});
-  extend_tips(set, view, 0.7, 0.5);
+  fill_streamlines(set, view, seeds, {0.77, 0.55, 0.75});
+  extend_tips(set, view, 0.72, 0.6);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace illustrate {
 
 // Hatches that run along a critical curve stay away from it, in spacings.
-constexpr double curve_clearance = 0.28;
+constexpr double curve_clearance = 0.2;
 
 class HatchView {
  public:

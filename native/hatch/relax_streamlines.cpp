@@ -13,11 +13,11 @@ constexpr double reach = 2;          // of neighbours
 constexpr double curve_reach = 1.5;  // of critical curves
 constexpr double most_pull = 0.4;
 constexpr double most_move = 0.19;  // in a sweep
-constexpr double stiffness = 3.75;  // length over which a streamline bends
+constexpr double stiffness = 2.4;   // length over which a streamline bends
 
 constexpr double band = 0.55;  // half a neighbour's piece of line, in node steps
 
-constexpr double share_moved = 0.6;  // of the solution, in a sweep
+constexpr double share_moved = 0.7;  // of the solution, in a sweep
 constexpr double one_sided = 0.5;    // weight of a pull that knows one neighbour only
 
 // Nodes of one streamline nearer along it are not its own neighbours.
