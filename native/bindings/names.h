@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bindings/arrays.h"
+#include "hatch/place_hatches.h"
 #include "mesh/polygon_mesh.h"
 
 namespace illustrate::bindings {
@@ -9,5 +10,9 @@ namespace illustrate::bindings {
 // 'auto', 'catmull-clark', 'loop' or 'none'; throws InvalidInput for anything else.
 Scheme read_scheme(const py::object& value, const std::string& name);
 const char* name_of(Scheme scheme);
+
+// 'surface-curves' or 'critical-curves'; throws InvalidInput for anything else.
+HatchSeeding read_seeding(const py::object& value, const std::string& name);
+const char* name_of(HatchSeeding seeding);
 
 }  // namespace illustrate::bindings

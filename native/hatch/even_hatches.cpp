@@ -57,7 +57,7 @@ void place_anew(StreamlineSet& set, const HatchView& view, const Ragged<SurfaceP
 // A drawing that follows another.
 void place_after(StreamlineSet& set, const HatchView& view, const Ragged<SurfacePoint>& first,
                  const std::vector<StreamlineNode>& seeds, int threads, const Progress& progress) {
-  place_curves(set, view, first, {0.5, 0.5, 0.5}, progress.part(0, 0.3));
+  place_curves(set, view, first, {0.5, 0.5, 0.5, true}, progress.part(0, 0.3));
   extend_streamlines(set, view, 0.65);
   merge_streamlines(set, view);
   fill_streamlines(set, view, seeds, {0.75, 0.65, 1.5});
@@ -99,6 +99,7 @@ Hatches even_hatches(const HatchScene& scene, const SurfaceCurves& curves,
   fill_undercuts(hatches, scene.surface, scene.field, scene.camera, scene.visible, scene.tone,
                  scene.graph, scene.spacing_scale, scene.unhatched, options, counts,
                  progress.part(0.9, 1));
+  counts["hatch_steps"] += set.steps;
   counts["hatches"] += static_cast<std::int64_t>(hatches.kinds.size());
   progress.report(1);
   return hatches;

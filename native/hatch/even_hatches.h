@@ -28,7 +28,7 @@ struct HatchScene {
 
 // `first`: strokes of the drawing before this one, as points on this surface; where there are any,
 // they are placed instead of the curves. The rules of HatchOptions hold for
-// both kinds of seeding. Adds "hatches" to `counts`. Throws as place_hatches.
+// both kinds of seeding. Adds "hatch_steps" and "hatches" to `counts`. Throws as place_hatches.
 Hatches even_hatches(const HatchScene& scene, const SurfaceCurves& curves,
                      const Ragged<SurfacePoint>& first, const HatchOptions& options, int threads,
                      Counts& counts, const Progress& progress = {});

@@ -31,20 +31,21 @@ struct Pace {
 // One end of a streamline that grows.
 class Tip {
  public:
-  Tip(const HatchView& view, StreamlineGrid& grid, int streamline, double spacing)
-      : view_(view), grid_(grid), streamline_(streamline), spacing_(spacing) {}
+  Tip(const HatchView& view, StreamlineSet& set, int streamline, double spacing)
+      : view_(view), set_(set), streamline_(streamline), spacing_(spacing) {}
 
   // Appends nodes beyond the last one, along its tangent; the first gets number `index + way`.
   void grow(std::vector<StreamlineNode>& nodes, int index, int way, const Pace& pace) const {
     Walk walk = view_.walker.start(nodes.back().on, nodes.back().tangent);
     for (int k = 1; k <= pace.most; ++k) {
+      ++set_.steps;
       StreamlineNode node;
       const bool goes_on = step(walk, nodes.back(), pace.step, node);
       const bool is_long = (node.image - nodes.back().image).norm() > least_step * pace.step;
       if (!is_long || !view_.may_pass(node, spacing_)) return;
-      if (view_.is_near(grid_, node, spacing_, pace.test, streamline_, index + way * k)) return;
+      if (view_.is_near(set_.grid, node, spacing_, pace.test, streamline_, index + way * k)) return;
       nodes.push_back(node);
-      grid_.add(node, spacing_ * node_step / 2, streamline_, index + way * k);
+      set_.grid.add(node, spacing_ * node_step / 2, streamline_, index + way * k);
       if (!goes_on) return;
     }
   }
@@ -73,7 +74,7 @@ class Tip {
   }
 
   const HatchView& view_;
-  StreamlineGrid& grid_;
+  StreamlineSet& set_;
   int streamline_;
   double spacing_;
 };
@@ -92,7 +93,7 @@ void grow_new(StreamlineSet& set, const HatchView& view, const StreamlineNode& f
   const std::size_t before = set.grid.size();
   set.grid.add(first, spacing * node_step / 2, number, 0);
   Streamline streamline{{first}, object, spacing};
-  const Tip tip(view, set.grid, number, spacing);
+  const Tip tip(view, set, number, spacing);
   tip.grow(streamline.nodes, 0, 1, whole_steps(spacing, rules.test));
   turn(streamline.nodes);
   tip.grow(streamline.nodes, 0, -1, whole_steps(spacing, rules.test));
@@ -108,7 +109,7 @@ template <class Use>
 void at_all_ends(StreamlineSet& set, const HatchView& view, const Use& use) {
   for (std::size_t s = 0; s < set.streamlines.size(); ++s) {
     Streamline& streamline = set.streamlines[s];
-    const Tip tip(view, set.grid, static_cast<int>(s), streamline.spacing);
+    const Tip tip(view, set, static_cast<int>(s), streamline.spacing);
     const int last = static_cast<int>(streamline.nodes.size()) - 1;
     use(tip, streamline.nodes, last, 1, streamline.spacing);
     turn(streamline.nodes);

@@ -33,8 +33,8 @@ class HatchView {
   // The node at a place, along the branch of the cross nearest to `towards`.
   StreamlineNode node(const SurfacePoint& on, const Vec3& towards) const;
 
-  // Whether a hatch may run through a node: before the near plane, in the frame, seen, where hatches
-  // are wanted, and not close along a critical curve.
+  // Whether a hatch may run through a node: before the near plane, in the frame, seen, where
+  // hatches are wanted, and not close along a critical curve.
   bool may_pass(const StreamlineNode& node, double spacing) const {
     return area.may_pass({node.position, node.on, node.image}, Area::hatched) &&
            !curves.run_along(node.image, node.heading, curve_clearance * spacing);

@@ -60,7 +60,7 @@ class CurvePlacer {
       const double gap = (place.image - run_.back().image).norm() / (spacing_ * node_step);
       if (gap < least_gap && next) return true;
       if (gap > most_gap) add_between(place, std::min(std::ceil(gap), most_between));
-      if (!joins(place)) place_run();
+      if (!run_.empty() && !joins(place)) place_run();
     }
     run_.push_back(place);
     return true;
@@ -76,8 +76,12 @@ class CurvePlacer {
     Vec3 tangent = end.position - run_.back().position;
     const double step = tangent.norm() / parts;
     for (double k = 1; k < parts; ++k) {
+      const Vec3 rest = end.position - position_at(surface_, on);
+      const FieldWalker& walker = view_.walker.on_surface();
+      const bool goes_on = rules_.straight ? walker.slide(on, rest / (parts - k + 1))
+                                           : walker.advance(on, tangent, step) == 0;
       Place place;
-      if (view_.walker.on_surface().advance(on, tangent, step) > 0) return;
+      if (!goes_on) return;
       if (!project(on, place)) return place_run();
       if (!run_.empty() && !joins(place)) place_run();
       run_.push_back(place);

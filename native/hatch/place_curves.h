@@ -14,10 +14,11 @@ struct PlaceRules {
   double test = 0.65;
   double clear = 0.75;
   double least_length = 1.5;
+  bool straight = false;  // between points of a curve; else along the cross
 };
 
 // In the order of the curves. Nodes come to lie .5 to about 1 `node_step` apart: curves with closer
-// points are thinned, with farther ones traced again.
+// points are thinned, with farther ones get others between.
 void place_curves(StreamlineSet& set, const HatchView& view, const Ragged<SurfacePoint>& curves,
                   const PlaceRules& rules, const Progress& progress);
 

@@ -33,6 +33,7 @@ class StreamlineSet {
 
   Streamlines streamlines;
   StreamlineGrid grid;
+  std::int64_t steps = 0;  // of growing ends
 };
 
 }  // namespace illustrate

@@ -5,6 +5,7 @@
 
 #include "contour/network.h"
 #include "contour/silhouettes.h"
+#include "core/errors.h"
 #include "hatch/even_hatches.h"
 #include "hatch/reduce_hatches.h"
 #include "pipeline/seen_scene.h"
@@ -58,6 +59,26 @@ double cell_size(const Camera& camera, const DrawOptions& options) {
   return std::max(options.cell_px, std::sqrt(area / most_cells));
 }
 
+// Its hatches, but not those in undercuts, which go with the view.
+Ragged<SurfacePoint> hatches_of(const Drawing& drawing, const Surface& surface) {
+  Ragged<SurfacePoint> hatches;
+  const auto count = static_cast<int>(surface.triangles.size());
+  for (std::size_t s = 0; s < drawing.kinds.size(); ++s) {
+    if (drawing.kinds[s] != Kind::hatch && drawing.kinds[s] != Kind::cross_hatch) continue;
+    for (int i = drawing.offsets[s]; i < drawing.offsets[s + 1]; ++i) {
+      const SurfacePoint& on = drawing.on[idx(i)];
+      if (on.triangle < 0 || on.triangle >= count) {
+        throw InvalidInput("previous is a drawing of another surface: triangle " +
+                           std::to_string(on.triangle) + " of " + std::to_string(count) +
+                           "; leave it out where the meshes change");
+      }
+      hatches.push(on);
+    }
+    hatches.close_list();
+  }
+  return hatches;
+}
+
 // The stages of one view, each with its time.
 class View {
  public:
@@ -85,6 +106,10 @@ class View {
       return label_network(network, scene_.surface(), scene_.bvh(), camera_, result_.counts,
                            progress.part(0.5, 1, "visibility"));
     });
+  }
+
+  void follow(const Drawing& previous, const Surface& whole) {
+    previous_ = scene_.seen_parts(hatches_of(previous, whole));
   }
 
   void hatch(const CrossField& field, const std::vector<Light>& lights, const Progress& progress) {
@@ -133,14 +158,14 @@ class View {
     }
     const HatchScene hatch_scene{surface,      field,         camera_,       visible,
                                  result_.tone, result_.graph, spacing_scale, unhatched};
-    return even_hatches(hatch_scene, scene_.hatch_curves(), first_, options_.hatch,
+    return even_hatches(hatch_scene, scene_.hatch_curves(), previous_, options_.hatch,
                         options_.threads, result_.counts, progress);
   }
 
   const SeenScene& scene_;
   const Camera& camera_;
   const DrawOptions& options_;
-  Ragged<SurfacePoint> first_;
+  Ragged<SurfacePoint> previous_;
   Hatches hatches_;
   DrawResult result_;
 };
@@ -148,7 +173,8 @@ class View {
 }  // namespace
 
 DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOptions& options,
-                const std::vector<Light>& lights, const Progress& progress) {
+                const std::vector<Light>& lights, const Progress& progress,
+                const Drawing* previous) {
   validate(options, prepared.object_count());
   for (std::size_t i = 0; i < lights.size(); ++i) validate(lights[i], i);
   const bool hatching = anything_is_hatched(options);
@@ -158,6 +184,7 @@ DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOption
   const SeenScene scene(prepared, options.styles, options.threads, along_curves,
                         progress.part(0.25, 0.3));
   View view(scene, camera, options);
+  if (hatching && previous) view.follow(*previous, prepared.surface());
   view.label_curves(progress.part(0.3, hatching ? 0.5 : 0.95));
   if (hatching) view.hatch(*field, lights, progress.part(0.5, 0.95));
   return std::move(view).strokes(progress.part(0.95, 1, "stroke"));

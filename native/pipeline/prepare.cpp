@@ -33,8 +33,8 @@ Prepared::Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions&
       field_(std::make_shared<Lazy<CrossField>>()),
       hatch_curves_(std::make_shared<Lazy<SurfaceCurves>>()),
       derivative_(std::make_shared<Lazy<CurvatureDerivative>>()) {
-  timings_ = {
-      {"sanitize", 0}, {"surface", 0}, {"curvature", 0}, {"field", 0}, {"intersections", 0}};
+  timings_ = {{"sanitize", 0}, {"surface", 0},       {"curvature", 0},
+              {"field", 0},    {"intersections", 0}, {"hatch_curves", 0}};
   if (previous && previous->has_surface_of(meshes, options)) {
     take_over(*previous);
   } else {
