@@ -54,7 +54,7 @@ void place_anew(StreamlineSet& set, const HatchView& view, const Ragged<SurfaceP
   cut_streamlines(set, view, 0.5, 1);
 }
 
-// A drawing that follows another.
+// A drawing that follows another: what was even moves little.
 void place_after(StreamlineSet& set, const HatchView& view, const Ragged<SurfacePoint>& first,
                  const std::vector<StreamlineNode>& seeds, int threads, const Progress& progress) {
   place_curves(set, view, first, {0.5, 0.5, 0.5, true}, progress.part(0, 0.3));
@@ -62,8 +62,11 @@ void place_after(StreamlineSet& set, const HatchView& view, const Ragged<Surface
   merge_streamlines(set, view);
   fill_streamlines(set, view, seeds, {0.75, 0.65, 1.5});
   progress.report(0.4);
-  relax_streamlines(set, view, 4, threads);
-  cut_streamlines(set, view, 0.5, 1);
+  for (int round = 0; round < 2; ++round) {
+    if (round > 0) merge_streamlines(set, view);
+    relax_streamlines(set, view, 1, threads);
+    cut_streamlines(set, view, 0.5, 1);
+  }
 }
 
 // Right up to what ends the streamlines, and into what is left.
