@@ -129,7 +129,7 @@ class View {
       return place(field, visible, progress.part(0.3, 1, "hatch"));
     });
     hatches_ = timed(result_.timings["hatch"], [&] {
-      return reduce_hatches(placed, surface, result_.tone, result_.graph, options_.hatch,
+      return reduce_hatches(placed, surface, camera_, result_.tone, result_.graph, options_.hatch,
                             result_.counts, spacing_scales(options_.styles));
     });
   }

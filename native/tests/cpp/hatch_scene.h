@@ -53,7 +53,7 @@ struct Scene {
                          options, counts);
   }
   Hatches reduce(const Hatches& hatches) {
-    return reduce_hatches(hatches, surface, tone, graph, options, counts, spacing_scale);
+    return reduce_hatches(hatches, surface, camera, tone, graph, options, counts, spacing_scale);
   }
   int cell(const HatchPoint& point) const { return visible.cell_of(point.image); }
   // A visible arc through world points.
