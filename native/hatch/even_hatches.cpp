@@ -14,7 +14,7 @@ namespace illustrate {
 namespace {
 
 // Seeds on the whole surface for each square of a spacing, seen face on.
-constexpr double seeds_per_square = 4;
+constexpr double seeds_per_square = 3;
 
 // World length of a pixel, on average over what is seen; 0 where nothing is.
 double mean_pixel(const HatchScene& scene) {

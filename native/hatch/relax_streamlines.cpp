@@ -9,7 +9,8 @@ namespace illustrate {
 namespace {
 
 // In spacings.
-constexpr double reach = 2;          // of neighbours
+constexpr double near_reach = 1.25;  // of neighbours: most are found so near
+constexpr double reach = 2;          // of all
 constexpr double curve_reach = 1.5;  // of critical curves
 constexpr double most_pull = 0.4;
 constexpr double most_move = 0.19;  // in a sweep
@@ -61,11 +62,17 @@ class Relaxer {
   // Distances to the nearest parallel streamlines to the left and the right, infinite beyond
   // `reach`.
   std::array<double, 2> beside(const Streamline& streamline, int number, int index) const {
+    const auto near = beside(streamline, number, index, near_reach * streamline.spacing);
+    if (std::isfinite(near[0]) && std::isfinite(near[1])) return near;
+    return beside(streamline, number, index, reach * streamline.spacing);
+  }
+
+  std::array<double, 2> beside(const Streamline& streamline, int number, int index,
+                               double far) const {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     const StreamlineNode& node = streamline.nodes[idx(index)];
     const Vec2 left = node.left();
     std::array<double, 2> nearest{infinite, infinite};
-    const double far = reach * streamline.spacing;
     set_.grid.any_near(node.image, far, [&](const GridNode& other) {
       const Vec2 offset(double(other.x) - node.image.x(), double(other.y) - node.image.y());
       const double along = offset.dot(node.heading);

@@ -54,9 +54,11 @@ bool anything_is_hatched(const DrawOptions& options) {
          (unhatched.empty() || std::find(unhatched.begin(), unhatched.end(), 0) != unhatched.end());
 }
 
+// Where hatches lie closer, cells are smaller: tones then look the same at any number of pixels.
 double cell_size(const Camera& camera, const DrawOptions& options) {
   const double area = static_cast<double>(camera.width_px()) * camera.height_px();
-  return std::max(options.cell_px, std::sqrt(area / most_cells));
+  const double cell = std::max(0.25, std::min(options.cell_px, options.hatch.spacing_px / 8));
+  return std::max(cell, std::sqrt(area / most_cells));
 }
 
 // Its hatches, but not those in undercuts, which go with the view.
