@@ -180,15 +180,16 @@ DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOption
   validate(options, prepared.object_count());
   for (std::size_t i = 0; i < lights.size(); ++i) validate(lights[i], i);
   const bool hatching = anything_is_hatched(options);
-  const bool along_curves = hatching && options.hatch.seeding == HatchSeeding::surface_curves;
-  const CrossField* field = hatching ? &prepared.field(progress.part(0, 0.2)) : nullptr;
-  if (along_curves) prepared.hatch_curves(progress.part(0.2, 0.25));
-  const SeenScene scene(prepared, options.styles, options.threads, along_curves,
-                        progress.part(0.25, 0.3));
+  const SeenScene scene(prepared, options.styles, options.threads, progress.part(0, 0.1));
+  const CrossField* field = hatching ? &prepared.field(progress.part(0.1, 0.3)) : nullptr;
   View view(scene, camera, options);
   if (hatching && previous) view.follow(*previous, prepared.surface());
   view.label_curves(progress.part(0.3, hatching ? 0.5 : 0.95));
-  if (hatching) view.hatch(*field, lights, progress.part(0.5, 0.95));
+  if (hatching) {
+    const bool along_curves = options.hatch.seeding == HatchSeeding::surface_curves;
+    if (along_curves) prepared.hatch_curves(progress.part(0.5, 0.55));
+    view.hatch(*field, lights, progress.part(0.55, 0.95));
+  }
   return std::move(view).strokes(progress.part(0.95, 1, "stroke"));
 }
 

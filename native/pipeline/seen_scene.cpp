@@ -75,7 +75,7 @@ IntersectionCurves intersections_of(const IntersectionCurves& whole,
 }  // namespace
 
 SeenScene::SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& styles, int threads,
-                     bool hatching, const Progress& progress)
+                     const Progress& progress)
     : prepared_(prepared), threads_(threads) {
   const IntersectionCurves& intersections = prepared.intersections(progress);
   const bool is_whole = std::none_of(styles.begin(), styles.end(),
@@ -91,7 +91,6 @@ SeenScene::SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& s
   part_->features = feature_edges(part_->surface);
   part_->intersections = intersections_of(intersections, numbers);
   part_->numbers = std::move(numbers);
-  if (hatching) part_->hatch_curves = seen_curves(prepared.hatch_curves());
 }
 
 SurfaceCurves SeenScene::seen_curves(const SurfaceCurves& whole) const {

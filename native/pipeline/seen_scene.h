@@ -9,9 +9,8 @@ namespace illustrate {
 // keep their numbers, so field and curvature still fit).
 class SeenScene {
  public:
-  // `hatching`: whether hatch_curves will be asked for.
   SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& styles, int threads,
-            bool hatching, const Progress& progress);
+            const Progress& progress);
 
   const Surface& surface() const { return part_ ? part_->surface : prepared_.surface(); }
   const LimitSurface& limit_surface() const { return prepared_.limit_surface(); }
@@ -35,7 +34,8 @@ class SeenScene {
   // it.
   Ragged<SurfacePoint> seen_parts(const Ragged<SurfacePoint>& curves) const;
   const SurfaceCurves& hatch_curves() const {
-    return part_ ? part_->hatch_curves : prepared_.hatch_curves();
+    if (!part_) return prepared_.hatch_curves();
+    return part_->hatch_curves.get([&] { return seen_curves(prepared_.hatch_curves()); });
   }
 
   // From triangles of this scene to those of `prepared`.
@@ -50,7 +50,7 @@ class SeenScene {
     Lazy<DualSurface> dual_surface;
     std::vector<FeatureEdge> features;
     IntersectionCurves intersections;
-    SurfaceCurves hatch_curves;
+    Lazy<SurfaceCurves> hatch_curves;
   };
   SurfaceCurves seen_curves(const SurfaceCurves& whole) const;
 
