@@ -138,13 +138,14 @@ std::vector<Light> read_lights(const py::object& lights) {
 
 DrawingHandle draw_view(const Prepared& prepared, const Camera& camera,
                         const PythonDrawOptions* options, const py::object& lights,
-                        const py::object& progress) {
+                        const py::object& progress, const DrawingHandle* previous) {
   const DrawOptions draw_options = options ? read_draw_options(*options) : DrawOptions{};
   const std::vector<Light> read = read_lights(lights);
   const Progress reported = progress_of(progress);
   const py::gil_scoped_release release;
-  return {
-      std::make_shared<const DrawingArrays>(draw(prepared, camera, draw_options, read, reported))};
+  return {std::make_shared<const DrawingArrays>(
+      draw(prepared, camera, draw_options, read, reported,
+           previous ? &previous->drawing->result.drawing : nullptr))};
 }
 
 struct SilhouetteTriangles {
@@ -171,7 +172,7 @@ void bind_draw(py::module_& m) {
       });
   const py::none none;
   m.def("draw", &draw_view, "prepared"_a, "camera"_a, "options"_a = none, "lights"_a = none,
-        "progress"_a = none, "One view of a prepared scene.");
+        "progress"_a = none, "previous"_a = none, "One view of a prepared scene.");
   m.def("silhouettes", &find_silhouettes, "prepared"_a, "camera"_a, "brute_force"_a = false,
         "The triangles that carry silhouettes.");
 }

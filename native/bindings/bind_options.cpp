@@ -164,6 +164,13 @@ void bind_tone_options(Class& bound) {
 template <class Class>
 void bind_hatch_options(Class& bound) {
   OPTION("hatching", values.hatching, "False: lines only, no tone");
+  bound.def_property(
+      "hatch_seeding",
+      [](const PythonDrawOptions& options) { return name_of(options.values.hatch.seeding); },
+      [](PythonDrawOptions& options, const py::object& value) {
+        options.values.hatch.seeding = read_seeding(value, "hatch_seeding");
+      },
+      "'surface-curves' or 'critical-curves'");
   OPTION("spacing_px", values.hatch.spacing_px, "Between hatches");
   OPTION("undercut_spacing_px", values.hatch.undercut_spacing_px, "Between hatches in undercuts");
   OPTION("test_factor", values.hatch.test_factor, "A hatch ends this share of the spacing away");

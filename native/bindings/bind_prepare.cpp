@@ -162,6 +162,44 @@ void bind_field(py::module_& m) {
   number("evaluations", &CrossField::evaluations);
 }
 
+struct HatchCurvesHandle {
+  std::shared_ptr<const SurfaceCurves> curves;
+  PreparedPointer prepared;
+};
+
+HatchCurvesHandle hatch_curves_of(const PreparedPointer& prepared) {
+  const py::gil_scoped_release release;
+  return {{prepared, &prepared->hatch_curves()}, prepared};
+}
+
+void bind_hatch_curves(py::module_& m) {
+  py::class_<HatchCurvesHandle>(m, "HatchCurves", "Ranked curves on the surface.")
+      .def_property_readonly(
+          "offsets",
+          [](const HatchCurvesHandle& h) { return view_of(h.curves, h.curves->curves.offsets); })
+      .def_property_readonly("points",
+                             [](const HatchCurvesHandle& h) {
+                               Points points;
+                               for (const SurfacePoint& on : h.curves->curves.values) {
+                                 points.push_back(position_at(h.prepared->surface(), on));
+                               }
+                               return array_of(std::move(points));
+                             })
+      .def_property_readonly("triangles",
+                             [](const HatchCurvesHandle& h) {
+                               std::vector<int> triangles;
+                               for (const SurfacePoint& on : h.curves->curves.values) {
+                                 triangles.push_back(on.triangle);
+                               }
+                               return array_of(std::move(triangles));
+                             })
+      .def_property_readonly("barycentrics", [](const HatchCurvesHandle& h) {
+        ImagePoints weights;
+        for (const SurfacePoint& on : h.curves->curves.values) weights.emplace_back(on.b1, on.b2);
+        return array_of(std::move(weights));
+      });
+}
+
 FieldHandle field_of(const PreparedPointer& prepared) {
   const py::gil_scoped_release release;
   return {{prepared, &prepared->field()}};
@@ -226,12 +264,14 @@ void bind_prepare(py::module_& m) {
   using namespace py::literals;
   bind_surface(m);
   bind_field(m);
+  bind_hatch_curves(m);
   py::class_<Prepared, std::shared_ptr<Prepared>>(
       m, "Prepared", "Everything of a scene that does not depend on the view. Immutable.")
       .def_property_readonly("surface",
                              [](const std::shared_ptr<Prepared>& p) { return SurfaceHandle{p}; })
       .def_property_readonly("field",
                              [](const std::shared_ptr<Prepared>& p) { return field_of(p); })
+      .def_property_readonly("hatch_curves", &hatch_curves_of)
       .def_property_readonly("report", &report_of)
       .def_property_readonly("reports", &reports_of)
       .def_property_readonly("timings", &Prepared::timings);

@@ -7,6 +7,7 @@ namespace {
 
 // In the order of the enumerations.
 constexpr std::array<const char*, 4> scheme_names{"auto", "catmull-clark", "loop", "none"};
+constexpr std::array<const char*, 2> seeding_names{"surface-curves", "critical-curves"};
 constexpr std::array<const char*, 2> visibility_names{"labels", "vote"};
 
 template <class Enumeration, std::size_t count>
@@ -35,6 +36,14 @@ VisibilityMethod read_visibility(const py::object& value, const std::string& nam
 
 const char* name_of(VisibilityMethod method) {
   return visibility_names[static_cast<std::size_t>(method)];
+}
+
+HatchSeeding read_seeding(const py::object& value, const std::string& name) {
+  return read_word<HatchSeeding>(value, name, seeding_names);
+}
+
+const char* name_of(HatchSeeding seeding) {
+  return seeding_names[static_cast<std::size_t>(seeding)];
 }
 
 }  // namespace illustrate::bindings

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bindings/arrays.h"
+#include "hatch/place_hatches.h"
 #include "mesh/polygon_mesh.h"
 #include "pipeline/options.h"
 
@@ -14,5 +15,9 @@ const char* name_of(Scheme scheme);
 // 'labels' or 'vote'; throws InvalidInput for anything else.
 VisibilityMethod read_visibility(const py::object& value, const std::string& name);
 const char* name_of(VisibilityMethod method);
+
+// 'surface-curves' or 'critical-curves'; throws InvalidInput for anything else.
+HatchSeeding read_seeding(const py::object& value, const std::string& name);
+const char* name_of(HatchSeeding seeding);
 
 }  // namespace illustrate::bindings

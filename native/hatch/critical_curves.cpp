@@ -11,6 +11,9 @@ namespace {
 
 constexpr double cell_px = 8;
 
+// Squared cosine between what runs along each other.
+constexpr double least_alignment = 0.75;
+
 }  // namespace
 
 bool is_critical(Kind kind) {
@@ -39,11 +42,14 @@ int CriticalCurves::row_of(double y) const {
 
 void CriticalCurves::add_arc(const LabelledGraph& graph, int arc) {
   const Span<const Vec2> line = graph.image[arc];
-  for (std::size_t i = 1; i < line.size(); ++i) add_pieces(line[i - 1], line[i]);
-  if (graph.arcs[arc].start_node == none && line.size() > 1) add_pieces(line.back(), line.front());
+  const bool is_silhouette = graph.arcs[arc].kind == Kind::silhouette;
+  for (std::size_t i = 1; i < line.size(); ++i) add_pieces(line[i - 1], line[i], is_silhouette);
+  if (graph.arcs[arc].start_node == none && line.size() > 1) {
+    add_pieces(line.back(), line.front(), is_silhouette);
+  }
 }
 
-void CriticalCurves::add_pieces(const Vec2& a, const Vec2& b) {
+void CriticalCurves::add_pieces(const Vec2& a, const Vec2& b, bool is_silhouette) {
   const Frame frame{Vec2::Constant(-cell_px), Vec2(width_ + cell_px, height_ + cell_px)};
   double from, to;
   if (!clip_to_frame(frame, a, b, from, to)) return;
@@ -53,7 +59,7 @@ void CriticalCurves::add_pieces(const Vec2& a, const Vec2& b) {
   Vec2 start = at(from);
   for (int i = 1; i <= count; ++i) {
     const Vec2 end = at(from + (to - from) * i / count);
-    pieces_.push_back({start, end});
+    pieces_.push_back({start, end, is_silhouette});
     start = end;
   }
 }
@@ -76,7 +82,7 @@ void CriticalCurves::fill_grid() {
   }
 }
 
-double CriticalCurves::first_crossing(const Vec2& a, const Vec2& b) const {
+double CriticalCurves::first_crossing(const Vec2& a, const Vec2& b, bool with_silhouettes) const {
   double first = std::numeric_limits<double>::infinity();
   const Vec2 run = b - a;
   const int row_end = row_of(std::max(a.y(), b.y())),
@@ -85,6 +91,7 @@ double CriticalCurves::first_crossing(const Vec2& a, const Vec2& b) const {
     for (int i = column_of(std::min(a.x(), b.x())); i <= column_end; ++i) {
       for (const int index : cells_[row * columns_ + i]) {
         const Piece& piece = pieces_[index];
+        if (piece.is_silhouette && !with_silhouettes) continue;
         const double side_a = cross(piece.b - piece.a, a - piece.a);
         const double side_b = cross(piece.b - piece.a, b - piece.a);
         const double side_c = cross(run, piece.a - a), side_d = cross(run, piece.b - a);
@@ -94,6 +101,21 @@ double CriticalCurves::first_crossing(const Vec2& a, const Vec2& b) const {
     }
   }
   return first;
+}
+
+bool CriticalCurves::run_along(const Vec2& p, const Vec2& heading, double radius) const {
+  for (int row = row_of(p.y() - radius); row <= row_of(p.y() + radius); ++row) {
+    for (int i = column_of(p.x() - radius); i <= column_of(p.x() + radius); ++i) {
+      for (const int index : cells_[row * columns_ + i]) {
+        const Vec2 &a = pieces_[index].a, run = pieces_[index].b - a;
+        const double square = run.squaredNorm(), along = run.dot(heading);
+        if (!(square > 0) || along * along < least_alignment * square) continue;
+        const double t = std::clamp(run.dot(p - a) / square, 0.0, 1.0);
+        if ((p - a - t * run).squaredNorm() < radius * radius) return true;
+      }
+    }
+  }
+  return false;
 }
 
 }  // namespace illustrate

@@ -15,18 +15,27 @@ class CriticalCurves {
   CriticalCurves(const LabelledGraph& graph, double width_px, double height_px);
 
   // The least t in [0, 1] where a + t (b - a) meets a curve; infinite where none does.
-  double first_crossing(const Vec2& a, const Vec2& b) const;
+  double first_crossing(const Vec2& a, const Vec2& b) const { return first_crossing(a, b, true); }
   bool separate(const Vec2& a, const Vec2& b) const { return first_crossing(a, b) <= 1; }
+  // The same for all but silhouettes, which at their ends part one sheet only.
+  bool is_edge_between(const Vec2& a, const Vec2& b) const {
+    return first_crossing(a, b, false) <= 1;
+  }
+
+  // Whether a curve passes p nearer than `radius`, within about 30 degrees of the unit `heading`.
+  bool run_along(const Vec2& p, const Vec2& heading, double radius) const;
 
  private:
   struct Piece {
     Vec2 a;
     Vec2 b;
+    bool is_silhouette;
   };
+  double first_crossing(const Vec2& a, const Vec2& b, bool with_silhouettes) const;
   int column_of(double x) const;
   int row_of(double y) const;
   void add_arc(const LabelledGraph& graph, int arc);
-  void add_pieces(const Vec2& a, const Vec2& b);
+  void add_pieces(const Vec2& a, const Vec2& b, bool is_silhouette);
   void fill_grid();
 
   double width_, height_;

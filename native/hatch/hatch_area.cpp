@@ -30,19 +30,25 @@ void HatchArea::around(const Vec2& image, const Use& use) const {
 }
 
 bool HatchArea::may_pass(const HatchPoint& point, Area area) const {
+  return is_in_frame(point) && is_wanted(point, area) && is_seen(point);
+}
+
+bool HatchArea::is_seen(const HatchPoint& point) const {
   if (!is_in_frame(point)) return false;
+  const double depth =
+      camera_.project(point.position).depth - hidden_px * camera_.pixel_size(point.position);
+  if (depth <= visible_.depth[visible_.cell_of(point.image)]) return true;
+  bool is_seen = false;
+  around(point.image, [&](int cell) { is_seen = is_seen || depth <= visible_.depth[cell]; });
+  return is_seen;
+}
+
+bool HatchArea::is_wanted(const HatchPoint& point, Area area) const {
   const int centre = visible_.cell_of(point.image);
-  const bool is_covered = visible_.triangle[centre] != none;
-  if (is_covered && !wanted(centre, area)) return false;
-  double farthest = 0;
-  bool is_wanted = is_covered;
-  around(point.image, [&](int cell) {
-    farthest = std::max(farthest, visible_.depth[cell]);
-    is_wanted = is_wanted || wanted(cell, area);
-  });
-  if (!is_wanted) return false;
-  const double slack = hidden_px * camera_.pixel_size(point.position);
-  return camera_.project(point.position).depth <= farthest + slack;
+  if (visible_.triangle[centre] != none) return wanted(centre, area);
+  bool is_wanted = false;
+  around(point.image, [&](int cell) { is_wanted = is_wanted || wanted(cell, area); });
+  return is_wanted;
 }
 
 SurfacePoint HatchArea::visible_point(const Vec2& image) const {

@@ -32,6 +32,9 @@ class HatchArea {
   // than everything that is seen around it. A point at the outline whose own cell is empty goes
   // with the cells around.
   bool may_pass(const HatchPoint& point, Area area) const;
+  // The two halves of it: in the frame and not deeper than what is seen around; wanted there.
+  bool is_seen(const HatchPoint& point) const;
+  bool is_wanted(const HatchPoint& point, Area area) const;
 
   // Before the near plane and inside the image.
   bool is_in_frame(const HatchPoint& point) const {

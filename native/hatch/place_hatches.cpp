@@ -61,6 +61,16 @@ class Placer {
         grid_(camera.width_px(), camera.height_px(), options.spacing_px),
         tracer_(surface, walker_, area_, curves_, grid_, options) {}
 
+  // Undercut hatches between others.
+  Hatches fill_between(Hatches hatches, Counts& counts) {
+    const Ragged<HatchPoint>& curves = hatches.curves;
+    for (std::size_t h = 0; h < curves.size(); ++h) enter(curves[h]);
+    hatches_ = std::move(hatches);
+    fill(Area::undercut);
+    counts["hatch_steps"] += tracer_.steps();
+    return std::move(hatches_);
+  }
+
   Hatches place(Counts& counts) {
     expected_px_ = std::max(1.0, 2 * covered_px() / options_.spacing_px);
     seed_along_curves();
@@ -130,6 +140,16 @@ class Placer {
     if (line.size() < 2 || length < style.min_length_px) return false;
     add(line, object, area, length);
     return true;
+  }
+
+  void enter(Span<const HatchPoint> curve) {
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+      const HatchPoint& after = curve[std::min(i + 1, curve.size() - 1)];
+      const Vec3 run = after.position - curve[i == 0 ? 0 : i - 1].position;
+      const int point = static_cast<int>(tangents_.size());
+      tangents_.push_back(run.normalized());
+      grid_.add({curve[i].image, tangents_.back(), point});
+    }
   }
 
   void add(const HatchLine& line, int object, Area area, double length) {
@@ -281,12 +301,8 @@ void validate(const HatchOptions& options) {
   require(between(options.min_length_px, 0, 1e6), "min_length_px must be in [0, 1000000]");
 }
 
-Hatches place_hatches(const Surface& surface, const CrossField& field, const Camera& camera,
-                      const VisibleImage& visible, const ToneMap& tone, const LabelledGraph& graph,
-                      const std::vector<double>& spacing_scale,
-                      const std::vector<std::uint8_t>& unhatched, const HatchOptions& options,
-                      Counts& counts, const Progress& progress) {
-  validate(options);
+void validate_objects(const Surface& surface, const std::vector<double>& spacing_scale,
+                      const std::vector<std::uint8_t>& unhatched) {
   const std::size_t objects = surface.object_is_smooth.size();
   require(spacing_scale.empty() || spacing_scale.size() == objects,
           "spacing_scale must have one entry per object");
@@ -295,11 +311,31 @@ Hatches place_hatches(const Surface& surface, const CrossField& field, const Cam
   }
   require(unhatched.empty() || unhatched.size() == objects,
           "unhatched must have one entry per object");
+}
+
+Hatches place_hatches(const Surface& surface, const CrossField& field, const Camera& camera,
+                      const VisibleImage& visible, const ToneMap& tone, const LabelledGraph& graph,
+                      const std::vector<double>& spacing_scale,
+                      const std::vector<std::uint8_t>& unhatched, const HatchOptions& options,
+                      Counts& counts, const Progress& progress) {
+  validate(options);
+  validate_objects(surface, spacing_scale, unhatched);
   Placer placer(surface, field, camera, visible, tone, graph, spacing_scale, unhatched, options,
                 progress);
   Hatches hatches = placer.place(counts);
   progress.report(1);
   return hatches;
+}
+
+void fill_undercuts(Hatches& hatches, const Surface& surface, const CrossField& field,
+                    const Camera& camera, const VisibleImage& visible, const ToneMap& tone,
+                    const LabelledGraph& graph, const std::vector<double>& spacing_scale,
+                    const std::vector<std::uint8_t>& unhatched, const HatchOptions& options,
+                    Counts& counts, const Progress& progress) {
+  if (std::find(tone.band.begin(), tone.band.end(), Band::undercut) == tone.band.end()) return;
+  Placer placer(surface, field, camera, visible, tone, graph, spacing_scale, unhatched, options,
+                progress);
+  hatches = placer.fill_between(std::move(hatches), counts);
 }
 
 }  // namespace illustrate

@@ -17,7 +17,14 @@
 
 namespace illustrate {
 
+// Where hatches start from.
+enum class HatchSeeding : std::uint8_t {
+  surface_curves,   // curves made once on the surface, then evened (even_hatches.h)
+  critical_curves,  // the paper's: silhouettes and other hatches
+};
+
 struct HatchOptions {
+  HatchSeeding seeding = HatchSeeding::surface_curves;
   double spacing_px = 8;           // d_sep
   double undercut_spacing_px = 5;  // d_sep inside undercuts
   double test_factor = 0.6;        // d_test
@@ -35,5 +42,16 @@ Hatches place_hatches(const Surface& surface, const CrossField& field, const Cam
                       const std::vector<double>& spacing_scale,
                       const std::vector<std::uint8_t>& unhatched, const HatchOptions& options,
                       Counts& counts, const Progress& progress = {});
+
+// Denser hatches of kind undercut between `hatches`, added to them: a fill pass over all undercuts.
+void fill_undercuts(Hatches& hatches, const Surface& surface, const CrossField& field,
+                    const Camera& camera, const VisibleImage& visible, const ToneMap& tone,
+                    const LabelledGraph& graph, const std::vector<double>& spacing_scale,
+                    const std::vector<std::uint8_t>& unhatched, const HatchOptions& options,
+                    Counts& counts, const Progress& progress = {});
+
+// Throws InvalidInput where the two lists do not fit the surface's objects.
+void validate_objects(const Surface& surface, const std::vector<double>& spacing_scale,
+                      const std::vector<std::uint8_t>& unhatched);
 
 }  // namespace illustrate

@@ -17,6 +17,17 @@ constexpr double speck = 1.5;
 constexpr double company = 2;
 constexpr double least_stroke = 0.5;
 
+// Hatches cross from about 42 degrees on (squared cosine), also a little farther away: what lies
+// between their points counts too.
+constexpr double most_crossing = 0.55;
+constexpr double crossing_margin = 0.2;
+
+// How often parts of a hatch are clipped where it bends.
+constexpr int most_rounds = 4;
+
+// Spacings in depth between the two sides of a silhouette that are sheets of their own.
+constexpr double most_step = 3.2;
+
 // Pieces vote with one point in so many spacings.
 constexpr double vote_step = 0.8;
 
@@ -42,12 +53,13 @@ double length_px(Span<const HatchPoint> curve) {
 
 class Reducer {
  public:
-  Reducer(const Hatches& hatches, const Surface& surface, const ToneMap& tone,
+  Reducer(const Hatches& hatches, const Surface& surface, const Camera& camera, const ToneMap& tone,
           const LabelledGraph& graph, const HatchOptions& options,
           const std::vector<double>& spacing_scale)
       : hatches_(hatches),
         points_(hatches.curves.values),
         surface_(surface),
+        camera_(camera),
         options_(options),
         spacing_scale_(spacing_scale),
         curves_(graph, tone.width * tone.cell_px, tone.height * tone.cell_px),
@@ -68,6 +80,7 @@ class Reducer {
       if (choice.is_kept[piece]) keep_uncrossed(pieces_[piece]);
     }
     for (const Run& run : longest_uncrossed()) keep_uncrossed(run);
+    for (int round = 0; round < most_rounds && clip_bends(); ++round) continue;
     return strokes();
   }
 
@@ -172,7 +185,7 @@ class Reducer {
   void link_neighbours(const NeighbourGrid& all_voters, int piece, const Link& link) const {
     for (const int i : voters(pieces_[piece])) {
       any_neighbour(all_voters, i, reach(i), [&](int other, bool parallel) {
-        if (!curves_.separate(points_[i].image, points_[other].image)) {
+        if (is_same_sheet(i, other)) {
           link(piece_of_[other], parallel ? 1 : -1);
         }
         return false;
@@ -232,6 +245,45 @@ class Reducer {
     return result;
   }
 
+  // A hatch that bends and is cut there may be left with parts across each other: the shorter one
+  // is clipped. Whether any was.
+  bool clip_bends() {
+    std::vector<std::pair<double, int>> order;
+    std::vector<Run> all;
+    std::vector<int> run_of(points_.size(), none);
+    for (int h = 0; h < count(); ++h) {
+      for (const Run& run : runs({begin(h), end(h)}, [&](int i) { return kept_[i] != 0; })) {
+        std::fill(run_of.begin() + run.from, run_of.begin() + run.to, static_cast<int>(all.size()));
+        order.push_back({length_of(run), static_cast<int>(all.size())});
+        all.push_back(run);
+      }
+    }
+    std::sort(order.begin(), order.end());
+    bool any = false;
+    for (const auto& entry : order) {
+      for (int i = all[entry.second].from; i < all[entry.second].to; ++i) {
+        if (piece_of_[i] == none || !is_across_other_part(i, run_of)) continue;
+        kept_[i] = 0;
+        any = true;
+      }
+    }
+    return any;
+  }
+
+  bool is_across_other_part(int point, const std::vector<int>& run_of) const {
+    const Vec3 tangent = tangent_at(point);
+    const double radius = crossing_reach(point);
+    return grid_.any_within(points_[point].image, radius, [&](const HatchNode& node) {
+      const double along = tangent.dot(tangent_at(node.point));
+      return owner_[node.point] == owner_[point] && run_of[node.point] != run_of[point] &&
+             kept_[node.point] && along * along < most_crossing && is_same_sheet(point, node.point);
+    });
+  }
+
+  double crossing_reach(int point) const {
+    return reach(point) + crossing_margin * spacing_of(owner_[point]);
+  }
+
   // How near hatches are neighbours.
   double reach(int point) const { return 2 * spacing_of(owner_[point]); }
 
@@ -249,12 +301,20 @@ class Reducer {
 
   bool is_crossed_at(int point) const {
     const Vec3 tangent = tangent_at(point);
-    return any_neighbour(grid_, point, reach(point), [&](int other, bool parallel) {
+    return any_neighbour(grid_, point, crossing_reach(point), [&](int other, bool parallel) {
       if (!kept_[other]) return false;
       const double along = tangent.dot(tangent_at(other));
-      return (!parallel || 2 * along * along < 1) &&
-             !curves_.separate(points_[point].image, points_[other].image);
+      return (!parallel || along * along < most_crossing) && is_same_sheet(point, other);
     });
+  }
+
+  bool is_same_sheet(int a, int b) const {
+    const Vec2 &from = points_[a].image, &to = points_[b].image;
+    if (!curves_.separate(from, to)) return true;
+    if (curves_.is_edge_between(from, to)) return false;
+    const Vec3 &p = points_[a].position, &q = points_[b].position;
+    const double depth = std::abs(camera_.project(p).depth - camera_.project(q).depth);
+    return depth < most_step * spacing_of(owner_[a]) * camera_.pixel_size(p);
   }
 
   // What is kept, without specks.
@@ -315,6 +375,7 @@ class Reducer {
   const Hatches& hatches_;
   const std::vector<HatchPoint>& points_;
   const Surface& surface_;
+  const Camera& camera_;
   const HatchOptions& options_;
   const std::vector<double>& spacing_scale_;
   CriticalCurves curves_;
@@ -329,11 +390,11 @@ class Reducer {
 
 }  // namespace
 
-Hatches reduce_hatches(const Hatches& hatches, const Surface& surface, const ToneMap& tone,
-                       const LabelledGraph& graph, const HatchOptions& options, Counts& counts,
-                       const std::vector<double>& spacing_scale) {
+Hatches reduce_hatches(const Hatches& hatches, const Surface& surface, const Camera& camera,
+                       const ToneMap& tone, const LabelledGraph& graph, const HatchOptions& options,
+                       Counts& counts, const std::vector<double>& spacing_scale) {
   validate(options);
-  Hatches result = Reducer(hatches, surface, tone, graph, options, spacing_scale).reduce();
+  Hatches result = Reducer(hatches, surface, camera, tone, graph, options, spacing_scale).reduce();
   counts["hatches_after_reduction"] += static_cast<std::int64_t>(result.kinds.size());
   return result;
 }

@@ -1,11 +1,12 @@
 // Stage `hatch`, reduction (paper section 6.5): one direction is left in single-hatch regions.
 //
 // The pieces of hatches in single-hatch regions fall into two families, one of which is kept
-// (choose_family.h). No two kept pieces are perpendicular within 2 * spacing, no visible critical
-// curve between: the one decided later is clipped. What is left of a deleted hatch in shadows and
-// undercuts is of kind cross_hatch, and so is a hatch that lies there altogether. Undercut hatches
-// stay as they are. Strokes shorter than 1.5 * spacing with no longer parallel one near are
-// dropped outside undercuts.
+// (choose_family.h). No two kept pieces are perpendicular within 2 * spacing on one sheet: the one
+// decided later is clipped. Crease, boundary and self-intersection part sheets, a silhouette where
+// what lies on its two sides is more than 3 * spacing apart in depth. What is left of a deleted
+// hatch in shadows and undercuts is of kind cross_hatch, and so is a hatch that lies there
+// altogether. Undercut hatches stay as they are. Strokes shorter than 1.5 * spacing with no longer
+// parallel one near are dropped outside undercuts.
 //
 // Departures from section 6.5. There a hatch is deleted that is perpendicular to another, breadth-
 // first over parallel neighbours, and each time the queue is empty any hatch may start it again,
@@ -21,8 +22,8 @@
 namespace illustrate {
 
 // `spacing_scale`: as for place_hatches.
-Hatches reduce_hatches(const Hatches& hatches, const Surface& surface, const ToneMap& tone,
-                       const LabelledGraph& graph, const HatchOptions& options, Counts& counts,
-                       const std::vector<double>& spacing_scale = {});
+Hatches reduce_hatches(const Hatches& hatches, const Surface& surface, const Camera& camera,
+                       const ToneMap& tone, const LabelledGraph& graph, const HatchOptions& options,
+                       Counts& counts, const std::vector<double>& spacing_scale = {});
 
 }  // namespace illustrate

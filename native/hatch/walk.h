@@ -1,7 +1,7 @@
 // Walking along the cross field over the triangles of the surface.
 #pragma once
 
-#include "field/cross_field.h"
+#include "hatch/field_walk.h"
 #include "hatch/hatches.h"
 #include "tone/image_map.h"
 
@@ -21,9 +21,7 @@ enum class WalkEnd : std::uint8_t {
   silhouette,  // the surface turns away from the eye here
 };
 
-// The line is straight inside each triangle, in the direction of the cross at its middle (second
-// order), and goes on in the triangle across the edge. Across the seam of a double cover only the
-// sheet's normal changes sign.
+// A FieldWalker whose lengths are those of the image, and which stops at silhouettes.
 class Walker {
  public:
   Walker(const Surface& surface, const CrossField& field, const Camera& camera);
@@ -40,16 +38,15 @@ class Walker {
   // How a world direction at p shows in the image, px per world unit.
   Vec2 image_direction(const Vec3& p, const Vec3& direction) const;
   const ImageMap& map() const { return map_; }
+  const FieldWalker& on_surface() const { return walker_; }
+  // Positive where the front of the triangle's sheet is seen, 0 on the silhouette.
+  double facing_at(const SurfacePoint& on) const;
 
  private:
-  struct Rates;
-  Rates rates(const SurfacePoint& on, const Vec3& direction) const;
-  Rates rates_along_middle(const Walk& walk, int entry_edge, double rest_px) const;
-  double facing_at(const SurfacePoint& on) const;
-  bool cross_edge(Walk& walk, int edge, int& entry_edge) const;
+  double px_along(const SurfacePoint& on, const Vec3& direction) const;
 
+  FieldWalker walker_;
   const Surface& surface_;
-  const CrossField& field_;
   const Camera& camera_;
   ImageMap map_;
   std::vector<double> front_;  // (n) normal . to_eye: positive where a vertex faces the eye

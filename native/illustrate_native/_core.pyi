@@ -319,6 +319,8 @@ class DrawOptions:
 
     hatching: bool
     """False: lines only, no tone."""
+    hatch_seeding: str
+    """Where hatches start: 'surface-curves', evened out, or the paper's 'critical-curves'."""
     spacing_px: float
     """Between hatches."""
     undercut_spacing_px: float
@@ -521,6 +523,22 @@ class CrossField:
     def singular_positions(self) -> _Doubles:
         """(s, 3) world, middles of those triangles."""
 
+class HatchCurves:
+    """Nested curves along the cross field, in rank order, that hatches start from in every view."""
+
+    @property
+    def offsets(self) -> _Indices:
+        """(c + 1,) curve i is points offsets[i] .. offsets[i + 1]."""
+    @property
+    def points(self) -> _Doubles:
+        """(p, 3) world."""
+    @property
+    def triangles(self) -> _Indices:
+        """(p,) triangle of the surface that the point lies on."""
+    @property
+    def barycentrics(self) -> _Doubles:
+        """(p, 2) weights of that triangle's corners 1 and 2."""
+
 class Prepared:
     """Everything of a scene that does not depend on the view. Immutable; threads may share it."""
 
@@ -531,6 +549,9 @@ class Prepared:
     def field(self) -> CrossField:
         """Solved when first asked for, unless PrepareOptions.field asked for it at once."""
     @property
+    def hatch_curves(self) -> HatchCurves:
+        """Made when first asked for, or when a view is first hatched."""
+    @property
     def report(self) -> dict[str, int]:
         """What was found and mended, summed over all meshes."""
     @property
@@ -538,7 +559,7 @@ class Prepared:
         """What was mended in each mesh, with its 'name'."""
     @property
     def timings(self) -> dict[str, float]:
-        """Seconds of 'sanitize', 'surface', 'curvature', 'field', 'intersections' so far.
+        """Seconds of 'sanitize', 'surface', 'curvature', 'field', 'intersections', 'hatch_curves' so far.
 
         What was taken over from `previous` took none.
         """
@@ -703,6 +724,7 @@ def draw(
     options: DrawOptions | None = None,
     lights: Iterable[Light] | None = None,
     progress: _Progress | None = None,
+    previous: Drawing | None = None,
 ) -> Drawing:
     """One view of a prepared scene. The same input gives the same bytes at any thread count.
 
@@ -712,8 +734,11 @@ def draw(
         options: None: the defaults.
         lights: none: one headlight.
         progress: told how far it is.
+        previous: the drawing of the frame before, of the same scene or of one with the same
+            triangles that has moved: its hatches are kept where they can be.
 
     Raises:
-        InvalidInput: an option, style or light out of its range, named.
+        InvalidInput: an option, style or light out of its range, named; a previous drawing of
+            other triangles.
         Cancelled: progress returned False. What progress raises passes through.
     """

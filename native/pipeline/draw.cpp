@@ -5,6 +5,8 @@
 
 #include "contour/network.h"
 #include "contour/silhouettes.h"
+#include "core/errors.h"
+#include "hatch/even_hatches.h"
 #include "hatch/reduce_hatches.h"
 #include "pipeline/seen_scene.h"
 #include "pipeline/stopwatch.h"
@@ -53,9 +55,31 @@ bool anything_is_hatched(const DrawOptions& options) {
          (unhatched.empty() || std::find(unhatched.begin(), unhatched.end(), 0) != unhatched.end());
 }
 
+// Where hatches lie closer, cells are smaller: tones then look the same at any number of pixels.
 double cell_size(const Camera& camera, const DrawOptions& options) {
   const double area = static_cast<double>(camera.width_px()) * camera.height_px();
-  return std::max(options.cell_px, std::sqrt(area / most_cells));
+  const double cell = std::max(0.25, std::min(options.cell_px, options.hatch.spacing_px / 8));
+  return std::max(cell, std::sqrt(area / most_cells));
+}
+
+// Its hatches, but not those in undercuts, which go with the view.
+Ragged<SurfacePoint> hatches_of(const Drawing& drawing, const Surface& surface) {
+  Ragged<SurfacePoint> hatches;
+  const auto count = static_cast<int>(surface.triangles.size());
+  for (std::size_t s = 0; s < drawing.kinds.size(); ++s) {
+    if (drawing.kinds[s] != Kind::hatch && drawing.kinds[s] != Kind::cross_hatch) continue;
+    for (int i = drawing.offsets[s]; i < drawing.offsets[s + 1]; ++i) {
+      const SurfacePoint& on = drawing.on[idx(i)];
+      if (on.triangle < 0 || on.triangle >= count) {
+        throw InvalidInput("previous is a drawing of another surface: triangle " +
+                           std::to_string(on.triangle) + " of " + std::to_string(count) +
+                           "; leave it out where the meshes change");
+      }
+      hatches.push(on);
+    }
+    hatches.close_list();
+  }
+  return hatches;
 }
 
 // The stages of one view, each with its time.
@@ -89,6 +113,10 @@ class View {
     });
   }
 
+  void follow(const Drawing& previous, const Surface& whole) {
+    previous_ = scene_.seen_parts(hatches_of(previous, whole));
+  }
+
   void hatch(const CrossField& field, const std::vector<Light>& lights, const Progress& progress) {
     const Surface& surface = scene_.surface();
     const Progress tone_progress = progress.part(0, 0.3, "tone");
@@ -106,7 +134,7 @@ class View {
     hatches_ = timed(result_.timings["hatch"], [&] {
       const bool has_extra = options_.tone.extra_levels > 0;
       Hatches made =
-          hatches(field, visible, result_.tone, hatch_progress.part(0, has_extra ? 0.6 : 1));
+          reduced(place(field, visible, hatch_progress.part(0, has_extra ? 0.6 : 1)), result_.tone);
       if (has_extra) add_extra(made, field, visible, hatch_progress.part(0.6, 1));
       return made;
     });
@@ -126,21 +154,39 @@ class View {
   }
 
  private:
-  Hatches hatches(const CrossField& field, const VisibleImage& visible, const ToneMap& tone,
-                  const Progress& progress) {
-    const Hatches placed =
-        place_hatches(scene_.surface(), field, camera_, visible, tone, result_.graph,
-                      spacing_scales(options_.styles), unhatched_objects(options_.styles),
-                      options_.hatch, result_.counts, progress);
-    return reduce_hatches(placed, scene_.surface(), tone, result_.graph, options_.hatch,
+  // Hatches of the cross.
+  Hatches place(const CrossField& field, const VisibleImage& visible, const Progress& progress) {
+    if (options_.hatch.seeding == HatchSeeding::critical_curves) {
+      return place_from_critical_curves(field, visible, result_.tone, progress);
+    }
+    const std::vector<double> spacing_scale = spacing_scales(options_.styles);
+    const Mask unhatched = unhatched_objects(options_.styles);
+    const HatchScene hatch_scene{scene_.surface(), field,         camera_,       visible,
+                                 result_.tone,     result_.graph, spacing_scale, unhatched};
+    return even_hatches(hatch_scene, scene_.hatch_curves(), previous_, options_.hatch,
+                        options_.threads, result_.counts, progress);
+  }
+
+  // By the paper's own seeding, which needs no curves of the field's.
+  Hatches place_from_critical_curves(const CrossField& field, const VisibleImage& visible,
+                                     const ToneMap& tone, const Progress& progress) {
+    return place_hatches(scene_.surface(), field, camera_, visible, tone, result_.graph,
+                         spacing_scales(options_.styles), unhatched_objects(options_.styles),
+                         options_.hatch, result_.counts, progress);
+  }
+
+  Hatches reduced(const Hatches& placed, const ToneMap& tone) {
+    return reduce_hatches(placed, scene_.surface(), camera_, tone, result_.graph, options_.hatch,
                           result_.counts, spacing_scales(options_.styles));
   }
 
   // The deeper levels of shadow are hatched once more, along the diagonals of the cross.
   void add_extra(Hatches& made, const CrossField& field, const VisibleImage& visible,
                  const Progress& progress) {
+    const CrossField turned = diagonals(scene_.surface(), field);
+    const ToneMap tone = extra_tones(result_.tone);
     const Hatches extra =
-        hatches(diagonals(scene_.surface(), field), visible, extra_tones(result_.tone), progress);
+        reduced(place_from_critical_curves(turned, visible, tone, progress), tone);
     for (std::size_t i = 0; i < extra.kinds.size(); ++i) {
       made.curves.add(extra.curves[i]);
       made.kinds.push_back(Kind::cross_hatch);
@@ -151,6 +197,7 @@ class View {
   const SeenScene& scene_;
   const Camera& camera_;
   const DrawOptions& options_;
+  Ragged<SurfacePoint> previous_;
   Hatches hatches_;
   DrawResult result_;
 };
@@ -158,15 +205,21 @@ class View {
 }  // namespace
 
 DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOptions& options,
-                const std::vector<Light>& lights, const Progress& progress) {
+                const std::vector<Light>& lights, const Progress& progress,
+                const Drawing* previous) {
   validate(options, prepared.object_count());
   for (std::size_t i = 0; i < lights.size(); ++i) validate(lights[i], i);
   const bool hatching = anything_is_hatched(options);
   const SeenScene scene(prepared, options.styles, options.threads, progress.part(0, 0.1));
   const CrossField* field = hatching ? &prepared.field(progress.part(0.1, 0.3)) : nullptr;
   View view(scene, camera, options);
+  if (hatching && previous) view.follow(*previous, prepared.surface());
   view.label_curves(progress.part(0.3, hatching ? 0.5 : 0.95));
-  if (hatching) view.hatch(*field, lights, progress.part(0.5, 0.95));
+  if (hatching) {
+    const bool along_curves = options.hatch.seeding == HatchSeeding::surface_curves;
+    if (along_curves) prepared.hatch_curves(progress.part(0.5, 0.55));
+    view.hatch(*field, lights, progress.part(0.55, 0.95));
+  }
   return std::move(view).strokes(progress.part(0.95, 1, "stroke"));
 }
 

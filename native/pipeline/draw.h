@@ -15,10 +15,13 @@ struct DrawResult {
   Timings timings;  // seconds: contour, visibility, tone, hatch, stroke; disjoint
 };
 
-// No lights: one headlight. Where `prepared` lacks its intersections or field, they are made first,
-// on its own account. Throws InvalidInput for wrong options and lights.
+// No lights: one headlight. `previous`: the drawing of the frame before, of the same prepared scene
+// or of one with the same triangles (a moving mesh): its hatches are kept where they can be. Where
+// `prepared` lacks its intersections or field, they are made first, on its own account. Throws
+// InvalidInput for wrong options and lights, and for a previous drawing of other triangles.
 DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOptions& options,
-                const std::vector<Light>& lights = {}, const Progress& progress = {});
+                const std::vector<Light>& lights = {}, const Progress& progress = {},
+                const Drawing* previous = nullptr);
 
 // The triangles that carry silhouettes, by the dual search, or `brute_force` from the signs at the
 // corners of every triangle.

@@ -31,9 +31,10 @@ Prepared::Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions&
     : options_(with_threads(options)),
       curvature_(std::make_shared<Lazy<Curvature>>()),
       field_(std::make_shared<Lazy<CrossField>>()),
+      hatch_curves_(std::make_shared<Lazy<SurfaceCurves>>()),
       derivative_(std::make_shared<Lazy<CurvatureDerivative>>()) {
-  timings_ = {
-      {"sanitize", 0}, {"surface", 0}, {"curvature", 0}, {"field", 0}, {"intersections", 0}};
+  timings_ = {{"sanitize", 0}, {"surface", 0},       {"curvature", 0},
+              {"field", 0},    {"intersections", 0}, {"hatch_curves", 0}};
   if (previous && previous->has_surface_of(meshes, options)) {
     take_over(*previous);
   } else {
@@ -63,7 +64,9 @@ void Prepared::take_over(const Prepared& previous) {
   if (!is_same(options_.jet, previous.options_.jet)) return;
   curvature_ = previous.curvature_;
   derivative_ = previous.derivative_;
-  if (is_same(options_.cross_field, previous.options_.cross_field)) field_ = previous.field_;
+  if (!is_same(options_.cross_field, previous.options_.cross_field)) return;
+  field_ = previous.field_;
+  hatch_curves_ = previous.hatch_curves_;
 }
 
 std::vector<SoundMesh> Prepared::sanitize_all(Geometry& geometry, const Progress& progress) const {
@@ -150,6 +153,15 @@ CrossField Prepared::solve_field(const Progress& progress) const {
   });
   last_field_ = {};
   return solved;
+}
+
+const SurfaceCurves& Prepared::hatch_curves(const Progress& progress) const {
+  return hatch_curves_->get([&] {
+    const CrossField& cross_field = field(progress.part(0, 0.5));
+    return timed("hatch_curves", [&] {
+      return surface_curves(surface(), cross_field, progress.part(0.5, 1, "hatch curves"));
+    });
+  });
 }
 
 const CurvatureDerivative& Prepared::curvature_derivative(const Progress& progress) const {

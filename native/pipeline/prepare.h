@@ -7,6 +7,7 @@
 #include "contour/feature_edges.h"
 #include "contour/intersections.h"
 #include "core/lazy.h"
+#include "hatch/surface_curves.h"
 #include "mesh/bvh.h"
 #include "pipeline/options.h"
 #include "surface/curvature_derivative.h"
@@ -37,6 +38,7 @@ class Prepared {
   const IntersectionCurves& intersections(const Progress& progress = {}) const;
   const Curvature& hatch_curvature(const Progress& progress = {}) const;
   const CrossField& field(const Progress& progress = {}) const;
+  const SurfaceCurves& hatch_curves(const Progress& progress = {}) const;
   const CurvatureDerivative& curvature_derivative(const Progress& progress = {}) const;
 
   const std::vector<MeshReport>& mesh_reports() const { return geometry_->mesh_reports; }
@@ -78,6 +80,7 @@ class Prepared {
   std::shared_ptr<Lazy<Curvature>> curvature_;
   std::shared_ptr<Lazy<CrossField>> field_;
   mutable LastField last_field_;  // until this field is solved
+  std::shared_ptr<Lazy<SurfaceCurves>> hatch_curves_;
   std::shared_ptr<Lazy<CurvatureDerivative>> derivative_;
   mutable std::mutex timings_mutex_;
   mutable Timings timings_;

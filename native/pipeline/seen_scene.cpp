@@ -81,7 +81,7 @@ SeenScene::SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& s
   const bool is_whole = std::none_of(styles.begin(), styles.end(),
                                      [](const ObjectStyle& style) { return style.ignore; });
   if (is_whole) return;
-  const std::vector<int> numbers = numbers_without_ignored(prepared.surface(), styles);
+  std::vector<int> numbers = numbers_without_ignored(prepared.surface(), styles);
   part_ = std::make_unique<Part>();
   for (std::size_t t = 0; t < numbers.size(); ++t) {
     if (numbers[t] != none) part_->sources.push_back(static_cast<int>(t));
@@ -90,6 +90,33 @@ SeenScene::SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& s
   part_->bvh = Bvh(part_->surface.positions, part_->surface.triangles, threads);
   part_->features = feature_edges(part_->surface);
   part_->intersections = intersections_of(intersections, numbers);
+  part_->numbers = std::move(numbers);
+}
+
+SurfaceCurves SeenScene::seen_curves(const SurfaceCurves& whole) const {
+  SurfaceCurves part{seen_parts(whole.curves), whole.step, {}, whole.area};
+  for (const SurfacePoint& on : whole.seeds) {
+    const int triangle = part_->numbers[idx(on.triangle)];
+    if (triangle != none) part.seeds.push_back({triangle, on.b1, on.b2});
+  }
+  return part;
+}
+
+Ragged<SurfacePoint> SeenScene::seen_parts(const Ragged<SurfacePoint>& curves) const {
+  if (!part_) return curves;
+  Ragged<SurfacePoint> parts;
+  const auto close = [&] {
+    if (static_cast<int>(parts.values.size()) > parts.offsets.back()) parts.close_list();
+  };
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    for (const SurfacePoint& on : curves[c]) {
+      const int triangle = part_->numbers[idx(on.triangle)];
+      if (triangle == none) close();
+      if (triangle != none) parts.push({triangle, on.b1, on.b2});
+    }
+    close();
+  }
+  return parts;
 }
 
 void SeenScene::restore_triangles(std::vector<SurfacePoint>& points) const {

@@ -30,6 +30,14 @@ class SeenScene {
     return prepared_.curvature_derivative();
   }
 
+  // Curves on the whole surface, as far as their triangles are in this scene, with their numbers in
+  // it.
+  Ragged<SurfacePoint> seen_parts(const Ragged<SurfacePoint>& curves) const;
+  const SurfaceCurves& hatch_curves() const {
+    if (!part_) return prepared_.hatch_curves();
+    return part_->hatch_curves.get([&] { return seen_curves(prepared_.hatch_curves()); });
+  }
+
   // From triangles of this scene to those of `prepared`.
   void restore_triangles(std::vector<SurfacePoint>& points) const;
 
@@ -37,11 +45,15 @@ class SeenScene {
   struct Part {
     Surface surface;
     std::vector<int> sources;  // (t) triangle of the whole surface
+    std::vector<int> numbers;  // (triangles of the whole surface) here, none for ignored ones
     Bvh bvh;
     Lazy<DualSurface> dual_surface;
     std::vector<FeatureEdge> features;
     IntersectionCurves intersections;
+    Lazy<SurfaceCurves> hatch_curves;
   };
+  SurfaceCurves seen_curves(const SurfaceCurves& whole) const;
+
   const Prepared& prepared_;
   int threads_;
   std::unique_ptr<Part> part_;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hatch/even_hatches.h"
 #include "hatch/reduce_hatches.h"
 #include "tests/cpp/cameras.h"
 #include "tests/cpp/shapes.h"
@@ -52,8 +53,12 @@ struct Scene {
     return place_hatches(surface, field, camera, visible, tone, graph, spacing_scale, unhatched,
                          options, counts);
   }
+  Hatches even(const Ragged<SurfacePoint>& first = {}, int threads = 1) {
+    return even_hatches({surface, field, camera, visible, tone, graph, spacing_scale, unhatched},
+                        surface_curves(surface, field), first, options, threads, counts);
+  }
   Hatches reduce(const Hatches& hatches) {
-    return reduce_hatches(hatches, surface, tone, graph, options, counts, spacing_scale);
+    return reduce_hatches(hatches, surface, camera, tone, graph, options, counts, spacing_scale);
   }
   int cell(const HatchPoint& point) const { return visible.cell_of(point.image); }
   // A visible arc through world points.

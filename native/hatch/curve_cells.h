@@ -1,0 +1,93 @@
+// Points of curves in space, found by their place: a grid of cells over the surface's box.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/types.h"
+
+namespace illustrate {
+
+struct CurveNode {
+  Eigen::Vector3f position;
+  Eigen::Vector3f tangent;  // unit
+  Eigen::Vector3f normal;   // unit
+  int object;
+  int curve;
+  int index;  // along the curve; curves grow both ways, from 0
+};
+
+class CurveCells {
+ public:
+  // Cells of about `radius`; larger where there would be too many.
+  CurveCells(const Eigen::AlignedBox3d& box, double radius) : low_(box.min().cast<float>()) {
+    const Vec3 size = box.sizes();
+    const double least = std::cbrt(size.prod() / most_cells);
+    const double cell = std::max({radius, least, size.maxCoeff() / most_along});
+    per_unit_ = static_cast<float>(1 / cell);
+    for (int axis = 0; axis < 3; ++axis) count_[axis] = 1 + static_cast<int>(size[axis] / cell);
+    first_.assign(idx(count_[0]) * idx(count_[1]) * idx(count_[2]), none);
+  }
+
+  void add(const CurveNode& node) {
+    const std::array<int, 3> at = cell_of(node.position);
+    int& first = first_[number(at[0], at[1], at[2])];
+    nodes_.push_back({node, first});
+    first = static_cast<int>(nodes_.size()) - 1;
+  }
+
+  std::size_t size() const { return nodes_.size(); }
+
+  // Takes the last nodes away again, until `size` are left.
+  void shrink(std::size_t size) {
+    for (; nodes_.size() > size; nodes_.pop_back()) {
+      const std::array<int, 3> at = cell_of(nodes_.back().node.position);
+      first_[number(at[0], at[1], at[2])] = nodes_.back().next;
+    }
+  }
+
+  // Whether `test` accepts a node in the cells that the cube of half side `radius` round p touches.
+  template <class Test>
+  bool any_near(const Eigen::Vector3f& p, float radius, const Test& test) const {
+    const Eigen::Vector3f reach = Eigen::Vector3f::Constant(radius);
+    const std::array<int, 3> from = cell_of(p - reach), to = cell_of(p + reach);
+    for (int k = from[2]; k <= to[2]; ++k) {
+      for (int j = from[1]; j <= to[1]; ++j) {
+        for (int i = from[0]; i <= to[0]; ++i) {
+          for (int at = first_[number(i, j, k)]; at != none; at = nodes_[idx(at)].next) {
+            if (test(nodes_[idx(at)].node)) return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+ private:
+  static constexpr double most_cells = 2e6, most_along = 4096;
+  struct Entry {
+    CurveNode node;
+    int next;
+  };
+
+  std::array<int, 3> cell_of(const Eigen::Vector3f& p) const {
+    std::array<int, 3> cell;
+    for (int axis = 0; axis < 3; ++axis) {
+      const float along = (p[axis] - low_[axis]) * per_unit_;
+      cell[idx(axis)] =
+          static_cast<int>(std::clamp(along, 0.0F, static_cast<float>(count_[idx(axis)] - 1)));
+    }
+    return cell;
+  }
+  std::size_t number(int i, int j, int k) const {
+    return (idx(k) * idx(count_[1]) + idx(j)) * idx(count_[0]) + idx(i);
+  }
+
+  Eigen::Vector3f low_;
+  float per_unit_ = 1;
+  std::array<int, 3> count_{1, 1, 1};
+  std::vector<int> first_;  // of each cell, its last added node
+  std::vector<Entry> nodes_;
+};
+
+}  // namespace illustrate

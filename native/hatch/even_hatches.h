@@ -1,0 +1,36 @@
+// Stage `hatch`, placement beyond the paper: hatches that are evenly spaced, long, and stay where
+// they are when the camera moves a little.
+//
+// Ranked curves on the surface are placed where they are seen, gaps are filled from places fixed on
+// the surface, ends that face each other are joined, and whole streamlines are relaxed sideways
+// with a little drift off the cross; then they are cut where they come too near to each other, and
+// run up to silhouettes and edges of tone. Each step is a header of its own. All lengths are in
+// spacings: the same view in twice as many pixels, at twice the spacing, has the same hatches.
+#pragma once
+
+#include "core/progress.h"
+#include "hatch/place_hatches.h"
+#include "hatch/surface_curves.h"
+
+namespace illustrate {
+
+// What a view is hatched on, with; `spacing_scale` and `unhatched` as for place_hatches.
+struct HatchScene {
+  const Surface& surface;
+  const CrossField& field;
+  const Camera& camera;
+  const VisibleImage& visible;
+  const ToneMap& tone;
+  const LabelledGraph& graph;
+  const std::vector<double>& spacing_scale;
+  const std::vector<std::uint8_t>& unhatched;
+};
+
+// `first`: strokes of the drawing before this one, as points on this surface; where there are any,
+// they are placed instead of the curves. The rules of HatchOptions hold for
+// both kinds of seeding. Adds "hatch_steps" and "hatches" to `counts`. Throws as place_hatches.
+Hatches even_hatches(const HatchScene& scene, const SurfaceCurves& curves,
+                     const Ragged<SurfacePoint>& first, const HatchOptions& options, int threads,
+                     Counts& counts, const Progress& progress = {});
+
+}  // namespace illustrate

@@ -1,0 +1,139 @@
+#include "hatch/finish_streamlines.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace illustrate {
+namespace {
+
+constexpr double radians = 3.14159265358979323846 / 180;
+
+// Between points of a finished hatch, in spacings.
+constexpr double point_step = 0.2;
+
+// Shorter hatches, in spacings, are not worth a stroke.
+constexpr double least_length = 0.5;
+
+class Finisher {
+ public:
+  explicit Finisher(const HatchView& view) : view_(view) {}
+
+  void add(const Streamline& streamline) {
+    streamline_ = &streamline;
+    split(0, streamline.nodes.size());
+  }
+
+  Hatches take() { return std::move(hatches_); }
+
+ private:
+  const std::vector<StreamlineNode>& nodes() const { return streamline_->nodes; }
+
+  // The nodes [from, to), as far as they go with the middle one; then what is left on both sides.
+  void split(std::size_t from, std::size_t to) {
+    if (to - from < 2) return;
+    const std::size_t middle = from + (to - from) / 2;
+    const double most = limit_px() / 2;
+    std::size_t first = middle, last = middle;
+    for (double length = 0; first > from && goes_with(middle, first, first - 1, length, most);) {
+      --first;
+    }
+    for (double length = 0; last + 1 < to && goes_with(middle, last, last + 1, length, most);) {
+      ++last;
+    }
+    add_piece(first, last + 1);
+    if (first < middle) split(from, first + 1);
+    if (last > middle) split(last, to);
+  }
+
+  // Neighbours must not end in a row: golden-ratio steps between .6 and 1 of the greatest length.
+  double limit_px() const {
+    const double turns = 0.6180339887498949 * static_cast<double>(hatches_.kinds.size());
+    return view_.options.max_length_px * (0.6 + 0.4 * (turns - std::floor(turns)));
+  }
+
+  bool goes_with(std::size_t middle, std::size_t last, std::size_t next, double& length,
+                 double most) const {
+    length += (nodes()[next].image - nodes()[last].image).norm();
+    const double turn = nodes()[middle].tangent.dot(nodes()[next].tangent);
+    return length <= most && (view_.options.max_turn_deg >= 180 ||
+                              turn >= std::cos(view_.options.max_turn_deg * radians));
+  }
+
+  void add_piece(std::size_t from, std::size_t to) {
+    if (to - from < 2) return;
+    for (std::size_t i = from; i + 1 < to; ++i) {
+      add_point(nodes()[i].on);
+      add_between(i);
+    }
+    add_point(nodes()[to - 1].on);
+    close();
+  }
+
+  // A cubic through the nodes, put on the surface.
+  void add_between(std::size_t i) {
+    const StreamlineNode &a = nodes()[i], &b = nodes()[i + 1];
+    const double gap = (b.image - a.image).norm();
+    const double parts = std::ceil(gap / (point_step * streamline_->spacing));
+    const double length = (b.position - a.position).norm();
+    const Vec3 from = length * slope_at(i), to = length * slope_at(i + 1);
+    for (double k = 1; k < parts; ++k) {
+      const double t = k / parts, s = 1 - t;
+      const Vec3 way =
+          t * t * (3 - 2 * t) * (b.position - a.position) + t * s * s * from - t * t * s * to;
+      SurfacePoint on = a.on;
+      if (!view_.walker.on_surface().slide(on, way)) return;
+      add_point(on);
+    }
+  }
+
+  // What lies between nodes is clipped as they are: the hatch ends where it would cross a critical
+  // curve, or may not run.
+  void add_point(const SurfacePoint& on) {
+    const HatchPoint point = view_.walker.point(on);
+    if (!view_.area.may_pass(point, Area::hatched)) return close();
+    if (!line_.empty() && view_.curves.separate(line_.back().image, point.image)) close();
+    line_.push_back(point);
+  }
+
+  void close() {
+    double length = 0;
+    for (std::size_t i = 1; i < line_.size(); ++i) {
+      length += (line_[i].image - line_[i - 1].image).norm();
+    }
+    if (length >= least_length * streamline_->spacing) {
+      hatches_.curves.add(line_);
+      hatches_.kinds.push_back(Kind::hatch);
+      hatches_.objects.push_back(streamline_->object);
+    }
+    line_.clear();
+  }
+
+  // Of the curve at a node, by length: of the segments on both sides, the shorter one counts more.
+  Vec3 slope_at(std::size_t i) const {
+    const auto segment = [&](std::size_t k) -> Vec3 {
+      return nodes()[k + 1].position - nodes()[k].position;
+    };
+    if (i == 0) return unit(segment(0));
+    if (i + 1 == nodes().size()) return unit(segment(i - 1));
+    const Vec3 before = segment(i - 1), after = segment(i);
+    return (after.norm() * unit(before) + before.norm() * unit(after)) /
+           std::max(before.norm() + after.norm(), 1e-300);
+  }
+
+  static Vec3 unit(const Vec3& v) { return v / std::max(v.norm(), 1e-300); }
+
+  const HatchView& view_;
+  const Streamline* streamline_ = nullptr;
+  std::vector<HatchPoint> line_;
+  Hatches hatches_;
+};
+
+}  // namespace
+
+Hatches finished(const Streamlines& streamlines, const HatchView& view) {
+  Finisher finisher(view);
+  for (const Streamline& streamline : streamlines) finisher.add(streamline);
+  return finisher.take();
+}
+
+}  // namespace illustrate

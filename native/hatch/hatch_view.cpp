@@ -1,0 +1,75 @@
+#include "hatch/hatch_view.h"
+
+namespace illustrate {
+namespace {
+
+// A cross that is seen so edge-on, as a share of its area, cannot be moved sideways.
+constexpr double least_facing = 1e-3;
+
+// Nodes of one streamline are neighbours of its own only so many spacings apart.
+constexpr double own_reach = 3;
+
+}  // namespace
+
+void turn(std::vector<StreamlineNode>& nodes) {
+  std::reverse(nodes.begin(), nodes.end());
+  for (StreamlineNode& node : nodes) turn(node);
+}
+
+double length_of(const std::vector<StreamlineNode>& nodes) {
+  double length = 0;
+  for (std::size_t i = 1; i < nodes.size(); ++i) {
+    length += (nodes[i].image - nodes[i - 1].image).norm();
+  }
+  return length;
+}
+
+StreamlineNode HatchView::node(const SurfacePoint& on, const Vec3& towards) const {
+  StreamlineNode node;
+  node.on = on;
+  node.position = position_at(surface_, on);
+  node.tangent = cross_direction(surface_, field_, on, towards);
+  const ImagePoint seen = camera_.project(node.position);
+  node.image = seen.xy;
+  node.depth = seen.depth;
+  node.pixel = camera_.pixel_size(node.position);
+  const Vec3 across = normal_at(surface_, on).cross(node.tangent);
+  const Vec2 a = walker.image_direction(node.position, node.tangent);
+  const Vec2 b = walker.image_direction(node.position, across);
+  const double length = a.norm(), determinant = cross(a, b);
+  node.heading = length > 0 ? Vec2(a / length) : Vec2(1, 0);
+  node.aside = Vec3::Zero();
+  node.lever = 1 / least_facing;
+  if (std::abs(determinant) > least_facing * length * b.norm() && length > 0) {
+    const double by_across = length / determinant;
+    node.aside = by_across * (across - (b.dot(a) / (length * length)) * node.tangent);
+    node.lever = length * length / std::abs(determinant);
+  }
+  return node;
+}
+
+bool HatchView::is_near(const StreamlineGrid& grid, const StreamlineNode& node, double spacing,
+                        double radius, int streamline, int index) const {
+  const int own = static_cast<int>(own_reach / node_step);
+  const double reach = radius + spacing * node_step / 2;
+  return grid.any_near(node.image, reach, [&](const GridNode& other) {
+    if (other.streamline == streamline && std::abs(other.index - index) <= own) return false;
+    return distance(node, other, spacing, radius) < radius &&
+           !curves.separate(node.image, Vec2(double(other.x), double(other.y)));
+  });
+}
+
+double HatchView::nearest(const StreamlineGrid& grid, const StreamlineNode& node, double spacing,
+                          double reach) const {
+  double least = reach;
+  grid.any_near(node.image, reach + spacing * node_step / 2, [&](const GridNode& other) {
+    const double found = distance(node, other, spacing, least);
+    if (found < least && !curves.separate(node.image, Vec2(double(other.x), double(other.y)))) {
+      least = found;
+    }
+    return false;
+  });
+  return least;
+}
+
+}  // namespace illustrate

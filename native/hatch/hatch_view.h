@@ -1,0 +1,97 @@
+// What placing hatches asks of a view: nodes on the surface, where they may lie, what is near them.
+#pragma once
+
+#include <limits>
+
+#include "hatch/critical_curves.h"
+#include "hatch/hatch_area.h"
+#include "hatch/place_hatches.h"
+#include "hatch/streamline_grid.h"
+#include "hatch/walk.h"
+
+namespace illustrate {
+
+// Hatches that run along a critical curve stay away from it, in spacings.
+constexpr double curve_clearance = 0.2;
+
+class HatchView {
+ public:
+  HatchView(const Surface& surface, const CrossField& field, const Camera& camera,
+            const VisibleImage& visible, const ToneMap& tone, const LabelledGraph& graph,
+            const std::vector<double>& spacing_scale, const std::vector<std::uint8_t>& unhatched,
+            const HatchOptions& hatch_options)
+      : area(surface, camera, visible, tone),
+        walker(surface, field, camera),
+        curves(graph, camera.width_px(), camera.height_px()),
+        options(hatch_options),
+        surface_(surface),
+        field_(field),
+        camera_(camera),
+        spacing_scale_(spacing_scale),
+        unhatched_(unhatched) {}
+
+  // The node at a place, along the branch of the cross nearest to `towards`.
+  StreamlineNode node(const SurfacePoint& on, const Vec3& towards) const;
+
+  // Whether a hatch may run through a node: before the near plane, in the frame, seen, where
+  // hatches are wanted, and not close along a critical curve.
+  bool may_pass(const StreamlineNode& node, double spacing) const {
+    return area.may_pass({node.position, node.on, node.image}, Area::hatched) &&
+           !curves.run_along(node.image, node.heading, curve_clearance * spacing);
+  }
+  bool is_hatched(int object) const { return unhatched_.empty() || !unhatched_[idx(object)]; }
+
+  double spacing_of(int object) const {  // px
+    return std::max(
+        1.0, options.spacing_px * (spacing_scale_.empty() ? 1 : spacing_scale_[idx(object)]));
+  }
+  StreamlineGrid empty_grid() const {
+    return {double(camera_.width_px()), double(camera_.height_px()), options.spacing_px};
+  }
+
+  // Image distance from a node to a piece of a streamline, infinite where the two are not parallel,
+  // far apart in depth, or farther than `reach`.
+  static double distance(const StreamlineNode& node, const GridNode& other, double spacing,
+                         double reach) {
+    const double dx = node.image.x() - static_cast<double>(other.x);
+    const double dy = node.image.y() - static_cast<double>(other.y);
+    const double ux = static_cast<double>(other.ux), uy = static_cast<double>(other.uy);
+    const double beyond = std::max(std::abs(dx * ux + dy * uy) - double(other.half), 0.0);
+    const double across = dx * uy - dy * ux;
+    const double square = beyond * beyond + across * across;
+    if (!(square < reach * reach) || !is_alike(node, other, spacing)) {
+      return std::numeric_limits<double>::infinity();
+    }
+    return std::sqrt(square);
+  }
+
+  // Whether two pieces of streamlines mind each other: parallel in space, near in depth.
+  static bool is_alike(const StreamlineNode& node, const GridNode& other, double spacing) {
+    const double cosine = node.tangent.dot(other.tangent.cast<double>());
+    return 2 * cosine * cosine > 1 &&
+           std::abs(node.depth - double(other.depth)) < 3 * spacing * node.pixel;
+  }
+
+  // Whether a parallel streamline passes nearer than `radius`, no critical curve between; the same
+  // streamline only where it comes round again.
+  bool is_near(const StreamlineGrid& grid, const StreamlineNode& node, double spacing,
+               double radius, int streamline, int index) const;
+
+  // The distance to the nearest parallel streamline; `reach` where there is none nearer.
+  double nearest(const StreamlineGrid& grid, const StreamlineNode& node, double spacing,
+                 double reach) const;
+
+  HatchArea area;
+  Walker walker;
+  CriticalCurves curves;
+  const HatchOptions& options;
+
+ private:
+  const Surface& surface_;
+  const CrossField& field_;
+  const Camera& camera_;
+  const std::vector<double>& spacing_scale_;
+  const std::vector<std::uint8_t>& unhatched_;
+};
+
+}  // namespace illustrate

@@ -1,0 +1,226 @@
+#include "hatch/relax_streamlines.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+
+namespace illustrate {
+namespace {
+
+// In spacings.
+constexpr double near_reach = 1.25;  // of neighbours: most are found so near
+constexpr double reach = 2;          // of all
+constexpr double curve_reach = 1.5;  // of critical curves
+constexpr double most_pull = 0.4;
+constexpr double most_move = 0.19;  // in a sweep
+constexpr double stiffness = 2.4;   // length over which a streamline bends
+
+constexpr double band = 0.55;  // half a neighbour's piece of line, in node steps
+
+constexpr double share_moved = 0.7;  // of the solution, in a sweep
+constexpr double one_sided = 0.5;    // weight of a pull that knows one neighbour only
+
+// Nodes of one streamline nearer along it are not its own neighbours.
+constexpr int own_nodes = 6;
+
+// A node moves in the image at most so many times as far as it is meant to.
+constexpr double most_overshoot = 1.3;
+
+// Angles of streamlines to the cross grow no further than this: what is beyond weighs more.
+constexpr double most_drift = 0.06;  // radians
+constexpr double most_stiffening = 30;
+
+struct Pull {
+  double by = 0;  // px to the left
+  double weight = 0;
+};
+
+class Relaxer {
+ public:
+  Relaxer(const StreamlineSet& set, const HatchView& view) : set_(set), view_(view) {}
+
+  std::vector<StreamlineNode> moved(int number) const {
+    const Streamline& streamline = set_.streamlines[idx(number)];
+    std::vector<Pull> pulls;
+    for (std::size_t i = 0; i < streamline.nodes.size(); ++i) {
+      pulls.push_back(pull_at(streamline, number, static_cast<int>(i)));
+    }
+    std::vector<double> bending = bending_of(streamline);
+    std::vector<double> shift = solve(streamline, pulls, bending);
+    if (stiffen(streamline, shift, bending)) shift = solve(streamline, pulls, bending);
+    std::vector<StreamlineNode> nodes;
+    for (std::size_t i = 0; i < streamline.nodes.size(); ++i) {
+      const double most = most_move * streamline.spacing;
+      nodes.push_back(
+          shifted(streamline.nodes[i], std::clamp(share_moved * shift[i], -most, most)));
+    }
+    return nodes;
+  }
+
+ private:
+  // Distances to the nearest parallel streamlines to the left and the right, infinite beyond
+  // `reach`.
+  std::array<double, 2> beside(const Streamline& streamline, int number, int index) const {
+    const auto near = beside(streamline, number, index, near_reach * streamline.spacing);
+    if (std::isfinite(near[0]) && std::isfinite(near[1])) return near;
+    return beside(streamline, number, index, reach * streamline.spacing);
+  }
+
+  std::array<double, 2> beside(const Streamline& streamline, int number, int index,
+                               double far) const {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const StreamlineNode& node = streamline.nodes[idx(index)];
+    const Vec2 left = node.left();
+    std::array<double, 2> nearest{infinite, infinite};
+    set_.grid.any_near(node.image, far, [&](const GridNode& other) {
+      const Vec2 offset(double(other.x) - node.image.x(), double(other.y) - node.image.y());
+      const double along = offset.dot(node.heading);
+      if (std::abs(along) > 2 * band * streamline.spacing * node_step) return false;
+      if (other.streamline == number && std::abs(other.index - index) <= own_nodes) return false;
+      const Vec2 heading(double(other.ux), double(other.uy));
+      const double cosine = heading.dot(node.heading);
+      const double at = along / cosine;  // along the neighbour, to beside the node
+      if (!(std::abs(at) <= 2 * band * double(other.half))) return false;
+      const double across = offset.dot(left) - at * heading.dot(left);
+      double& best = nearest[across < 0];
+      if (std::abs(across) < std::min(best, far) &&
+          HatchView::is_alike(node, other, streamline.spacing)) {
+        best = std::abs(across);
+      }
+      return false;
+    });
+    return nearest;
+  }
+
+  // A critical curve nearer than the neighbour takes its place: as far beyond as the node is before
+  // it.
+  double mirrored(const StreamlineNode& node, const Vec2& side, double distance,
+                  double spacing) const {
+    const double most = curve_reach * spacing, far = std::min(distance, most);
+    const double at = far * view_.curves.first_crossing(node.image, node.image + far * side);
+    return at <= far ? std::clamp(2 * at, 0.5 * spacing, most) : distance;
+  }
+
+  Pull pull_at(const Streamline& streamline, int number, int index) const {
+    const StreamlineNode& node = streamline.nodes[idx(index)];
+    const double spacing = streamline.spacing, most = most_pull * spacing;
+    auto [left, right] = beside(streamline, number, index);
+    left = mirrored(node, node.left(), left, spacing);
+    right = mirrored(node, -node.left(), right, spacing);
+    Pull pull;
+    if (std::isfinite(left) && std::isfinite(right)) {
+      pull = {(left - right) / 2, 1};
+    } else if (std::isfinite(left)) {
+      pull = {(left - spacing) / 2, one_sided};
+    } else if (std::isfinite(right)) {
+      pull = {(spacing - right) / 2, one_sided};
+    }
+    pull.by = std::clamp(pull.by, -most, most);
+    return pull;
+  }
+
+  // Weight of the angle of each segment, against pulls of weight 1.
+  static std::vector<double> bending_of(const Streamline& streamline) {
+    const double length = stiffness * streamline.spacing;
+    std::vector<double> bending;
+    for (std::size_t i = 0; i + 1 < streamline.nodes.size(); ++i) {
+      const double lever = (streamline.nodes[i].lever + streamline.nodes[i + 1].lever) / 2;
+      bending.push_back(length * length * std::clamp(lever * lever, 0.1, 9.0));
+    }
+    return bending;
+  }
+
+  static double segment_px(const Streamline& streamline, std::size_t i) {
+    return std::max((streamline.nodes[i + 1].image - streamline.nodes[i].image).norm(),
+                    1e-3 * streamline.spacing);
+  }
+
+  // Angle in the image from the field to the segment.
+  static double angle_at(const Streamline& streamline, std::size_t i) {
+    const StreamlineNode &a = streamline.nodes[i], &b = streamline.nodes[i + 1];
+    const Vec2 field = a.heading + b.heading, chord = b.image - a.image;
+    return std::atan2(cross(field, chord), field.dot(chord));
+  }
+
+  // Minimises sum of weight (x - pull)^2 + bending (angle + x')^2.
+  static std::vector<double> solve(const Streamline& streamline, const std::vector<Pull>& pulls,
+                                   const std::vector<double>& bending) {
+    const std::size_t count = pulls.size();
+    std::vector<double> diagonal(count, 1e-9), next(count, 0), right(count, 0);
+    for (std::size_t i = 0; i < count; ++i) {
+      diagonal[i] += pulls[i].weight;
+      right[i] += pulls[i].weight * pulls[i].by;
+    }
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+      const double px = segment_px(streamline, i), k = bending[i] / (px * px);
+      const double turn = k * angle_at(streamline, i) * px;
+      diagonal[i] += k, diagonal[i + 1] += k, next[i] = -k;
+      right[i] += turn, right[i + 1] -= turn;
+    }
+    for (std::size_t i = 1; i < count; ++i) {
+      const double factor = next[i - 1] / diagonal[i - 1];
+      diagonal[i] -= factor * next[i - 1];
+      right[i] -= factor * right[i - 1];
+    }
+    for (std::size_t i = count; i-- > 0;) {
+      if (i + 1 < count) right[i] -= next[i] * right[i + 1];
+      right[i] /= diagonal[i];
+    }
+    return right;
+  }
+
+  // Segments that would turn too far off the cross weigh more; whether there are any.
+  static bool stiffen(const Streamline& streamline, const std::vector<double>& shift,
+                      std::vector<double>& bending) {
+    bool any = false;
+    for (std::size_t i = 0; i < bending.size(); ++i) {
+      const double lever = (streamline.nodes[i].lever + streamline.nodes[i + 1].lever) / 2;
+      const double turn = (shift[i + 1] - shift[i]) / segment_px(streamline, i);
+      const double excess = std::abs(angle_at(streamline, i) + turn) * lever / most_drift;
+      if (!(excess > 1)) continue;
+      bending[i] *= std::min(excess * excess, most_stiffening);
+      any = true;
+    }
+    return any;
+  }
+
+  // Stays where it would leave its side of a critical curve, or the surface. Near outlines the way
+  // that is right at the node may lead too far: then less of it.
+  StreamlineNode shifted(const StreamlineNode& node, double px) const {
+    const double facing = view_.walker.facing_at(node.on);
+    double way = px;
+    for (int attempt = 0; attempt < 3; ++attempt) {
+      SurfacePoint on = node.on;
+      if (!view_.walker.on_surface().slide(on, way * node.aside)) return node;
+      const StreamlineNode result = view_.node(on, node.tangent);
+      const double moved = (result.image - node.image).norm();
+      if (moved <= most_overshoot * std::abs(px)) {
+        const bool stays = view_.walker.facing_at(on) * facing > 0 &&
+                           !view_.curves.separate(node.image, result.image);
+        return stays ? result : node;
+      }
+      way *= std::abs(px) / moved;
+    }
+    return node;
+  }
+
+  const StreamlineSet& set_;
+  const HatchView& view_;
+};
+
+}  // namespace
+
+void relax_streamlines(StreamlineSet& set, const HatchView& view, int sweeps, int threads) {
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    std::vector<std::vector<StreamlineNode>> moved(set.streamlines.size());
+    const Relaxer relaxer(set, view);
+    parallel_for(moved.size(), threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t s = begin; s < end; ++s) moved[s] = relaxer.moved(static_cast<int>(s));
+    });
+    for (std::size_t s = 0; s < moved.size(); ++s) set.streamlines[s].nodes = std::move(moved[s]);
+    set.rebuild(view);
+  }
+}
+
+}  // namespace illustrate

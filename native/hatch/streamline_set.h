@@ -1,0 +1,39 @@
+// The streamlines of a view with the grid that finds them.
+#pragma once
+
+#include "hatch/hatch_view.h"
+
+namespace illustrate {
+
+class StreamlineSet {
+ public:
+  explicit StreamlineSet(const HatchView& view) : grid(view.empty_grid()) {}
+
+  void add(Streamline streamline) {
+    grid.add(streamline, static_cast<int>(streamlines.size()));
+    streamlines.push_back(std::move(streamline));
+  }
+  // After nodes were moved, added or taken away. Streamlines of fewer than two nodes go.
+  void rebuild(const HatchView& view) {
+    streamlines.erase(
+        std::remove_if(streamlines.begin(), streamlines.end(),
+                       [](const Streamline& streamline) { return streamline.nodes.size() < 2; }),
+        streamlines.end());
+    grid = view.empty_grid();
+    for (std::size_t s = 0; s < streamlines.size(); ++s)
+      grid.add(streamlines[s], static_cast<int>(s));
+  }
+  // Shorter ones, in spacings, go.
+  void drop_shorter(const HatchView& view, double least) {
+    for (Streamline& streamline : streamlines) {
+      if (length_of(streamline.nodes) < least * streamline.spacing) streamline.nodes.clear();
+    }
+    rebuild(view);
+  }
+
+  Streamlines streamlines;
+  StreamlineGrid grid;
+  std::int64_t steps = 0;  // of growing ends
+};
+
+}  // namespace illustrate

@@ -1,0 +1,134 @@
+#include "hatch/surface_curves.h"
+
+#include <gtest/gtest.h>
+
+#include "core/errors.h"
+#include "hatch/field_walk.h"
+#include "tests/cpp/hatch_scene.h"
+
+namespace illustrate {
+namespace {
+
+using namespace hatching;
+
+// The square [-1, 1]^2 with a cross along the axes.
+struct Square {
+  Surface surface = shapes::plain_surface(shapes::plane(9, 7));
+  CrossField field = field_of(surface, [](const Vec3&) { return Vec3::UnitX(); });
+};
+
+// Where the curves of one direction lie across it, in rank order.
+std::vector<double> offsets_across(const Square& square, const SurfaceCurves& curves, int axis) {
+  std::vector<double> offsets;
+  for (std::size_t c = 0; c < curves.curves.size(); ++c) {
+    const Vec3 from = position_at(square.surface, curves.curves[c].front());
+    const Vec3 to = position_at(square.surface, curves.curves[c].back());
+    if (std::abs(to[1 - axis] - from[1 - axis]) < 1e-9) offsets.push_back(from[1 - axis]);
+  }
+  return offsets;
+}
+
+TEST(FieldWalker, SlidesStraightAndStopsAtTheBoundary) {
+  const Square square;
+  const FieldWalker walker(square.surface, square.field);
+  SurfacePoint on{0, 0.3, 0.3};
+  const Vec3 from = position_at(square.surface, on), run(1.1, 0.7, 0);
+  ASSERT_TRUE(walker.slide(on, run));
+  EXPECT_LT((position_at(square.surface, on) - from - run).norm(), 1e-5);
+  EXPECT_FALSE(walker.slide(on, 3 * run));
+  EXPECT_NEAR(position_at(square.surface, on).cwiseAbs().maxCoeff(), 1, 1e-6);
+}
+
+TEST(FieldWalker, TellsTheLengthThatIsLeft) {
+  const Square square;
+  const FieldWalker walker(square.surface, square.field);
+  SurfacePoint on{0, 0.3, 0.3};
+  Vec3 tangent(1, 0.2, 0);
+  const double x = position_at(square.surface, on).x();
+  EXPECT_EQ(walker.advance(on, tangent, 0.5), 0);
+  EXPECT_NEAR(position_at(square.surface, on).x(), x + 0.5, 1e-6);
+  EXPECT_NEAR(walker.advance(on, tangent, 5), 5 - (1 - x - 0.5), 1e-5);
+}
+
+TEST(SurfaceCurves, AreStraightLinesFromEdgeToEdgeOnASquare) {
+  const Square square;
+  const SurfaceCurves curves = surface_curves(square.surface, square.field);
+  EXPECT_NEAR(curves.area, 4, 1e-12);
+  std::size_t whole = 0;
+  for (std::size_t c = 0; c < curves.curves.size(); ++c) {
+    const Vec3 run = position_at(square.surface, curves.curves[c].back()) -
+                     position_at(square.surface, curves.curves[c].front());
+    EXPECT_LT(std::min(std::abs(run.x()), std::abs(run.y())), 1e-5);
+    whole += run.norm() > 1.9999;
+  }
+  EXPECT_EQ(whole, curves.curves.size());
+}
+
+TEST(SurfaceCurves, AreNestedAndLeaveNoGaps) {
+  const Square square;
+  const SurfaceCurves curves = surface_curves(square.surface, square.field);
+  const double finest = curves.step / 0.6;
+  for (const int axis : {0, 1}) {
+    const std::vector<double> offsets = offsets_across(square, curves, axis);
+    ASSERT_GT(offsets.size(), 100U);
+    std::vector<double> placed, apart;
+    for (const double offset : offsets) {
+      double nearest = 2;
+      for (const double other : placed) nearest = std::min(nearest, std::abs(other - offset));
+      EXPECT_GE(nearest, finest - 1e-6);
+      apart.push_back(nearest);
+      placed.push_back(offset);
+    }
+    for (std::size_t i = 0; i < 8; ++i) EXPECT_GT(apart[i], 8 * finest) << "coarse ones come first";
+    std::sort(placed.begin(), placed.end());
+    for (std::size_t i = 1; i < placed.size(); ++i) {
+      EXPECT_LT(placed[i] - placed[i - 1], 2.1 * finest);
+    }
+  }
+}
+
+double worst_latitude_drift(int level) {
+  const Surface sphere = shapes::sphere_surface(1, level);
+  const SurfaceCurves curves = surface_curves(sphere, field_of(sphere, round_z));
+  double worst = 0;
+  for (std::size_t c = 0; c < std::min<std::size_t>(40, curves.curves.size()); ++c) {
+    const auto curve = curves.curves[c];
+    const Vec3 from = position_at(sphere, curve[0]), to = position_at(sphere, curve[1]);
+    if (std::abs(from.z()) > 0.7 || std::abs((to - from).z()) > 0.5 * (to - from).norm()) continue;
+    for (const SurfacePoint& on : curve) {
+      worst = std::max(worst, std::abs(position_at(sphere, on).normalized().z() - from.z()));
+    }
+  }
+  return worst;
+}
+
+TEST(SurfaceCurves, FollowParallelsOfASphere) {
+  const double coarse = worst_latitude_drift(3), fine = worst_latitude_drift(5);
+  EXPECT_GT(coarse, 0);
+  EXPECT_LT(fine, coarse / 4);
+}
+
+TEST(SurfaceCurves, SeedsSpreadEvenlyByArea) {
+  const Square square;
+  const SurfaceCurves curves = surface_curves(square.surface, square.field);
+  std::array<int, 4> quarters{0, 0, 0, 0};
+  for (std::size_t i = 0; i < 4000; ++i) {
+    const Vec3 p = position_at(square.surface, curves.seeds[i]);
+    ++quarters[(p.x() > 0 ? 1 : 0) + (p.y() > 0 ? 2 : 0)];
+  }
+  for (const int count : quarters) EXPECT_NEAR(count, 1000, 40);
+}
+
+TEST(SurfaceCurves, AreDeterministicAndCanBeCancelled) {
+  const Surface torus = shapes::torus_surface(1, 0.4, 40, 20);
+  const CrossField field = field_of(torus, round_z);
+  const SurfaceCurves a = surface_curves(torus, field), b = surface_curves(torus, field);
+  EXPECT_EQ(a.curves.offsets, b.curves.offsets);
+  int calls = 0;
+  const Progress progress([&](double, const std::string&) { return ++calls < 3; }, "hatch curves");
+  EXPECT_THROW(surface_curves(torus, field, progress), Cancelled);
+  EXPECT_TRUE(surface_curves(Surface{}, CrossField{}).curves.empty());
+}
+
+}  // namespace
+}  // namespace illustrate
