@@ -68,7 +68,7 @@ class RestyledDrawing:
     """An `illustrate_native.Drawing` with other widths."""
 
     def __init__(self, drawing: Any, drawn: dict[str, Any], wanted: dict[str, Any]) -> None:
-        self._drawing = drawing
+        self.original = self._drawing = drawing
         counts = np.diff(drawing.offsets)
         factors = _stroke_widths(drawing, wanted) / _stroke_widths(drawing, drawn)
         self.widths = (drawing.widths * np.repeat(factors, counts)).astype(np.float32)

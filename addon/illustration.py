@@ -184,7 +184,8 @@ def compute_prepared(
 def _draw(request: Request, prepared: Any, progress: Progress | None) -> Any:
     ill = native.load()
     arrays = request.arrays
-    seeds = {"previous": request.previous} if request.previous is not None else {}
+    last = getattr(request.previous, "original", request.previous)
+    seeds = {"previous": last} if last is not None else {}
     return ill.draw(
         prepared,
         ill.Camera(**vars(arrays.camera)),

@@ -41,6 +41,15 @@ VISIBILITIES = [
     ("labels", "Labels", "Labels that cannot contradict each other", 0),
     ("vote", "Vote", "The vote of the paper, for comparison", 1),
 ]
+SEEDINGS = [
+    (
+        "surface-curves",
+        "Surface Curves",
+        "Ranked curves of the surface, the same from all sides",
+        0,
+    ),
+    ("critical-curves", "Critical Curves", "The lines of the picture, as in the paper", 1),
+]
 FIELD_STARTS = [
     ("search", "Search", "The smoothest of many fields", 0),
     ("principal", "Principal", "Near the principal directions of curvature", 1),
@@ -231,6 +240,12 @@ HATCHING = (
            0.0, 10_000.0, 100.0),
     paper("max_length_px", "hatching", "Longest", 2500.0, "Length at which a hatch ends",
            1.0, 20_000.0, 5_000.0),
+    NativeOption(
+        "hatch_seeding",
+        EnumProperty(name="Seeding", items=SEEDINGS, default="surface-curves",
+                     description="What hatches start from"),
+        "hatching",
+    ),
     NativeOption(
         "max_turn_deg",
         FloatProperty(name="Most Turn", default=math.radians(150), min=math.radians(1),

@@ -58,6 +58,26 @@ def test_a_bake_writes_marked_keyframes(scene: Any) -> None:
     }
 
 
+def test_a_bake_starts_from_the_strokes_of_the_last_frame(scene: Any, monkeypatch: Any) -> None:
+    moving_cube(scene)
+    ill = native.load()
+    assert native.can_seed()
+    seeds, draw = [], ill.draw
+
+    def watched(*arguments: Any, **named: Any) -> Any:
+        seeds.append(named.get("previous"))
+        return draw(*arguments, **named)
+
+    watched.__doc__ = draw.__doc__
+    monkeypatch.setattr(ill, "draw", watched)
+    bpy.ops.illustrate.bake()
+    assert seeds[0] is None and all(isinstance(seed, ill.Drawing) for seed in seeds[1:])
+    scene.illustrate.keep_strokes = False
+    seeds.clear()
+    bpy.ops.illustrate.bake()
+    assert seeds == [None] * len(seeds)
+
+
 def test_every_second_frame_of_a_range_of_its_own(scene: Any) -> None:
     moving_cube(scene)
     chosen = scene.illustrate
