@@ -1,5 +1,5 @@
 # Each target sets up what it needs and can be run first; what is already there is not done again.
-.PHONY: build demo test bench sanitize lint
+.PHONY: build demo test test-window bench sanitize lint
 
 build:
 	tools/build.sh
@@ -9,6 +9,9 @@ demo:
 
 test:
 	tools/test.sh
+
+test-window:
+	tools/test_window.sh
 
 bench:
 	tools/bench.sh

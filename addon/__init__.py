@@ -1,6 +1,7 @@
 """Illustrate: line illustrations of smooth surfaces, as editable strokes."""
 
-from . import operators, panel, settings
+from . import bake, cache, operators, preferences, settings, styles, translations, ui, viewport
+from .worker import stop_all
 
 bl_info = {
     "name": "Illustrate",
@@ -12,16 +13,17 @@ bl_info = {
     "category": "Render",
 }
 
+PARTS = (preferences, settings, styles, cache, operators, bake, viewport, ui, translations)
+
 
 def register() -> None:
-    """Registers settings, operators and the panel."""
-    settings.register()
-    operators.register()
-    panel.register()
+    """Registers all parts."""
+    for part in PARTS:
+        part.register()
 
 
 def unregister() -> None:
-    """Takes back all that `register` did."""
-    panel.unregister()
-    operators.unregister()
-    settings.unregister()
+    """Takes back all that `register` did, and waits for what still runs."""
+    stop_all()
+    for part in reversed(PARTS):
+        part.unregister()

@@ -31,6 +31,8 @@ def main(arguments: list[str], summaries: list[str] | None = None) -> int:
     try:
         if chosen.blend:
             _open(chosen.blend, messages)
+        if chosen.preset:
+            _part(package, "ui.presets").apply(chosen.preset)
         _part(package, "output.files").prepare_folder(chosen.out)
         for frame in chosen.frames or [bpy.context.scene.frame_current]:
             bpy.context.scene.frame_set(frame)
@@ -64,7 +66,7 @@ def illustrate_frame(package: ModuleType, name: str, chosen: Any) -> str:
         print(f"illustrate: warning: {warning}", file=sys.stderr, flush=True)
     drawn = time.perf_counter()
     strokes = _part(package, "output").write_drawing(
-        scene, made.drawing, made.arrays.camera, scene.illustrate.output
+        scene, made.drawing, made.arrays.camera, scene.illustrate.output, made.names
     )
     page = files.Page(
         scene,
@@ -170,6 +172,9 @@ def _parser() -> argparse.ArgumentParser:
         "--width-mm",
         type=_millimetres,
         help="the width of the page of an SVG; that of the scene's settings when left out",
+    )
+    parser.add_argument(
+        "--preset", metavar="NAME", help="settings to draw with in place of the scene's own"
     )
     parser.add_argument(
         "--svg-style",

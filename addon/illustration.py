@@ -1,16 +1,25 @@
-"""From a scene to a drawing: reads, prepares and draws."""
+"""From a scene to a drawing: reads, prepares and draws.
+
+Reading asks Blender and belongs to the main thread; computing takes plain data and runs in any
+thread.
+"""
 
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 from . import native, settings
+from .cache import CACHE, Cache, digest, split_widths
+from .light_arrays import LightArrays
 from .messages import IllustrateError, counted, quoted
 from .scene import SceneArrays, read_scene
 
 Progress = Callable[[float, str], bool]
+
+PREPARING = 0.6  # share of the progress of a drawing that preparing has
 
 # What is mended in meshes, by the names of the native reports.
 REPAIRS = {
@@ -29,10 +38,50 @@ REPAIRS = {
 
 
 @dataclass
+class Request:
+    """All that a drawing is made from, as plain data."""
+
+    scene_name: str
+    arrays: SceneArrays
+    prepare: dict[str, Any]  # values of PrepareOptions
+    draw: dict[str, Any]  # values of DrawOptions
+    guide_weight: float
+    warnings: list[str]
+    read_seconds: float
+    previous: Any = None  # the drawing whose strokes the new one starts from
+
+    @cached_property
+    def meshes_key(self) -> str:
+        """A digest of the meshes alone."""
+        return digest(self.arrays.meshes)
+
+    @cached_property
+    def prepared_key(self) -> str:
+        """A digest of all that preparing depends on."""
+        values = {name: value for name, value in self.prepare.items() if name != "threads"}
+        return digest(self.meshes_key, self.arrays.guides, self.guide_weight, values)
+
+    @cached_property
+    def drawing_key(self) -> str:
+        """A digest of all that the drawing depends on besides `widths`."""
+        return digest(self.prepared_key, self.arrays.camera, self.arrays.lights, self._styling[1])
+
+    @property
+    def widths(self) -> dict[str, Any]:
+        """How wide strokes are."""
+        return self._styling[0]
+
+    @cached_property
+    def _styling(self) -> tuple[dict[str, Any], list[Any]]:
+        return split_widths(self.draw, self.arrays.styles)
+
+
+@dataclass
 class Illustration:
     """A drawing and what it was made from."""
 
     drawing: Any  # illustrate_native.Drawing
+    prepared: Any  # illustrate_native.Prepared
     arrays: SceneArrays
     warnings: list[str]
     seconds: dict[str, float] = field(default_factory=dict)  # per stage, disjoint, in order
@@ -46,27 +95,10 @@ class Illustration:
 def illustrate(scene: Any, depsgraph: Any, progress: Progress | None = None) -> Illustration:
     """Draws a scene with its own settings (scene.illustrate); nothing is written.
 
-    progress(fraction of the stage, stage) is called now and then; False stops.
+    progress(fraction of the whole, stage) is called now and then; False stops.
     Raises IllustrateError when there is no drawing to be made.
     """
-    chosen = scene.illustrate
-    ill = native.load()
-    start = time.perf_counter()
-    arrays = _read(scene, depsgraph)
-    seconds = {"read": time.perf_counter() - start}
-    with _explained(scene):
-        prepared = _prepare(scene, arrays, progress)
-        drawing = ill.draw(
-            prepared,
-            ill.Camera(**vars(arrays.camera)),
-            settings.draw_options(chosen, arrays.camera.width_px),
-            progress=progress,
-            lights=_lights(chosen, arrays),
-        )
-    seconds.update(prepared.timings)
-    seconds.update(drawing.timings)
-    warnings = _warnings(arrays, prepared.reports) + _guide_warnings(scene, arrays)
-    return Illustration(drawing, arrays, warnings, seconds)
+    return compute(read_request(scene, depsgraph), progress)
 
 
 def prepare_scene(scene: Any, depsgraph: Any, progress: Progress | None = None) -> Any:
@@ -74,13 +106,13 @@ def prepare_scene(scene: Any, depsgraph: Any, progress: Progress | None = None) 
 
     Raises IllustrateError where `illustrate` does.
     """
-    with _explained(scene):
-        return _prepare(scene, _read(scene, depsgraph), progress)
+    return compute_prepared(read_request(scene, depsgraph), progress)
 
 
-def _read(scene: Any, depsgraph: Any) -> SceneArrays:
-    chosen = scene.illustrate
-    return read_scene(
+def read_request(scene: Any, depsgraph: Any) -> Request:
+    """Reads what the scene's drawing is made from. Raises IllustrateError as `read_scene` does."""
+    chosen, start = scene.illustrate, time.perf_counter()
+    arrays = read_scene(
         scene,
         depsgraph,
         selected_only=chosen.source == "SELECTION",
@@ -88,44 +120,105 @@ def _read(scene: Any, depsgraph: Any) -> SceneArrays:
         guides=chosen.guides,
         auto_exposure=chosen.auto_exposure,
     )
+    if chosen.lighting == "SIDE":
+        arrays.lights = [LightArrays("side", None, 1.0)]
+    return Request(
+        scene.name,
+        arrays,
+        settings.prepare_values(chosen),
+        settings.draw_values(chosen, arrays.camera.width_px),
+        chosen.guide_weight,
+        _guide_warnings(scene, arrays),
+        time.perf_counter() - start,
+    )
 
 
-def _prepare(scene: Any, arrays: SceneArrays, progress: Progress | None) -> Any:
+def compute(
+    request: Request, progress: Progress | None = None, cache: Cache = CACHE
+) -> Illustration:
+    """The illustration that a request asks for. Raises IllustrateError.
+
+    What the cache still has of the last one is taken over. Raises `illustrate_native.Cancelled`
+    when progress returned False.
+    """
+    start = 0.0 if cache.has(request.prepared_key) else PREPARING
+    prepared = compute_prepared(request, _part(progress, 0.0, start), cache)
+    drawn: list[Any] = []
+
+    def draw() -> Any:
+        drawn.append(_draw(request, prepared, _part(progress, start, 1.0)))
+        return drawn[0]
+
+    with _explained(request):
+        # Strokes that start from a previous frame's are no function of the request alone.
+        kept = request.previous is None
+        drawing = cache.drawing(request.drawing_key, request.widths, draw) if kept else draw()
+    seconds = {"read": request.read_seconds}
+    seconds.update(prepared.timings if start else {})
+    seconds.update(drawn[0].timings if drawn else {})
+    warnings = _warnings(request.arrays, prepared.reports) + request.warnings
+    return Illustration(drawing, prepared, request.arrays, warnings, seconds)
+
+
+def compute_prepared(
+    request: Request, progress: Progress | None = None, cache: Cache = CACHE
+) -> Any:
+    """`illustrate_native.Prepared` for a request, from the cache where it is there."""
     ill = native.load()
-    meshes = [ill.PolygonMesh(**vars(mesh)) for mesh in arrays.meshes]
-    options = settings.prepare_options(scene.illustrate, arrays.guides)
-    prepared = ill.prepare(meshes, options, progress=progress)
-    if not len(prepared.surface.triangles):
-        raise _nothing_is_left(scene, arrays, prepared.reports)
-    return prepared
+
+    def make(previous: Any) -> Any:
+        meshes = [ill.PolygonMesh(**vars(mesh)) for mesh in request.arrays.meshes]
+        options = settings.prepare_options(
+            request.prepare, request.arrays.guides, request.guide_weight
+        )
+        options.field = request.draw["hatching"]
+        prepared = ill.prepare(meshes, options, progress=progress, previous=previous)
+        if not len(prepared.surface.triangles):
+            raise _nothing_is_left(request, prepared.reports)
+        return prepared
+
+    with _explained(request):
+        return cache.prepared(request.prepared_key, request.meshes_key, make)
+
+
+def _draw(request: Request, prepared: Any, progress: Progress | None) -> Any:
+    ill = native.load()
+    arrays = request.arrays
+    last = getattr(request.previous, "original", request.previous)
+    seeds = {"previous": last} if last is not None else {}
+    return ill.draw(
+        prepared,
+        ill.Camera(**vars(arrays.camera)),
+        settings.draw_options(request.draw, arrays.styles),
+        progress=progress,
+        lights=[ill.Light(**vars(light)) for light in arrays.lights],
+        **seeds,
+    )
+
+
+def _part(progress: Progress | None, start: float, end: float) -> Progress | None:
+    """Progress of a part [start, end] of the whole."""
+    if progress is None:
+        return None
+    return lambda fraction, stage: progress(start + (end - start) * fraction, stage)
 
 
 @contextmanager
-def _explained(scene: Any) -> Iterator[None]:
+def _explained(request: Request) -> Iterator[None]:
     """What the native module refuses, in words for the artist."""
     try:
         yield
     except native.load().InvalidInput as error:
-        raise IllustrateError(f'Scene "{scene.name}" cannot be drawn: {error}') from error
+        raise IllustrateError(f'Scene "{request.scene_name}" cannot be drawn: {error}') from error
 
 
-def _lights(chosen: Any, arrays: SceneArrays) -> list[Any]:
-    """`illustrate_native.Light` of the scene or the side light; none is the headlight."""
-    light = native.load().Light
-    if chosen.lighting == "SIDE":
-        return [light("side")]
-    return [light(**vars(each)) for each in arrays.lights]
-
-
-def _nothing_is_left(
-    scene: Any, arrays: SceneArrays, reports: list[dict[str, Any]]
-) -> IllustrateError:
+def _nothing_is_left(request: Request, reports: list[dict[str, Any]]) -> IllustrateError:
     """Of scenes whose every face is broken."""
-    names = quoted([mesh.name for mesh in arrays.meshes])
-    found = " ".join(f"{warning}." for warning in _warnings(arrays, reports))
+    names = quoted([mesh.name for mesh in request.arrays.meshes])
+    found = " ".join(f"{warning}." for warning in _warnings(request.arrays, reports))
     return IllustrateError(
-        f'Nothing in scene "{scene.name}" can be drawn: no face of {names} has an area. Check '
-        f"the coordinates of the vertices and the scale of the objects. {found}".strip()
+        f'Nothing in scene "{request.scene_name}" can be drawn: no face of {names} has an area. '
+        f"Check the coordinates of the vertices and the scale of the objects. {found}".strip()
     )
 
 

@@ -31,6 +31,11 @@ def load_part(name: str) -> ModuleType:
     return importlib.import_module(f"{NAME}.{name}")
 
 
+def can_seed() -> bool:
+    """True where `draw` takes the drawing that its strokes are to start from."""
+    return "previous" in (load().draw.__doc__ or "")
+
+
 def _load_bundled() -> ModuleType | None:
     """Loads the package beside this file under its own name, so that it is in memory only once."""
     folder = pathlib.Path(__file__).parent / NAME

@@ -5,12 +5,25 @@ from typing import Any
 
 import bpy
 
-from .illustration import illustrate, prepare_scene
+from . import output
+from .illustration import Illustration, compute, compute_prepared, read_request
 from .messages import IllustrateError, counted
-from .output import field_overlay, write_drawing
+from .output import field_overlay
+from .problems import stopping_problem
+from .tasks import Step, Task, TaskOperator, is_running
+from .viewport.inspect import INSPECTOR
 
 
-class ILLUSTRATE_OT_illustrate(bpy.types.Operator):
+def can_illustrate(operator: Any, context: Any) -> bool:
+    """True when a click makes a drawing; else the operator's button says why it is grey."""
+    problem = "An illustration is being drawn: ESC cancels it" if is_running() else ""
+    problem = problem or stopping_problem(context.scene, context.view_layer)
+    if problem:
+        operator.poll_message_set(problem)
+    return not problem
+
+
+class ILLUSTRATE_OT_illustrate(TaskOperator, bpy.types.Operator):
     """Writes the scene's illustration."""
 
     bl_idname = "illustrate.illustrate"
@@ -18,27 +31,62 @@ class ILLUSTRATE_OT_illustrate(bpy.types.Operator):
     bl_description = "Draw the scene as its camera sees it, in place of the last illustration"
     bl_options = {"REGISTER", "UNDO"}
 
-    def execute(self, context: Any) -> set[str]:
-        """Does the whole job; an error leaves the scene as it was."""
+    @classmethod
+    def poll(cls, context: Any) -> bool:
+        """There is a camera, and something before it."""
+        return can_illustrate(cls, context)
+
+    def task(self, context: Any) -> Task:
+        """Reads, draws in a thread, writes."""
         scene, start = context.scene, time.perf_counter()
-        try:
-            made = illustrate(scene, context.evaluated_depsgraph_get())
-            write_drawing(scene, made.drawing, made.arrays.camera, scene.illustrate.output)
-        except IllustrateError as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        for warning in made.warnings:
-            self.report({"WARNING"}, warning)
-        self.report(
-            {"INFO"},
-            f"Illustrated {counted(len(made.names), 'object')}: "
-            f"{counted(len(made.drawing.kinds), 'stroke')} in "
-            f"{time.perf_counter() - start:.2f} s",
+        request = read_request(scene, context.evaluated_depsgraph_get())
+        INSPECTOR.let_go()
+        made = yield Step(lambda progress: compute(request, progress))
+        scene = _still_there(request.scene_name)
+        output.write_drawing(
+            scene, made.drawing, made.arrays.camera, scene.illustrate.output, made.names
         )
+        INSPECTOR.remember(made)
+        return reports(made, time.perf_counter() - start)
+
+
+def reports(made: Illustration, seconds: float) -> list[tuple[str, str]]:
+    """What the artist is told: warnings, and what was done."""
+    done = (
+        f"Illustrated {counted(len(made.names), 'object')}: "
+        f"{counted(len(made.drawing.kinds), 'stroke')} in {seconds:.2f} s"
+    )
+    return [*(("WARNING", warning) for warning in made.warnings), ("INFO", done)]
+
+
+def _still_there(scene_name: str) -> Any:
+    """The scene after a while in which anything may have happened."""
+    scene = bpy.data.scenes.get(scene_name)
+    if scene is None:
+        raise IllustrateError(f'Scene "{scene_name}" is gone: its illustration is not written')
+    return scene
+
+
+class ILLUSTRATE_OT_clear(bpy.types.Operator):
+    """Takes the illustration away."""
+
+    bl_idname = "illustrate.clear"
+    bl_label = "Clear Illustration"
+    bl_description = "Remove the strokes that Illustrate drew, on all frames, and nothing else"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context: Any) -> bool:
+        """There is one."""
+        return output.has_illustration(context.scene)
+
+    def execute(self, context: Any) -> set[str]:
+        """Removes what carries the add-on's mark."""
+        output.clear(context.scene)
         return {"FINISHED"}
 
 
-class ILLUSTRATE_OT_show_field(bpy.types.Operator):
+class ILLUSTRATE_OT_show_field(TaskOperator, bpy.types.Operator):
     """Shows the field that hatches follow."""
 
     bl_idname = "illustrate.show_field"
@@ -49,17 +97,18 @@ class ILLUSTRATE_OT_show_field(bpy.types.Operator):
     )
     bl_options = {"REGISTER", "UNDO"}
 
-    def execute(self, context: Any) -> set[str]:
-        """Puts the field in place of the one shown last; an error leaves the scene as it was."""
-        try:
-            prepared = prepare_scene(context.scene, context.evaluated_depsgraph_get())
-            field_overlay.write(context.scene, prepared.surface, prepared.field)
-        except IllustrateError as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        count = len(prepared.field.singular_indices)
-        self.report({"INFO"}, f"The field has {counted(count, 'singularity', 'singularities')}")
-        return {"FINISHED"}
+    def task(self, context: Any) -> Task:
+        """Puts the field in place of the one shown last."""
+        request = read_request(context.scene, context.evaluated_depsgraph_get())
+
+        def solve(progress: Any) -> Any:
+            prepared = compute_prepared(request, progress)
+            return prepared, prepared.field
+
+        prepared, field = yield Step(solve)
+        field_overlay.write(_still_there(request.scene_name), prepared.surface, field)
+        count = len(field.singular_indices)
+        return [("INFO", f"The field has {counted(count, 'singularity', 'singularities')}")]
 
 
 class ILLUSTRATE_OT_hide_field(bpy.types.Operator):
@@ -81,7 +130,12 @@ class ILLUSTRATE_OT_hide_field(bpy.types.Operator):
         return {"FINISHED"}
 
 
-CLASSES = (ILLUSTRATE_OT_illustrate, ILLUSTRATE_OT_show_field, ILLUSTRATE_OT_hide_field)
+CLASSES = (
+    ILLUSTRATE_OT_illustrate,
+    ILLUSTRATE_OT_clear,
+    ILLUSTRATE_OT_show_field,
+    ILLUSTRATE_OT_hide_field,
+)
 
 
 def register() -> None:

@@ -1,8 +1,10 @@
 """A Blender scene as arrays: evaluated meshes, camera, lights.
 
-With mesh_arrays.py, guide_arrays.py and light_arrays.py the only code that reads scene data.
+With mesh_arrays.py, guide_arrays.py, light_arrays.py and styles.py the only code that reads scene
+data.
 """
 
+import math
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -16,8 +18,12 @@ from .light_arrays import LightArrays, exposed, read_light
 from .mesh_arrays import MeshArrays, read_mesh
 from .messages import IllustrateError, quoted
 from .ownership import is_ours
+from .styles import style_of
 
 EDGE_LENGTH_PX = 3.0  # of refined surfaces, where the object is nearest to the camera
+MEASURED_EDGES = 20_000
+LEEWAY = 1.4  # below 2, which would be another level
+MOST_HALVINGS = 12  # more than any level of subdivision
 
 
 @dataclass(frozen=True)
@@ -47,6 +53,7 @@ class SceneArrays:
 
     camera: CameraArrays
     meshes: list[MeshArrays] = field(default_factory=list)
+    styles: list[dict[str, Any]] = field(default_factory=list)  # of the meshes; empty: the scene's
     lights: list[LightArrays] = field(default_factory=list)
     guides: list[Any] = field(default_factory=list)  # (k, 3) world, polylines
     without_faces: list[str] = field(default_factory=list)  # objects that were left out
@@ -57,6 +64,7 @@ class _Placed:
     """One mesh at one place."""
 
     original: Any
+    style: dict[str, Any]
     matrix: Any  # (4, 4)
     geometry: MeshArrays | None  # in its own space; None: the object's cage
 
@@ -67,29 +75,32 @@ def read_scene(
     selected_only: bool = False,
     use_lights: bool = True,
     guides: Any = None,
+    camera: CameraArrays | None = None,
     auto_exposure: bool = True,
 ) -> SceneArrays:
     """The evaluated scene as the camera's render would show it, meshes in the depsgraph's order.
 
     A Subdivision modifier that ends an object's stack is taken out: its cage is read, to be
     subdivided to the limit. Left out are objects hidden from viewport or render, illustrations,
-    and the objects of the collection `guides`, whose strokes are read as guides. auto_exposure:
-    lights are scaled so that the strongest is white in the middle of the meshes; without, they are
-    as strong as in a render of white surfaces.
+    objects whose style says so, and the objects of the collection `guides`, whose strokes are read
+    as guides. camera: another one than the scene's. auto_exposure: lights are scaled so that the
+    strongest is white in the middle of the meshes; without, they are as strong as in a render of
+    white surfaces.
     Raises IllustrateError for a scene without a usable camera or without anything to draw.
     """
-    arrays = SceneArrays(read_camera(scene, depsgraph))
+    arrays = SceneArrays(camera or read_camera(scene, depsgraph))
     guiding = set(guides.all_objects) if guides is not None else set()
-    placed = _placed_meshes(depsgraph, selected_only, guiding)
+    placed = _placed_meshes(scene, depsgraph, selected_only, guiding)
     cages = _read_cages([p.original for p in placed if p.geometry is None], scene)
     for p in placed:
         geometry = p.geometry or cages[p.original]
         if len(geometry.face_sizes):
             arrays.meshes.append(_in_world(geometry, p.matrix, arrays.camera))
+            arrays.styles.append(p.style)
         else:
             arrays.without_faces.append(geometry.name)
     if not arrays.meshes:
-        raise _nothing_to_draw(scene, selected_only, arrays.without_faces)
+        raise IllustrateError(nothing_to_draw(scene, selected_only, arrays.without_faces))
     if guides is not None:
         arrays.guides = read_guides(guides, scene.frame_current)
     if use_lights:
@@ -97,14 +108,15 @@ def read_scene(
     return arrays
 
 
-def _nothing_to_draw(scene: Any, selected_only: bool, without_faces: list[str]) -> IllustrateError:
+def nothing_to_draw(scene: Any, selected_only: bool, without_faces: list[str]) -> str:
+    """What is said of a scene without a mesh to draw, and the way out."""
     empty = f" ({quoted(without_faces)}: no faces)" if without_faces else ""
     if selected_only:
-        return IllustrateError(
+        return (
             f'No mesh with faces is selected in scene "{scene.name}"{empty}: '
             "select what is to be drawn, or set Draw to Scene"
         )
-    return IllustrateError(
+    return (
         f'Nothing in scene "{scene.name}" can be drawn{empty}: add a mesh with '
         "faces, or show one in viewport and render"
     )
@@ -113,27 +125,34 @@ def _nothing_to_draw(scene: Any, selected_only: bool, without_faces: list[str]) 
 # --- Camera -------------------------------------------------------------------------------------
 
 
-def read_camera(scene: Any, depsgraph: Any) -> CameraArrays:
-    """The scene's camera at its render size.
-
-    Raises IllustrateError when there is none and for lenses that no matrix describes.
-    """
+def camera_problem(scene: Any) -> str:
+    """Why the scene's camera cannot be drawn from, and the way out; empty when it can."""
     camera = scene.camera
     if camera is None:
-        raise IllustrateError(
-            f'Scene "{scene.name}" has no camera: add one, or choose one in the scene properties'
-        )
+        return f'Scene "{scene.name}" has no camera: add one, or choose one in the scene properties'
     if camera.type != "CAMERA":
-        raise IllustrateError(
+        return (
             f'"{camera.name}", the camera of scene "{scene.name}", is not a '
             "camera: choose one in the scene properties"
         )
     if camera.data.type not in ("PERSP", "ORTHO"):
         kind = {"PANO": "panoramic"}.get(camera.data.type, camera.data.type.lower())
-        raise IllustrateError(
+        return (
             f'Camera "{camera.name}" is {kind}, which cannot be drawn: set its '
             "type to Perspective or Orthographic"
         )
+    return ""
+
+
+def read_camera(scene: Any, depsgraph: Any) -> CameraArrays:
+    """The scene's camera at its render size.
+
+    Raises IllustrateError when there is none and for lenses that no matrix describes.
+    """
+    problem = camera_problem(scene)
+    if problem:
+        raise IllustrateError(problem)
+    camera = scene.camera
     render = scene.render
     width = max(1, int(render.resolution_x * render.resolution_percentage / 100))
     height = max(1, int(render.resolution_y * render.resolution_percentage / 100))
@@ -180,7 +199,9 @@ def _finite(points: Any) -> Any:
 # --- Meshes -------------------------------------------------------------------------------------
 
 
-def _placed_meshes(depsgraph: Any, selected_only: bool, left_out: set[Any]) -> list[_Placed]:
+def _placed_meshes(
+    scene: Any, depsgraph: Any, selected_only: bool, left_out: set[Any]
+) -> list[_Placed]:
     """Every mesh and instance that is seen; curves, texts and metaballs come as instances."""
     placed = []
     for instance in depsgraph.object_instances:
@@ -192,8 +213,11 @@ def _placed_meshes(depsgraph: Any, selected_only: bool, left_out: set[Any]) -> l
             continue
         if selected_only and not owner.select_get():
             continue
+        style = style_of(owner, scene)
+        if style.get("ignore"):
+            continue
         matrix = np.array(instance.matrix_world)
-        placed.append(_Placed(thing.original, matrix, _read_evaluated(thing, depsgraph)))
+        placed.append(_Placed(thing.original, style, matrix, _read_evaluated(thing, depsgraph)))
     return placed
 
 
@@ -272,5 +296,33 @@ def _in_world(geometry: MeshArrays, matrix: Any, camera: CameraArrays) -> MeshAr
     """A copy at its place, with the edge length its nearness to the camera asks for."""
     positions = geometry.positions @ matrix[:3, :3].T + matrix[:3, 3]
     sizes = camera.pixel_size(_finite(positions))
-    edge_length = EDGE_LENGTH_PX * float(sizes.min()) if len(sizes) else None
-    return MeshArrays(**{**vars(geometry), "positions": positions, "edge_length": edge_length})
+    arrays = MeshArrays(**{**vars(geometry), "positions": positions})
+    if len(sizes):
+        arrays.edge_length = _halved(_median_edge(arrays), EDGE_LENGTH_PX * float(sizes.min()))
+    return arrays
+
+
+def _halved(edge: float, longest: float) -> float:
+    """What makes subdivision halve `edge` just as often as it must to be at most `longest`.
+
+    It changes only where another level of subdivision does: while the camera moves, it stays the
+    same to the last bit. LEEWAY is for edges that mending the mesh makes a little longer.
+    """
+    if not (edge > 0 and longest > 0):
+        return longest
+    halvings = min(max(math.ceil(math.log2(edge / longest)), 0), MOST_HALVINGS)
+    return LEEWAY * math.ldexp(edge, -halvings)
+
+
+def _median_edge(mesh: MeshArrays) -> float:
+    """Of edges round faces, some of them when they are many; 0 where none is finite."""
+    ends = np.cumsum(mesh.face_sizes)
+    following = np.arange(1, len(mesh.corner_vertices) + 1)
+    following[ends - 1] = ends - mesh.face_sizes
+    chosen = np.arange(0, len(following), len(following) // MEASURED_EDGES + 1)
+    a = mesh.positions[mesh.corner_vertices[chosen]]
+    b = mesh.positions[mesh.corner_vertices[following[chosen]]]
+    with np.errstate(invalid="ignore", over="ignore"):
+        lengths = np.linalg.norm(b - a, axis=1)
+    lengths = lengths[np.isfinite(lengths)]
+    return float(np.partition(lengths, len(lengths) // 2)[len(lengths) // 2]) if len(lengths) else 0

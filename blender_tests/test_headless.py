@@ -120,6 +120,17 @@ def test_a_scene_that_cannot_be_drawn(
     assert not names(tmp_path / "out")
 
 
+def test_a_preset_is_drawn_with(scene: Any, saved: Any, tmp_path: Any) -> None:
+    tools.cube_scene(scene)
+    blend = saved()
+    ran = headless(blend, "--out", str(tmp_path / "out"), "--preset", "silhouette drawing")
+    assert ran.returncode == 0, ran.stdout + ran.stderr
+    assert "Hatch" not in (tmp_path / "out" / "shot_0001.svg").read_text()
+    ran = headless(blend, "--out", str(tmp_path / "out"), "--preset", "Watercolour")
+    assert ran.returncode != 0 and "Traceback" not in ran.stderr
+    assert 'no preset "Watercolour"' in ran.stderr and '"Plotter 0.3 mm"' in ran.stderr
+
+
 def test_a_folder_that_cannot_be_written(scene: Any, saved: Any, tmp_path: Any) -> None:
     tools.cube_scene(scene)
     (tmp_path / "file").write_text("")

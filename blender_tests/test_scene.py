@@ -93,11 +93,37 @@ def test_meshes_are_read_in_world_space(scene: Any) -> None:
     assert len(mesh.corner_vertices) == 24
 
 
-def test_edge_length_is_three_pixels_at_the_nearest_point(scene: Any) -> None:
+def halvings(scene: Any) -> int:
+    """How often edges are halved until they are as short as the add-on asks."""
+    mesh = only_mesh(scene)
+    edge, count = 2.0, 0
+    while edge > mesh.edge_length:
+        edge, count = edge / 2, count + 1
+    return count
+
+
+def test_edges_are_three_pixels_at_the_nearest_point_at_most(scene: Any) -> None:
     tools.cube_scene(scene)
-    arrays = read(scene)
-    nearest = min(arrays.camera.pixel_size(arrays.meshes[0].positions))
-    assert arrays.meshes[0].edge_length == pytest.approx(3 * nearest)
+    for scale in (1.0, 0.3, 4.0):
+        scene.camera.location = Vector((5, -6, 4)) * scale
+        bpy.context.view_layer.update()
+        arrays = read(scene)
+        nearest = min(arrays.camera.pixel_size(arrays.meshes[0].positions))
+        assert 2.0 / 2 ** halvings(scene) <= 3 * nearest < 2.0 / 2 ** (halvings(scene) - 1)
+    scene.camera.location = Vector((5, -6, 4)) * 1000
+    bpy.context.view_layer.update()
+    assert halvings(scene) == 0
+
+
+def test_a_moved_camera_asks_for_the_same_surface_until_another_level_is_due(scene: Any) -> None:
+    tools.cube_scene(scene)
+    lengths = []
+    for i in range(40):
+        scene.camera.location = Vector((5, -6, 4)) * 1.02**i
+        bpy.context.view_layer.update()
+        lengths.append(only_mesh(scene).edge_length)
+    assert len(set(lengths)) == 2  # 1.02 ** 39 = 2.16
+    assert lengths == sorted(lengths)
 
 
 def test_a_flat_shaded_object_has_a_crease_angle_and_a_smooth_one_none(scene: Any) -> None:

@@ -119,6 +119,54 @@ def add_artists_stroke(layer: Any, material: int = 0) -> None:
         point.co = (7, 7, 7)
 
 
+def add_artists_stroke_at(layer: Any, number: int) -> None:
+    """Puts a frame with a stroke of the artist's in place of the layer's frame."""
+    old = next(frame for frame in layer.frames if frame.frame_number == number)
+    layer.frames.remove(number if V3 else old)
+    frame = layer.frames.new(number)
+    if V3:
+        frame.drawing.add_strokes([2])
+        return
+    stroke = frame.strokes.new()
+    stroke.line_width = 30
+    stroke.points.add(2)
+
+
+def artists_bytes(layer: Any) -> list[Any]:
+    """Strokes of a layer that are not the add-on's, with all that they have, by frame."""
+    found = []
+    for frame in layer.frames:
+        strokes = frame.drawing.strokes if V3 else frame.strokes
+        if V3:
+            kinds = frame.drawing.attributes.get("illustrate_kind")
+            is_ours = [bool(v.value) for v in kinds.data] if kinds else [False] * len(strokes)
+        else:
+            is_ours = [stroke.line_width == 1000 for stroke in strokes]
+        found += [
+            (frame.frame_number, frame.keyframe_type, _everything(stroke))
+            for stroke, ours in zip(strokes, is_ours, strict=True)
+            if not ours
+        ]
+    return found
+
+
+def _everything(stroke: Any) -> str:
+    """All properties of a stroke and of its points."""
+
+    def values(thing: Any) -> list[Any]:
+        names = sorted(p.identifier for p in thing.bl_rna.properties if p.identifier != "rna_type")
+        read = [
+            (name, getattr(thing, name)) for name in names if name not in ("points", "edit_curve")
+        ]
+        return [(n, tuple(v) if hasattr(v, "__len__") and not isinstance(v, str) else v)
+                for n, v in read]  # fmt: skip
+
+    if V3:
+        points = [(tuple(p.position), p.radius, p.opacity) for p in stroke.points]
+        return repr((stroke.cyclic, stroke.material_index, stroke.softness, points))
+    return repr((values(stroke), [values(point) for point in stroke.points]))
+
+
 def is_artists(stroke: Stroke) -> bool:
     return bool((stroke["points"] == 7).all())
 

@@ -1,34 +1,77 @@
 """Drawings into the scene: one interface, one file per writer. Only these write scene data.
 
-A writer is a module with two functions:
-    write(scene, groups) -> objects   replaces what it wrote before by `groups` (StrokeGroup, lowest
-                                      first) and returns the objects that hold the strokes
-    clear(scene)                      takes back what it wrote
-Neither touches anything that is not marked as the add-on's own (ownership.py).
+They touch nothing that is not marked as the add-on's own (ownership.py). What the versions of
+Grease Pencil have in common is in pencil.py, the rest in one file for each.
 """
 
-from types import ModuleType
 from typing import Any
 
 import bpy
 
-from . import curves, grease_pencil_v2, grease_pencil_v3
-from .strokes import stroke_groups
+from ..messages import IllustrateError, quoted
+from . import curves, grease_pencil_v2, grease_pencil_v3, pencil
+from .strokes import Sheet, stroke_groups
 
-WRITERS: dict[str, ModuleType] = {
-    "GREASE_PENCIL": grease_pencil_v3 if bpy.app.version >= (4, 3, 0) else grease_pencil_v2,
-    "CURVES": curves,
-}
+PENCIL_API = grease_pencil_v3 if bpy.app.version >= (4, 3, 0) else grease_pencil_v2
+TARGETS = ("GREASE_PENCIL", "CURVES")
 
 
-def write_drawing(scene: Any, drawing: Any, camera: Any, target: str) -> list[Any]:
-    """Puts an `illustrate_native.Drawing` in place of the last one; the objects that hold it.
+def sheet_of(drawing: Any, camera: Any, frame: int, names: list[str] | None = None) -> Sheet:
+    """An `illustrate_native.Drawing` as the writers take it.
 
-    camera: the CameraArrays it was made for. target: a key of WRITERS.
+    camera: the CameraArrays it was made for. names: of the meshes; numbers where left out.
     """
-    groups = stroke_groups(drawing, camera)
-    for name, writer in WRITERS.items():
-        if name != target:
-            writer.clear(scene)
-    objects: list[Any] = WRITERS[target].write(scene, groups)
-    return objects
+    if names is None:
+        names = [str(i) for i in range(int(max(drawing.objects, default=-1)) + 1)]
+    return Sheet(frame, stroke_groups(drawing, camera), list(names))
+
+
+def write_drawing(
+    scene: Any, drawing: Any, camera: Any, target: str, names: list[str] | None = None
+) -> list[Any]:
+    """Puts a drawing in place of the last one at the scene's frame; the objects that hold it.
+
+    target: one of TARGETS. The others are as in `sheet_of`.
+    """
+    sheet = sheet_of(drawing, camera, scene.frame_current, names)
+    if target == "CURVES":
+        pencil.clear(PENCIL_API, scene)
+        return curves.write(scene, sheet)
+    curves.clear(scene)
+    return pencil.write(PENCIL_API, scene, sheet)
+
+
+def bake_drawings(scene: Any, sheets: list[Sheet]) -> list[str]:
+    """Writes sheets, in the order of their frames, as keyframes; warnings.
+
+    Frames with strokes of the artist's are left as they are.
+    """
+    left = pencil.bake(PENCIL_API, scene, sheets)
+    if not left:
+        return []
+    return [f"Left as drawn by hand: {quoted(left)}"]
+
+
+def check_can_bake(target: str) -> None:
+    """Raises IllustrateError for outputs that have no keyframes."""
+    if target == "CURVES":
+        raise IllustrateError(
+            "Curves hold one drawing, not one for each frame: set Output to Grease Pencil to bake"
+        )
+
+
+def clear(scene: Any) -> None:
+    """Removes all that the add-on wrote, and nothing else."""
+    pencil.clear(PENCIL_API, scene)
+    curves.clear(scene)
+
+
+def has_illustration(scene: Any) -> bool:
+    """True where `clear` would remove something."""
+    return pencil.find(scene, PENCIL_API) is not None or curves.has_any(scene)
+
+
+def restyle(scene: Any) -> None:
+    """Gives what is there already the colours and the place in front that the settings say."""
+    pencil.restyle(PENCIL_API, scene)
+    curves.restyle(scene)

@@ -1,25 +1,32 @@
-"""Writes curve objects, one per line kind, for renderers that have no Grease Pencil."""
+"""Writes curve objects, one per line kind, for renderers that have no Grease Pencil.
 
+Kind, object and invisibility of the splines are properties of the curve, in the splines' order.
+"""
+
+import json
 from typing import Any
 
 import bpy
 import numpy as np
 
 from ..ownership import is_ours, mark
-from . import field_overlay
-from .strokes import StrokeGroup
+from . import pens
+from .strokes import Sheet, StrokeGroup
 
 COLLECTION = "Illustration"
 TITLE = "illustrate_title"
+KINDS, OBJECTS, INVISIBILITY = "illustrate_kinds", "illustrate_of", "illustrate_invisibility"
+NAMES = "illustrate_objects"
 
 
-def write(scene: Any, groups: list[StrokeGroup]) -> list[Any]:
+def write(scene: Any, sheet: Sheet) -> list[Any]:
     """Fills the add-on's curve objects anew; those without strokes are removed."""
     there = _our_objects(scene)
     objects = []
-    for group in groups:
-        thing = there.pop(group.title, None) or _new_object(scene, group.title)
+    for group in sheet.groups:
+        thing = there.pop(group.title, None) or _new_object(scene, group)
         _fill(thing.data, group)
+        thing.data[NAMES] = json.dumps(sheet.names)
         objects.append(thing)
     _remove(there.values())
     return objects
@@ -31,9 +38,18 @@ def clear(scene: Any) -> None:
     collection = _our_collection(scene)
     if collection is not None and not collection.all_objects:
         bpy.data.collections.remove(collection)
-    ink = _our_ink()
-    if ink is not None and not ink.users:
-        bpy.data.materials.remove(ink)
+
+
+def has_any(scene: Any) -> bool:
+    """True where there are curve objects of the add-on's own."""
+    return bool(_our_objects(scene))
+
+
+def restyle(scene: Any) -> None:
+    """Gives the objects and their pens what the settings say now."""
+    for thing in _our_objects(scene).values():
+        thing.show_in_front = scene.illustrate.in_front
+        pens.colour_all(thing.data, scene.illustrate)
 
 
 def _our_objects(scene: Any) -> dict[str, Any]:
@@ -47,44 +63,35 @@ def _our_collection(scene: Any) -> Any:
     return next(mine, None)
 
 
-def _new_object(scene: Any, title: str) -> Any:
+def _new_object(scene: Any, group: StrokeGroup) -> Any:
     collection = _our_collection(scene)
     if collection is None:
         collection = bpy.data.collections.new(COLLECTION)
         mark(collection)
         scene.collection.children.link(collection)
-    name = f"{COLLECTION} {title}"
+    name = f"{COLLECTION} {group.title}"
     curve = bpy.data.curves.new(name, "CURVE")
     curve.dimensions = "3D"
     curve.bevel_depth = 1.0  # a point's radius is the stroke's
     curve.bevel_resolution = 1
     curve.use_fill_caps = True
-    curve.materials.append(_ink())
+    _ink(scene, curve, group.pen)
     thing = bpy.data.objects.new(name, curve)
-    thing[TITLE] = title
+    thing.show_in_front = scene.illustrate.in_front
+    thing[TITLE] = group.title
     mark(thing, curve)
     collection.objects.link(thing)
     return thing
 
 
-def _our_ink() -> Any:
-    mine = (
-        material
-        for material in bpy.data.materials
-        if is_ours(material) and not material.is_grease_pencil and field_overlay.INK not in material
-    )
-    return next(mine, None)
-
-
-def _ink() -> Any:
-    """The add-on's black material."""
-    material = _our_ink()
-    if material is None:
-        material = bpy.data.materials.new("Illustration Ink")
-        mark(material)
-        material.diffuse_color = (0.0, 0.0, 0.0, 1.0)
-        material.specular_intensity = 0.0
-    return material
+def _ink(scene: Any, curve: Any, pen: str) -> None:
+    """Gives the curve the pen's material, shared with curves that have it already."""
+    for other in _our_objects(scene).values():
+        index = pens.of_data(other.data).get(pen)
+        if index is not None:
+            curve.materials.append(other.data.materials[index])
+            return
+    pens.index_of(curve, pen, scene.illustrate, for_pencil=False)
 
 
 def _fill(curve: Any, group: StrokeGroup) -> None:
@@ -99,11 +106,15 @@ def _fill(curve: Any, group: StrokeGroup) -> None:
         spline.points.foreach_set("co", np.c_[group.points[span], np.ones(size)].ravel())
         spline.points.foreach_set("radius", group.radii[span])
         spline.use_cyclic_u = closed
+    curve[KINDS] = group.kinds.tolist()
+    curve[OBJECTS] = group.objects.tolist()
+    curve[INVISIBILITY] = group.invisibility.tolist()
 
 
 def _remove(objects: Any) -> None:
     for thing in list(objects):
-        curve = thing.data
+        curve, materials = thing.data, list(thing.data.materials)
         bpy.data.objects.remove(thing)
         if not curve.users:
             bpy.data.curves.remove(curve)
+        pens.remove_unused(materials)

@@ -1,7 +1,8 @@
-"""Writes Grease Pencil version 2, of Blender up to 4.2.
+"""Grease Pencil version 2, of Blender up to 4.2, for pencil.py.
 
-Its data keeps the names of the add-on's layers. A stroke of the add-on has one of its pens and is
-LINE_WIDTH wide.
+Its data keeps the names of the add-on's layers, and kind, object and invisibility of its strokes in
+the order in which they were drawn: strokes have no attributes. A stroke of the add-on has one of
+its pens and is LINE_WIDTH wide.
 """
 
 from typing import Any
@@ -9,79 +10,78 @@ from typing import Any
 import bpy
 import numpy as np
 
-from . import pencil
+from . import pens
 from .strokes import StrokeGroup
 
 TYPE = "GPENCIL"
-LAYERS = "illustrate_layers"
+NAME = "Illustration"
+LAYERS, STROKES = "illustrate_layers", "illustrate_strokes"
 LINE_WIDTH = 1000  # an integer: so wide, a point's pressure is its width in the world
 
 
-def write(scene: Any, groups: list[StrokeGroup]) -> list[Any]:
-    """Fills the object "Illustration" anew; the artist's own layers, frames and strokes stay."""
-    illustration = pencil.find(scene, TYPE)
-    if illustration is None:
-        illustration = pencil.create(scene, bpy.data.grease_pencils.new(pencil.NAME))
-    data = illustration.data
-    _remove_our_strokes(data)
-    for group in groups:
-        layer = _our_layers(data).get(group.title) or _new_layer(data, group.title)
-        _append(_frame(layer, scene.frame_current), group, pencil.pen(data, group.is_hatching))
-    return [illustration]
+def new_data() -> Any:
+    """Data without layers."""
+    return bpy.data.grease_pencils.new(NAME)
 
 
-def clear(scene: Any) -> None:
-    """Removes the add-on's strokes, and the object when nothing of the artist's is in it."""
-    illustration = pencil.find(scene, TYPE)
-    if illustration is None:
-        return
-    data = illustration.data
-    _remove_our_strokes(data)
-    for layer in _our_layers(data).values():
-        if not len(layer.frames):
-            data.layers.remove(layer)
-    if not len(data.layers):
-        pencil.remove(illustration, bpy.data.grease_pencils)
+def remove_data(data: Any) -> None:
+    """Removes data that nothing uses."""
+    bpy.data.grease_pencils.remove(data)
 
 
-def _our_layers(data: Any) -> dict[str, Any]:
+def our_layers(data: Any) -> dict[str, Any]:
+    """The add-on's layers by their titles, lowest first."""
     names = set(data.get(LAYERS, "").split("\n"))
     return {layer.info: layer for layer in data.layers if layer.info in names}
 
 
-def _new_layer(data: Any, title: str) -> Any:
+def new_layer(data: Any, title: str) -> Any:
+    """Adds a layer of the add-on's own."""
     layer = data.layers.new(title, set_active=False)
+    data.layers.move(layer, "UP")
     layer.use_lights = False
-    data[LAYERS] = "\n".join([*_our_layers(data), layer.info])
+    data[LAYERS] = "\n".join([*our_layers(data), layer.info])
     return layer
 
 
-def _frame(layer: Any, number: int) -> Any:
-    """The layer's own keyframe at `number`."""
-    for frame in layer.frames:
-        if frame.frame_number == number:
-            return frame
-    return layer.frames.new(number)
+def remove_layer(data: Any, layer: Any) -> None:
+    """Removes a layer."""
+    data.layers.remove(layer)
 
 
-def _remove_our_strokes(data: Any) -> None:
-    """Keyframes that are left empty go too; layers stay, with what the artist has set on them."""
-    pens = pencil.our_pens(data)
-    for layer in _our_layers(data).values():
-        for frame in list(layer.frames):
-            ours = [
-                stroke
-                for stroke in frame.strokes
-                if stroke.line_width == LINE_WIDTH and stroke.material_index in pens
-            ]
-            if ours and len(ours) == len(frame.strokes):
-                layer.frames.remove(frame)
-                continue
-            for stroke in ours:
-                frame.strokes.remove(stroke)
+def lower(data: Any, layer: Any) -> None:
+    """Moves a layer one down."""
+    data.layers.move(layer, "DOWN")
 
 
-def _append(frame: Any, group: StrokeGroup, pen: int) -> None:
+def count(data: Any, _layer: Any, frame: Any) -> tuple[int, int]:
+    """Strokes of the add-on and all strokes of a keyframe."""
+    return len(_ours(data, frame)), len(frame.strokes)
+
+
+def _ours(data: Any, frame: Any) -> list[Any]:
+    indices = set(pens.of_data(data).values())
+    return [
+        stroke
+        for stroke in frame.strokes
+        if stroke.line_width == LINE_WIDTH and stroke.material_index in indices
+    ]
+
+
+def remove_frame(data: Any, layer: Any, frame: Any) -> None:
+    """Removes a keyframe with all that is in it."""
+    _forget(data, layer, frame)
+    layer.frames.remove(frame)
+
+
+def remove_strokes(data: Any, layer: Any, frame: Any) -> None:
+    """Removes the add-on's strokes of a keyframe."""
+    _forget(data, layer, frame)
+    for stroke in _ours(data, frame):
+        frame.strokes.remove(stroke)
+
+
+def append(data: Any, layer: Any, frame: Any, group: StrokeGroup, pen: int) -> None:
     """Adds the strokes of a group after those that are there."""
     ends = np.cumsum(group.sizes)
     for size, end, closed in zip(
@@ -95,3 +95,21 @@ def _append(frame: Any, group: StrokeGroup, pen: int) -> None:
         stroke.points.foreach_set("co", group.points[span].ravel())
         stroke.points.foreach_set("pressure", 2 * group.radii[span])
         stroke.points.foreach_set("strength", np.ones(size, np.float32))
+    _remember(data, layer, frame, group)
+
+
+def _remember(data: Any, layer: Any, frame: Any, group: StrokeGroup) -> None:
+    """Keeps kind, object and invisibility of each stroke, one after the other."""
+    if STROKES not in data:
+        data[STROKES] = {}
+    told = np.stack([group.kinds, group.objects, group.invisibility], axis=1)
+    data[STROKES][_name(layer, frame)] = told.ravel().tolist()
+
+
+def _forget(data: Any, layer: Any, frame: Any) -> None:
+    if STROKES in data and _name(layer, frame) in data[STROKES]:
+        del data[STROKES][_name(layer, frame)]
+
+
+def _name(layer: Any, frame: Any) -> str:
+    return f"{layer.info} {frame.frame_number}"

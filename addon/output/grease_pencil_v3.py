@@ -1,7 +1,8 @@
-"""Writes Grease Pencil version 3, of Blender 4.3 and later.
+"""Grease Pencil version 3, of Blender 4.3 and later, for pencil.py.
 
 A layer of the add-on carries the attribute OWNER, a stroke the attributes KIND (1 + Kind; 0 is the
-artist's own) and OBJECT (index of the mesh): they follow reordering and are saved.
+artist's own), OBJECT (index of the mesh) and INVISIBILITY (layers of surface in front): they follow
+reordering and are saved.
 """
 
 from typing import Any
@@ -9,40 +10,12 @@ from typing import Any
 import bpy
 import numpy as np
 
-from . import pencil
 from .strokes import StrokeGroup
 
-OWNER, KIND, OBJECT = "illustrate_owner", "illustrate_kind", "illustrate_object"
+OWNER = "illustrate_owner"
+KIND, OBJECT, INVISIBILITY = "illustrate_kind", "illustrate_object", "illustrate_invisibility"
 TYPE = "GREASEPENCIL"
-
-
-def write(scene: Any, groups: list[StrokeGroup]) -> list[Any]:
-    """Fills the object "Illustration" anew; the artist's own layers, frames and strokes stay."""
-    illustration = pencil.find(scene, TYPE)
-    if illustration is None:
-        illustration = pencil.create(scene, _store().new(pencil.NAME))
-    data = illustration.data
-    _remove_our_strokes(data)
-    for group in groups:
-        layer = _our_layers(data).get(group.title) or _new_layer(data, group.title)
-        _append(
-            _frame(layer, scene.frame_current).drawing, group, pencil.pen(data, group.is_hatching)
-        )
-    return [illustration]
-
-
-def clear(scene: Any) -> None:
-    """Removes the add-on's strokes, and the object when nothing of the artist's is in it."""
-    illustration = pencil.find(scene, TYPE)
-    if illustration is None:
-        return
-    data = illustration.data
-    _remove_our_strokes(data)
-    for layer in _our_layers(data).values():
-        if not len(layer.frames):
-            data.layers.remove(layer)
-    if not len(data.layers):
-        pencil.remove(illustration, _store())
+NAME = "Illustration"
 
 
 def _store() -> Any:
@@ -52,7 +25,18 @@ def _store() -> Any:
     )
 
 
-def _our_layers(data: Any) -> dict[str, Any]:
+def new_data() -> Any:
+    """Data without layers."""
+    return _store().new(NAME)
+
+
+def remove_data(data: Any) -> None:
+    """Removes data that nothing uses."""
+    _store().remove(data)
+
+
+def our_layers(data: Any) -> dict[str, Any]:
+    """The add-on's layers by their titles, lowest first."""
     owner = data.attributes.get(OWNER)
     if owner is None:
         return {}
@@ -61,39 +45,66 @@ def _our_layers(data: Any) -> dict[str, Any]:
     }
 
 
-def _new_layer(data: Any, title: str) -> Any:
+def new_layer(data: Any, title: str) -> Any:
+    """Adds a layer of the add-on's own, in the group that its other layers are in."""
+    ours = our_layers(data)
+    group = next((layer.parent_group for layer in ours.values() if layer.parent_group), None)
+    if group is None and not ours:
+        group = data.layer_groups.new(NAME)
     layer = data.layers.new(title)
+    if group is not None:
+        data.layers.move_to_layer_group(layer, group)
     layer.use_lights = False
     owner = data.attributes.get(OWNER) or data.attributes.new(OWNER, "INT", "LAYER")
     owner.data[list(data.layers).index(layer)].value = 1
     return layer
 
 
-def _frame(layer: Any, number: int) -> Any:
-    """The layer's own keyframe at `number`."""
-    for frame in layer.frames:
-        if frame.frame_number == number:
-            return frame
-    return layer.frames.new(number)
+def remove_layer(data: Any, layer: Any) -> None:
+    """Removes a layer, and the group that it leaves empty."""
+    group = layer.parent_group
+    data.layers.remove(layer)
+    if group is not None and group.name == NAME and not _members(data, group):
+        data.layer_groups.remove(group)
 
 
-def _remove_our_strokes(data: Any) -> None:
-    """Keyframes that are left empty go too; layers stay, with what the artist has set on them."""
-    for layer in _our_layers(data).values():
-        for frame in list(layer.frames):
-            kinds = frame.drawing.attributes.get(KIND)
-            if kinds is None:
-                continue
-            values = np.zeros(len(kinds.data), np.int32)
-            kinds.data.foreach_get("value", values)
-            if (values > 0).all():
-                layer.frames.remove(frame.frame_number)
-            elif (values > 0).any():
-                frame.drawing.remove_strokes(indices=np.flatnonzero(values > 0).tolist())
+def _members(data: Any, group: Any) -> list[Any]:
+    return [child for child in (*data.layers, *data.layer_groups) if child.parent_group == group]
 
 
-def _append(drawing: Any, group: StrokeGroup, pen: int) -> None:
+def lower(data: Any, layer: Any) -> None:
+    """Moves a layer one down."""
+    data.layers.move(layer, "DOWN")
+
+
+def count(_data: Any, _layer: Any, frame: Any) -> tuple[int, int]:
+    """Strokes of the add-on and all strokes of a keyframe."""
+    return int(_is_ours(frame.drawing).sum()), len(frame.drawing.strokes)
+
+
+def _is_ours(drawing: Any) -> Any:
+    """(s,) bool, of each stroke."""
+    kinds = drawing.attributes.get(KIND)
+    if kinds is None:
+        return np.zeros(len(drawing.strokes), bool)
+    values = np.zeros(len(kinds.data), np.int32)
+    kinds.data.foreach_get("value", values)
+    return values > 0
+
+
+def remove_frame(_data: Any, layer: Any, frame: Any) -> None:
+    """Removes a keyframe with all that is in it."""
+    layer.frames.remove(frame.frame_number)
+
+
+def remove_strokes(_data: Any, _layer: Any, frame: Any) -> None:
+    """Removes the add-on's strokes of a keyframe."""
+    frame.drawing.remove_strokes(indices=np.flatnonzero(_is_ours(frame.drawing)).tolist())
+
+
+def append(_data: Any, _layer: Any, frame: Any, group: StrokeGroup, pen: int) -> None:
     """Adds the strokes of a group after those that are there."""
+    drawing = frame.drawing
     strokes, points = len(drawing.strokes), drawing.attributes.domain_size("POINT")
     drawing.add_strokes(group.sizes.tolist())
     _set_tail(drawing, "position", "FLOAT_VECTOR", "POINT", points, group.points)
@@ -103,6 +114,7 @@ def _append(drawing: Any, group: StrokeGroup, pen: int) -> None:
     _set_tail(drawing, "material_index", "INT", "CURVE", strokes, pens)
     _set_tail(drawing, KIND, "INT", "CURVE", strokes, group.kinds + 1)
     _set_tail(drawing, OBJECT, "INT", "CURVE", strokes, group.objects)
+    _set_tail(drawing, INVISIBILITY, "INT", "CURVE", strokes, group.invisibility)
     drawing.tag_positions_changed()
 
 

@@ -1,11 +1,13 @@
 """The strokes of a drawing as the writers take them: groups, points and radii in the world."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from .. import native
+
+OUTLINES = ("SILHOUETTE", "BOUNDARY")
 
 
 @dataclass(frozen=True)
@@ -13,13 +15,30 @@ class StrokeGroup:
     """The strokes of one layer, one after another."""
 
     title: str
-    is_hatching: bool
+    pen: str  # a key of pens.PENS
     points: Any  # (p, 3) float32 world
     radii: Any  # (p,) float32 world, half the width of the stroke
     sizes: Any  # (s,) int32 points of each stroke
     closed: Any  # (s,) bool
     kinds: Any  # (s,) int32 illustrate_native.Kind
     objects: Any  # (s,) int32 index of the mesh
+    invisibility: Any  # (s,) int32 layers of surface in front
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """What is drawn at one frame."""
+
+    frame: int
+    groups: list[StrokeGroup]  # lowest layer first
+    names: list[str]  # of the meshes
+
+    def renumbered(self, names: list[str]) -> "Sheet":
+        """The same with the objects of its strokes counted in `names`, which gets what it lacks."""
+        names.extend(name for name in dict.fromkeys(self.names) if name not in names)
+        numbers = np.array([names.index(name) for name in self.names], np.int32)
+        groups = [replace(group, objects=numbers[group.objects]) for group in self.groups]
+        return Sheet(self.frame, groups, names)
 
 
 def stroke_groups(drawing: Any, camera: Any) -> list[StrokeGroup]:
@@ -42,13 +61,24 @@ def _gather(drawing: Any, group: Any, points: Any, radii: Any) -> StrokeGroup:
     def of_strokes(values: Any, dtype: Any) -> Any:
         return np.asarray(values)[group.strokes].astype(dtype)
 
+    kinds = of_strokes(drawing.kinds, np.int32)
     return StrokeGroup(
         group.title,
-        group.is_hatching,
+        _pen(group, kinds),
         points[chosen].astype(np.float32),
         radii[chosen].astype(np.float32),
         sizes.astype(np.int32),
         of_strokes(drawing.closed, bool),
-        of_strokes(drawing.kinds, np.int32),
+        kinds,
         of_strokes(drawing.objects, np.int32),
+        of_strokes(drawing.invisibility, np.int32),
     )
+
+
+def _pen(group: Any, kinds: Any) -> str:
+    if group.title == native.load_part("line_groups").HIDDEN:
+        return "Hidden"
+    if group.is_hatching:
+        return "Hatch"
+    outlines = [int(native.load().Kind[name]) for name in OUTLINES]
+    return "Line" if kinds[0] in outlines else "Feature"

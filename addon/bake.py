@@ -1,0 +1,88 @@
+"""A range of frames into keyframes."""
+
+import time
+from typing import Any
+
+import bpy
+
+from . import native, output
+from .illustration import compute, read_request
+from .messages import IllustrateError, counted
+from .operators import can_illustrate
+from .tasks import Step, Task, TaskOperator
+
+
+def frames_of(scene: Any) -> range:
+    """The frames that a bake draws. Raises IllustrateError for a range that ends too early."""
+    chosen = scene.illustrate
+    start, end = chosen.frame_start, chosen.frame_end
+    if chosen.use_scene_range:
+        start, end = scene.frame_start, scene.frame_end
+    if end < start:
+        raise IllustrateError(f"The bake ends at frame {end}, before it starts: set End to {start}")
+    return range(start, end + 1, chosen.frame_step)
+
+
+class ILLUSTRATE_OT_bake(TaskOperator, bpy.types.Operator):
+    """Writes the illustrations of a range of frames."""
+
+    bl_idname = "illustrate.bake"
+    bl_label = "Bake Animation"
+    bl_description = (
+        "Draw every frame of the range into a keyframe of its own; frames with strokes of yours "
+        "are left as they are"
+    )
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context: Any) -> bool:
+        """There is a camera, and something before it."""
+        return can_illustrate(cls, context)
+
+    def task(self, context: Any) -> Task:
+        """Draws frame after frame in a thread; writes them together at the end."""
+        scene, start = context.scene, time.perf_counter()
+        name = scene.name
+        output.check_can_bake(scene.illustrate.output)
+        frames, current = frames_of(scene), scene.frame_current
+        sheets, warnings, previous = [], [], None
+        try:
+            for done, frame in enumerate(frames):
+                scene.frame_set(frame)
+                request = read_request(scene, context.evaluated_depsgraph_get())
+                if scene.illustrate.keep_strokes and native.can_seed():
+                    request.previous = previous
+                made = yield _step(request, frame, done / len(frames), (done + 1) / len(frames))
+                sheets.append(output.sheet_of(made.drawing, made.arrays.camera, frame, made.names))
+                warnings += [w for w in made.warnings if w not in warnings]
+                previous = made.drawing
+        finally:
+            _go_back(name, current)
+        warnings += output.bake_drawings(scene, sheets)
+        strokes = sum(len(group.sizes) for sheet in sheets for group in sheet.groups)
+        done_text = (
+            f"Baked {counted(len(sheets), 'frame')}: {counted(strokes, 'stroke')} in "
+            f"{time.perf_counter() - start:.2f} s"
+        )
+        return [*(("WARNING", warning) for warning in warnings), ("INFO", done_text)]
+
+
+def _go_back(scene_name: str, frame: int) -> None:
+    """To the frame that was shown before; a file that was loaded meanwhile has its own."""
+    scene = bpy.data.scenes.get(scene_name)
+    if scene is not None:
+        scene.frame_set(frame)
+
+
+def _step(request: Any, frame: int, start: float, end: float) -> Step:
+    return Step(lambda progress: compute(request, progress), start, end, f"Frame {frame}")
+
+
+def register() -> None:
+    """Registers the operator."""
+    bpy.utils.register_class(ILLUSTRATE_OT_bake)
+
+
+def unregister() -> None:
+    """Takes it away again."""
+    bpy.utils.unregister_class(ILLUSTRATE_OT_bake)

@@ -1,0 +1,187 @@
+"""Operators that take a while: the same task runs at once for scripts, and modal for the artist.
+
+A task is a generator. It does what needs Blender itself and yields a Step for everything long; the
+result of the step is sent back to it. Its last words, the reports, are its return value. When it is
+cancelled it is closed: what it must set back stands in a `finally`.
+"""
+
+import time
+from collections.abc import Callable, Generator
+from dataclasses import dataclass
+from typing import Any
+
+import bpy
+
+from .messages import IllustrateError
+from .worker import Progress, Worker
+
+Task = Generator["Step", Any, list[tuple[str, str]]]
+
+INTERVAL_S = 0.02  # between looks at the worker
+SHOWN_S = 0.2  # that a text stays at least
+NAVIGATION = {
+    "MIDDLEMOUSE",
+    "WHEELUPMOUSE",
+    "WHEELDOWNMOUSE",
+    "WHEELINMOUSE",
+    "WHEELOUTMOUSE",
+    "TRACKPADPAN",
+    "TRACKPADZOOM",
+    "MOUSEROTATE",
+    "NDOF_MOTION",
+}
+STAGES = {
+    "sanitize": "Mending meshes",
+    "surface": "Subdividing",
+    "intersections": "Finding intersections",
+    "curvature": "Measuring curvature",
+    "field": "Directing hatches",
+    "contour": "Finding silhouettes",
+    "visibility": "Hiding lines",
+    "tone": "Lighting",
+    "hatch": "Hatching",
+    "stroke": "Drawing strokes",
+}
+"""What the artist reads for the names of the native stages."""
+
+
+@dataclass(frozen=True)
+class Step:
+    """Work for a thread: plain data in, plain data out. `start` .. `end` is its share of all."""
+
+    work: Callable[[Progress], Any]
+    start: float = 0.0
+    end: float = 1.0
+    title: str = ""  # what comes before the stage
+
+
+_running: list["TaskOperator"] = []
+
+
+def is_running() -> bool:
+    """True while a modal task runs."""
+    return bool(_running)
+
+
+def status_text(fraction: float, title: str, stage: str) -> str:
+    """What the status bar says, such as 'Illustrate: 42 %  Hatching  (ESC to cancel)'."""
+    words = "  ".join(word for word in (title, STAGES.get(stage, stage.capitalize())) if word)
+    return f"Illustrate: {100 * fraction:.0f} %  {words}  (ESC to cancel)"
+
+
+def _has_window(context: Any) -> bool:
+    return not bpy.app.background and context.window is not None
+
+
+class TaskOperator:
+    """Mixin of operators whose job is a task."""
+
+    report: Callable[[set[str], str], None]
+
+    def task(self, context: Any) -> Task:
+        """The job; IllustrateError when it cannot be done."""
+        raise NotImplementedError
+
+    def execute(self, context: Any) -> set[str]:
+        """Does the whole job; an error leaves the scene as it was."""
+        task, result = self.task(context), None
+        try:
+            while True:
+                step = task.send(result)
+                result = step.work(lambda _fraction, _stage: True)
+        except StopIteration as end:
+            return self._finish(end.value)
+        except IllustrateError as error:
+            return self._fail(error)
+        finally:
+            task.close()
+
+    def invoke(self, context: Any, _event: Any) -> set[str]:
+        """Starts the job in the background, with progress and ESC."""
+        if not _has_window(context):
+            return self.execute(context)
+        self._task = self.task(context)
+        try:
+            self._start(self._task.send(None))
+        except StopIteration as end:
+            return self._finish(end.value)
+        except IllustrateError as error:
+            return self._fail(error)
+        self._shown, self._shown_at = "", -SHOWN_S
+        manager = context.window_manager
+        self._timer = manager.event_timer_add(INTERVAL_S, window=context.window)
+        manager.progress_begin(0, 100)
+        manager.modal_handler_add(self)
+        _running.append(self)
+        return {"RUNNING_MODAL"}
+
+    def modal(self, context: Any, event: Any) -> set[str]:
+        """Shows progress, hands results on, and stops on ESC; the view may be moved meanwhile."""
+        if event.type == "ESC":
+            self.cancel(context)
+            self.report({"INFO"}, "Illustrate: cancelled, nothing was changed")
+            return {"CANCELLED"}
+        if event.type != "TIMER":
+            return {"PASS_THROUGH" if event.type in NAVIGATION else "RUNNING_MODAL"}
+        self._show_progress(context)
+        if not self._worker.is_done:
+            return {"RUNNING_MODAL"}
+        try:
+            return self._go_on(context)
+        except BaseException:
+            self.cancel(context)
+            raise
+
+    def cancel(self, context: Any) -> None:
+        """Ends without a result; Blender calls it too, when a file is loaded or the window goes."""
+        self._worker.cancel()
+        self._task.close()
+        self._clean_up(context)
+
+    def _start(self, step: Step) -> None:
+        self._step, self._worker = step, Worker(step.work)
+
+    def _go_on(self, context: Any) -> set[str]:
+        """Hands the result of a step to the task and starts the next."""
+        worker, task = self._worker, self._task
+        try:
+            if worker.error is not None:
+                self._start(task.throw(worker.error))
+            else:
+                self._start(task.send(worker.result))
+        except StopIteration as end:
+            self._clean_up(context)
+            return self._finish(end.value)
+        except IllustrateError as error:
+            self._clean_up(context)
+            return self._fail(error)
+        return {"RUNNING_MODAL"}
+
+    def _show_progress(self, context: Any) -> None:
+        """Only what has changed: every text makes Blender redraw, and keys wait meanwhile."""
+        step, worker = self._step, self._worker
+        fraction = step.start + (step.end - step.start) * worker.fraction
+        text = status_text(fraction, step.title, worker.stage)
+        now = time.monotonic()
+        if text != self._shown and now - self._shown_at >= SHOWN_S:
+            self._shown, self._shown_at = text, now
+            context.window_manager.progress_update(int(100 * fraction))
+            context.workspace.status_text_set(text)
+
+    def _clean_up(self, context: Any) -> None:
+        if self not in _running:
+            return
+        _running.remove(self)
+        context.window_manager.event_timer_remove(self._timer)
+        context.window_manager.progress_end()
+        if context.workspace is not None:
+            context.workspace.status_text_set(None)
+
+    def _finish(self, reports: list[tuple[str, str]]) -> set[str]:
+        for kind, text in reports:
+            self.report({kind}, text)
+        return {"FINISHED"}
+
+    def _fail(self, error: IllustrateError) -> set[str]:
+        self.report({"ERROR"}, str(error))
+        return {"CANCELLED"}

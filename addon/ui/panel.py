@@ -1,0 +1,225 @@
+"""The tab "Illustrate" in the side panel of the 3D viewport."""
+
+import textwrap
+from typing import Any
+
+import bpy
+
+from ..bake import ILLUSTRATE_OT_bake
+from ..native_options import DRAW, PREPARE
+from ..operators import (
+    ILLUSTRATE_OT_clear,
+    ILLUSTRATE_OT_hide_field,
+    ILLUSTRATE_OT_illustrate,
+    ILLUSTRATE_OT_show_field,
+)
+from ..problems import slowing_problem, stopping_problem
+from .presets import ILLUSTRATE_PT_presets
+
+PIXELS_PER_LETTER = 7.0  # of the interface's font at scale 1
+OPTIONS = {option.key: option for option in (*PREPARE, *DRAW)}
+NEEDS = {
+    "suggestive_threshold": "suggestive_contours",
+    "ridge_threshold": "ridges",
+    "valley_threshold": "valleys",
+    "hidden_layers": "hidden",
+    "hidden_width_scale": "hidden",
+    "mach_band_px": "mach_bands",
+    "undercut_px": "undercuts",
+    "undercut_spacing_px": "undercuts",
+    "spacing_px": "hatching",
+    "guide_weight": "guides",
+    "guide_radius": "guides",
+}
+"""Settings that count for nothing without another: they are shown grey."""
+UNUSED_WITH_TONES = {
+    "LIGHT": ("highlight_share", "shadow_share"),
+    "AREA": ("highlight_threshold", "shadow_threshold"),
+}
+"""Settings that are not shown."""
+
+
+def fields_of(panel: str) -> tuple[str, ...]:
+    """The native options that belong to a panel, by the names of their properties."""
+    return tuple(key for key, option in OPTIONS.items() if option.panel == panel)
+
+
+class _SidePanel:
+    """Where the panels are."""
+
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+    bl_category = "Illustrate"
+    layout: Any
+
+
+class _Fields(_SidePanel):
+    """A closed panel that shows settings one below the other."""
+
+    bl_parent_id = "ILLUSTRATE_PT_main"
+    bl_options = {"DEFAULT_CLOSED"}
+    fields: tuple[str, ...] = ()
+
+    def draw(self, context: Any) -> None:
+        """Shows the fields."""
+        show(self.layout, context.scene.illustrate, self.fields)
+
+
+def show(layout: Any, settings: Any, fields: tuple[str, ...]) -> None:
+    """Shows settings one below the other, lengths in the unit of the page."""
+    layout.use_property_split = True
+    layout.use_property_decorate = False
+    for field in fields:
+        if field in UNUSED_WITH_TONES[settings.tones]:
+            continue
+        key = field
+        if settings.unit == "MILLIMETRE" and field in OPTIONS:
+            key = OPTIONS[field].key_mm or field
+        row = layout.row()
+        row.active = field not in NEEDS or bool(getattr(settings, NEEDS[field]))
+        row.prop(settings, key)
+
+
+def show_text(layout: Any, text: str, width_px: float, icon: str) -> None:
+    """Shows a text in as many lines as it needs."""
+    column = layout.column(align=True)
+    letters = max(16, int(width_px / PIXELS_PER_LETTER))
+    for number, line in enumerate(textwrap.wrap(text, letters)):
+        column.label(text=line, icon="BLANK1" if number else icon)
+
+
+def _show_problem(layout: Any, context: Any) -> None:
+    scene, layer = context.scene, context.view_layer
+    problem = stopping_problem(scene, layer) or slowing_problem(scene, layer)
+    if problem:
+        scale = context.preferences.system.ui_scale
+        show_text(layout, problem, context.region.width / scale - 50, "ERROR")
+
+
+class ILLUSTRATE_PT_main(_SidePanel, bpy.types.Panel):
+    """The button, and what is changed most often."""
+
+    bl_idname = "ILLUSTRATE_PT_main"
+    bl_label = "Illustrate"
+    fields = ("source", "line_width_px", "hatching", "spacing_px", "hidden")
+
+    def draw_header_preset(self, _context: Any) -> None:
+        """Shows the presets."""
+        ILLUSTRATE_PT_presets.draw_panel_header(self.layout)
+
+    def draw(self, context: Any) -> None:
+        """Shows the button, what is in its way, and the first settings."""
+        row = self.layout.row()
+        row.scale_y = 2.0
+        row.operator(ILLUSTRATE_OT_illustrate.bl_idname, icon="GREASEPENCIL")
+        _show_problem(self.layout, context)
+        show(self.layout, context.scene.illustrate, self.fields)
+        self.layout.prop(context.window_manager, "illustrate_live", toggle=True, icon="HIDE_OFF")
+
+
+class ILLUSTRATE_PT_lines(_Fields, bpy.types.Panel):
+    """Which lines are drawn."""
+
+    bl_idname = "ILLUSTRATE_PT_lines"
+    bl_label = "Lines"
+    fields = (*fields_of("lines"), "hidden_layers")
+
+
+class ILLUSTRATE_PT_hatching(_Fields, bpy.types.Panel):
+    """How hatches look."""
+
+    bl_idname = "ILLUSTRATE_PT_hatching"
+    bl_label = "Hatching"
+    fields = fields_of("hatching")
+
+
+class ILLUSTRATE_PT_light(_Fields, bpy.types.Panel):
+    """Light and shadow."""
+
+    bl_idname = "ILLUSTRATE_PT_light"
+    bl_label = "Light"
+    fields = (
+        "lighting",
+        "auto_exposure",
+        "tones",
+        "highlight_share",
+        "shadow_share",
+        *fields_of("light"),
+    )
+
+
+class ILLUSTRATE_PT_surface(_Fields, bpy.types.Panel):
+    """What surfaces meshes stand for, and where hatches run."""
+
+    bl_idname = "ILLUSTRATE_PT_surface"
+    bl_label = "Surface and Field"
+    fields = ("guides", "guide_weight", *fields_of("surface"))
+
+    def draw(self, context: Any) -> None:
+        """Shows the fields and what can be looked at."""
+        _Fields.draw(self, context)
+        row = self.layout.row(align=True)
+        row.operator(ILLUSTRATE_OT_show_field.bl_idname)
+        row.operator(ILLUSTRATE_OT_hide_field.bl_idname)
+        self.layout.prop(context.window_manager, "illustrate_inspect")
+
+
+class ILLUSTRATE_PT_output(_Fields, bpy.types.Panel):
+    """What strokes become."""
+
+    bl_idname = "ILLUSTRATE_PT_output"
+    bl_label = "Output"
+    fields = (
+        "output",
+        "unit",
+        "page_width_mm",
+        "line_color",
+        "feature_color",
+        "hatch_color",
+        "hidden_color",
+        "in_front",
+        "keep_frames",
+    )
+
+    def draw(self, context: Any) -> None:
+        """Shows the fields and the way back."""
+        _Fields.draw(self, context)
+        self.layout.operator(ILLUSTRATE_OT_clear.bl_idname)
+
+
+class ILLUSTRATE_PT_animation(_Fields, bpy.types.Panel):
+    """Frames into keyframes."""
+
+    bl_idname = "ILLUSTRATE_PT_animation"
+    bl_label = "Animation"
+    fields = ("use_scene_range", "frame_start", "frame_end", "frame_step", "keep_strokes")
+
+    def draw(self, context: Any) -> None:
+        """Shows the range that is not the scene's only where it counts."""
+        settings = context.scene.illustrate
+        unused = ("frame_start", "frame_end") if settings.use_scene_range else ()
+        show(self.layout, settings, tuple(field for field in self.fields if field not in unused))
+        self.layout.operator(ILLUSTRATE_OT_bake.bl_idname, icon="RENDER_ANIMATION")
+
+
+CLASSES = (
+    ILLUSTRATE_PT_main,
+    ILLUSTRATE_PT_lines,
+    ILLUSTRATE_PT_hatching,
+    ILLUSTRATE_PT_light,
+    ILLUSTRATE_PT_surface,
+    ILLUSTRATE_PT_output,
+    ILLUSTRATE_PT_animation,
+)
+
+
+def register() -> None:
+    """Registers the panels."""
+    for panel in CLASSES:
+        bpy.utils.register_class(panel)
+
+
+def unregister() -> None:
+    """Takes the panels away again."""
+    for panel in reversed(CLASSES):
+        bpy.utils.unregister_class(panel)

@@ -1,0 +1,116 @@
+"""Presets of the settings: those that come with the add-on, and the artist's own."""
+
+import pathlib
+from typing import Any
+
+import bpy
+from bl_operators.presets import AddPresetBase
+from bl_ui.utils import PresetPanel
+
+from ..messages import IllustrateError, quoted
+from ..settings import preset_fields
+
+FOLDER = "illustrate"
+"""Below the presets of the artist's scripts, and below those of the add-on."""
+
+
+def shipped_folder() -> str:
+    """Where the presets of the add-on are."""
+    return str(pathlib.Path(__file__).parents[1] / "presets" / FOLDER)
+
+
+def find(name: str) -> str:
+    """The file of a preset by the name that the menu shows or its file has; empty: none such."""
+    wanted = name.casefold().replace("_", " ")
+    for folder in (*bpy.utils.preset_paths(FOLDER), shipped_folder()):
+        for path in sorted(pathlib.Path(folder).glob("*.py")):
+            if wanted in (_title(path), path.stem.casefold().replace("_", " ")):
+                return str(path)
+    return ""
+
+
+def apply(name: str) -> None:
+    """Sets the scene's settings to a preset's. Raises IllustrateError when there is none such."""
+    path = find(name)
+    if not path:
+        raise IllustrateError(f'There is no preset "{name}": choose one of {quoted(titles(), 20)}')
+    bpy.utils.execfile(path)
+
+
+def titles() -> list[str]:
+    """Names of all presets as the menu shows them."""
+    folders = (shipped_folder(), *bpy.utils.preset_paths(FOLDER))
+    paths = [path for folder in folders for path in sorted(pathlib.Path(folder).glob("*.py"))]
+    return [bpy.path.display_name(str(path)) for path in paths]
+
+
+def _title(path: pathlib.Path) -> str:
+    title: str = bpy.path.display_name(str(path))
+    return title.casefold()
+
+
+class ILLUSTRATE_MT_presets(bpy.types.Menu):
+    """The menu of presets."""
+
+    bl_idname = "ILLUSTRATE_MT_presets"
+    bl_label = "Illustrate Presets"
+    preset_subdir = FOLDER
+    preset_operator = "script.execute_preset"
+
+    def draw(self, _context: Any) -> None:
+        """Shows the add-on's presets and the artist's."""
+        self.path_menu(
+            [shipped_folder(), *bpy.utils.preset_paths(FOLDER)],
+            self.preset_operator,
+            props_default={"menu_idname": self.bl_idname},
+            filter_ext=lambda extension: extension.lower() == ".py",
+            add_operator=ILLUSTRATE_OT_add_preset.bl_idname,
+        )
+
+
+class ILLUSTRATE_PT_presets(PresetPanel, bpy.types.Panel):
+    """The presets that open from the head of the panel."""
+
+    bl_idname = "ILLUSTRATE_PT_presets"
+    bl_label = "Illustrate Presets"
+    preset_subdir = FOLDER
+    preset_operator = "script.execute_preset"
+    preset_add_operator = "illustrate.add_preset"
+
+    def draw(self, context: Any) -> None:
+        """Shows the menu."""
+        layout = self.layout
+        layout.emboss = "PULLDOWN_MENU"
+        layout.operator_context = "EXEC_DEFAULT"
+        ILLUSTRATE_MT_presets.draw(self, context)
+
+
+class ILLUSTRATE_OT_add_preset(AddPresetBase, bpy.types.Operator):
+    """Keeps the settings under a name."""
+
+    bl_idname = "illustrate.add_preset"
+    bl_label = "Add Illustrate Preset"
+    bl_description = "Add or remove a preset of the settings"
+    preset_menu = "ILLUSTRATE_MT_presets"
+    preset_subdir = FOLDER
+    preset_defines = ["settings = bpy.context.scene.illustrate"]
+
+    @property
+    def preset_values(self) -> list[str]:
+        """What a preset holds."""
+        return [f"settings.{name}" for name in preset_fields()]
+
+
+CLASSES = (ILLUSTRATE_OT_add_preset, ILLUSTRATE_MT_presets, ILLUSTRATE_PT_presets)
+
+
+def register() -> None:
+    """Registers the menu, its panel and its operator."""
+    for each in CLASSES:
+        bpy.utils.register_class(each)
+
+
+def unregister() -> None:
+    """Takes them away again."""
+    for each in reversed(CLASSES):
+        bpy.utils.unregister_class(each)

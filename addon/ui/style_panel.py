@@ -1,0 +1,86 @@
+"""Panels "Illustrate" in the properties of objects and collections: their own styles."""
+
+from typing import Any
+
+import bpy
+
+from ..styles import OPTIONS
+
+
+class _StylePanel:
+    """A closed panel with a tick for its own style."""
+
+    bl_space_type = "PROPERTIES"
+    bl_region_type = "WINDOW"
+    bl_label = "Illustrate"
+    bl_options = {"DEFAULT_CLOSED"}
+    layout: Any
+
+    @staticmethod
+    def owner(context: Any) -> Any:
+        """Whose style is shown."""
+        raise NotImplementedError
+
+    def draw_header(self, context: Any) -> None:
+        """Shows the tick."""
+        self.layout.prop(self.owner(context).illustrate, "use_own", text="")
+
+    def draw(self, context: Any) -> None:
+        """Shows the style, grey where it does not count."""
+        style = self.owner(context).illustrate
+        self.layout.use_property_split = True
+        self.layout.use_property_decorate = False
+        self.layout.active = style.use_own
+        for name in OPTIONS:
+            row = self.layout.row()
+            row.active = name == "ignore" or not style.ignore
+            row.prop(style, name)
+
+
+class ILLUSTRATE_PT_object_style(_StylePanel, bpy.types.Panel):
+    """Of the object."""
+
+    bl_idname = "ILLUSTRATE_PT_object_style"
+    bl_context = "object"
+
+    @classmethod
+    def poll(cls, context: Any) -> bool:
+        """There is an object."""
+        return context.object is not None
+
+    @staticmethod
+    def owner(context: Any) -> Any:
+        """The object."""
+        return context.object
+
+
+class ILLUSTRATE_PT_collection_style(_StylePanel, bpy.types.Panel):
+    """Of the collection."""
+
+    bl_idname = "ILLUSTRATE_PT_collection_style"
+    bl_context = "collection"
+
+    @classmethod
+    def poll(cls, context: Any) -> bool:
+        """There is a collection."""
+        return context.collection is not None
+
+    @staticmethod
+    def owner(context: Any) -> Any:
+        """The collection."""
+        return context.collection
+
+
+CLASSES = (ILLUSTRATE_PT_object_style, ILLUSTRATE_PT_collection_style)
+
+
+def register() -> None:
+    """Registers the panels."""
+    for panel in CLASSES:
+        bpy.utils.register_class(panel)
+
+
+def unregister() -> None:
+    """Takes the panels away again."""
+    for panel in reversed(CLASSES):
+        bpy.utils.unregister_class(panel)

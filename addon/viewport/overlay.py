@@ -1,0 +1,83 @@
+"""Lines, points and triangles over the viewport, with Blender's own shaders of any version.
+
+Only to be called while a viewport is drawn: in the background there is no graphics card.
+"""
+
+from collections.abc import Iterable
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any
+
+import bpy
+import gpu
+from gpu_extras.batch import batch_for_shader
+
+PREFIX = "" if bpy.app.version >= (4, 0, 0) else "3D_"
+NEARER = 4e-3  # of the distance to the eye: lines on a surface are not swallowed by it
+
+_shaders: dict[str, Any] = {}
+
+
+@dataclass(frozen=True)
+class Marks:
+    """What is shown in one colour."""
+
+    shape: str  # 'LINES', 'POINTS', 'TRIS'
+    points: Any  # (n, 3) float32 world: ends of segments, points, corners of triangles
+    colour: tuple[float, float, float, float]
+    size: float = 1.5  # px, of lines and points
+
+
+def draw(marks: Iterable[Marks], region: Any, view_data: Any, in_front: bool = False) -> None:
+    """Draws marks into the region, hidden by what is before them unless in_front."""
+    with _state(view_data, in_front):
+        for mark in marks:
+            if len(mark.points):
+                _draw(mark, region)
+
+
+def _draw(mark: Marks, region: Any) -> None:
+    is_line = mark.shape == "LINES"
+    shader = _shader("POLYLINE_UNIFORM_COLOR" if is_line else "UNIFORM_COLOR")
+    batch = batch_for_shader(shader, mark.shape, {"pos": mark.points})
+    shader.bind()
+    shader.uniform_float("color", mark.colour)
+    if is_line:
+        shader.uniform_float("viewportSize", (region.width, region.height))
+        shader.uniform_float("lineWidth", mark.size * bpy.context.preferences.system.ui_scale)
+    elif mark.shape == "POINTS":
+        gpu.state.point_size_set(mark.size)
+    batch.draw(shader)
+
+
+def _shader(name: str) -> Any:
+    if name not in _shaders:
+        _shaders[name] = gpu.shader.from_builtin(PREFIX + name)
+    return _shaders[name]
+
+
+@contextmanager
+def _state(view_data: Any, in_front: bool) -> Any:
+    """Blending and depth for marks that lie on surfaces."""
+    gpu.state.blend_set("ALPHA")
+    gpu.state.depth_test_set("NONE" if in_front else "LESS_EQUAL")
+    gpu.state.depth_mask_set(False)
+    gpu.matrix.push_projection()
+    gpu.matrix.load_projection_matrix(_nearer(view_data.window_matrix))
+    try:
+        yield
+    finally:
+        gpu.matrix.pop_projection()
+        gpu.state.depth_test_set("NONE")
+        gpu.state.depth_mask_set(True)
+        gpu.state.blend_set("NONE")
+
+
+def _nearer(projection: Any) -> Any:
+    """The projection with all depths NEARER; for parallel views, by that share of the width."""
+    moved = projection.copy()
+    if projection[3][3] == 0:
+        moved[2][3] *= 1 + NEARER
+    else:
+        moved[2][3] += NEARER * projection[2][2] / abs(projection[0][0])
+    return moved

@@ -1,0 +1,99 @@
+"""Runs the scenarios in a real window, and ends Blender with their results.
+
+    blender --factory-startup --enable-event-simulate --python blender_tests/window/drive.py -- OUT
+
+A scenario is a generator: it yields seconds to wait, or a condition to wait for, and Blender works
+meanwhile. Pictures and a JUnit file go to the folder OUT. The exit code is 0 when none failed.
+"""
+
+import os
+import pathlib
+import sys
+import time
+import traceback
+import xml.etree.ElementTree as ElementTree
+from collections.abc import Callable, Generator
+from typing import Any
+
+import bpy
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+PATIENCE_S = 30.0
+INTERVAL_S = 0.01
+
+Scenario = Callable[[pathlib.Path], Generator[Any, None, None]]
+
+
+class Driver:
+    """Goes through the scenarios, one step at each call of Blender's timer."""
+
+    def __init__(self, scenarios: list[Scenario], out: pathlib.Path) -> None:
+        self.waiting, self.out = list(scenarios), out
+        self.results: dict[str, str] = {}  # name: what went wrong, empty where nothing did
+        self._name, self._run = "", iter(())
+        self._wanted: Any = None
+        self._since = time.monotonic()
+
+    def tick(self) -> float:
+        """Blender's timer."""
+        if not self._is_due():
+            return INTERVAL_S
+        try:
+            self._wanted, self._since = next(self._run), time.monotonic()
+        except StopIteration:
+            self._finish("")
+        except Exception:
+            self._finish(traceback.format_exc())
+        return INTERVAL_S
+
+    def _is_due(self) -> bool:
+        waited = time.monotonic() - self._since
+        if not callable(self._wanted):
+            return waited >= (self._wanted or 0)
+        if waited > PATIENCE_S:
+            self._run = iter(())
+            self._finish(f"waited {PATIENCE_S} s in vain for {self._wanted}")
+            return False
+        return bool(self._wanted())
+
+    def _finish(self, error: str) -> None:
+        if self._name:
+            self.results[self._name] = error
+            print(f"{self._name}: {error or 'passed'}", flush=True)
+        self._wanted, self._since = None, time.monotonic()
+        if not self.waiting:
+            self._leave()
+        scenario = self.waiting.pop(0)
+        self._name, self._run = scenario.__name__, scenario(self.out)
+
+    def _leave(self) -> None:
+        suite = ElementTree.Element("testsuite", name="window", tests=str(len(self.results)))
+        for name, error in self.results.items():
+            case = ElementTree.SubElement(suite, "testcase", classname="window", name=name)
+            if error:
+                ElementTree.SubElement(case, "failure").text = error
+        ElementTree.ElementTree(suite).write(self.out / "window.xml")
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(1 if any(self.results.values()) else 0)
+
+
+def main() -> None:
+    """Registers the add-on and starts the driver."""
+    sys.path[:0] = [str(ROOT / "build" / "addons"), str(HERE), str(HERE.parent)]
+    import illustrate
+    import scenarios
+
+    bpy.context.preferences.view.show_splash = False
+    illustrate.register()
+    out = pathlib.Path(sys.argv[sys.argv.index("--") + 1]).resolve()
+    out.mkdir(parents=True, exist_ok=True)
+    chosen = sys.argv[sys.argv.index("--") + 2 :]
+    wanted = [each for each in scenarios.ALL if not chosen or each.__name__ in chosen]
+    driver = Driver(wanted, out)
+    bpy.app.timers.register(driver.tick, first_interval=1.0, persistent=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,114 @@
+"""What an artist's hands and eyes do: clicks, keys, looks."""
+
+import pathlib
+import subprocess
+from typing import Any
+
+import bpy
+
+PANEL = "ILLUSTRATE_PT_main"
+_drawn: list[int] = [0]
+
+
+def window() -> Any:
+    return bpy.context.window_manager.windows[0]
+
+
+def manager() -> Any:
+    return bpy.context.window_manager
+
+
+def viewport() -> Any:
+    """The largest area with a 3D view."""
+    areas = [area for area in window().screen.areas if area.type == "VIEW_3D"]
+    return max(areas, key=lambda area: area.width * area.height)
+
+
+def region(kind: str) -> Any:
+    return next(region for region in viewport().regions if region.type == kind)
+
+
+def override() -> Any:
+    """The context of the 3D view: timers have none."""
+    return bpy.context.temp_override(window=window(), area=viewport(), region=region("WINDOW"))
+
+
+def show_side_panel(shown: bool) -> None:
+    with override():
+        viewport().spaces.active.show_region_ui = shown
+
+
+def click(x: int, y: int) -> None:
+    """Buttons hear of a click only when the mouse was over them before."""
+    move(x, y)
+    move(x + 1, y)
+    for value in ("PRESS", "RELEASE"):
+        window().event_simulate(type="LEFTMOUSE", value=value, x=int(x) + 1, y=int(y))
+
+
+def move(x: int, y: int) -> None:
+    window().event_simulate(type="MOUSEMOVE", value="NOTHING", x=int(x), y=int(y))
+
+
+def press(key: str, **modifiers: bool) -> None:
+    for value in ("PRESS", "RELEASE"):
+        window().event_simulate(
+            type=key, value=value, x=window().width // 2, y=window().height // 2, **modifiers
+        )
+
+
+def watch_panel() -> None:
+    """From now on it is known when Blender draws the panel."""
+    panel = getattr(bpy.types, PANEL)
+    draw = panel.draw
+    if draw.__name__ == "watched":
+        return
+
+    def watched(self: Any, context: Any) -> None:
+        _drawn[0] += 1
+        draw(self, context)
+
+    panel.draw = watched
+
+
+def panel_was_drawn() -> bool:
+    seen, _drawn[0] = _drawn[0], 0
+    return seen > 0
+
+
+def tab_places() -> list[tuple[int, int]]:
+    """Where the tabs of the side panel may be, from top to bottom."""
+    side = region("UI")
+    return [(side.x + side.width - 10, y) for y in range(side.y + side.height - 15, side.y, -25)]
+
+
+def button_place() -> tuple[int, int]:
+    """The middle of the big button, right below the head of the panel."""
+    side = region("UI")
+    return side.x + side.width // 2 - 12, side.y + side.height - 52
+
+
+def redraw() -> None:
+    with override():
+        bpy.ops.wm.redraw_timer(type="DRAW_WIN_SWAP", iterations=1)
+
+
+def picture(path: pathlib.Path) -> Any:
+    """Takes a picture of the screen; its file."""
+    redraw()
+    subprocess.run(["import", "-window", "root", str(path)], check=True, timeout=60)
+    return path
+
+
+def pixels(path: pathlib.Path) -> Any:
+    """(h, w, 3) of the 3D view in a picture of the screen, 0 .. 1, top row first."""
+    import numpy as np
+
+    image = bpy.data.images.load(str(path))
+    values = np.zeros(len(image.pixels), np.float32)
+    image.pixels.foreach_get(values)
+    width, height = image.size
+    bpy.data.images.remove(image)
+    shown = region("WINDOW")
+    rows = values.reshape(height, width, -1)[:, :, :3]
+    return rows[shown.y : shown.y + shown.height, shown.x : shown.x + shown.width][::-1]

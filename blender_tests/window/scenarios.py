@@ -1,0 +1,310 @@
+"""What artists do with the add-on in a window, one scenario after the other."""
+
+import contextlib
+import pathlib
+import statistics
+import time
+from collections.abc import Generator
+from typing import Any
+
+import bpy
+import hands
+import numpy as np
+from illustrate import tasks, worker
+from illustrate.viewport.inspect import INSPECTOR, KINDS
+from illustrate.viewport.live import LIVE
+from mathutils import Quaternion
+
+import tools
+
+Steps = Generator[Any, None, None]
+
+
+def new_scene(detail: int = 2) -> Any:
+    """Suzanne, subdivided, with a camera and a sun, and nothing else."""
+    with hands.override():
+        bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True, load_ui=False)
+    scene = hands.window().scene
+    tools.add_camera(scene, (2.5, -5, 2), (1000, 1000))
+    sun = bpy.data.objects.new("Sun", bpy.data.lights.new("Sun", "SUN"))
+    sun.rotation_euler = (0.6, 0.5, 0)
+    scene.collection.objects.link(sun)
+    with hands.override():
+        bpy.ops.mesh.primitive_monkey_add()
+    monkey = hands.window().view_layer.objects.active
+    tools.subdivide(monkey, levels=detail)
+    tools.shade_smooth(monkey, [True] * len(monkey.data.polygons))
+    hands.viewport().spaces.active.region_3d.view_distance = 5.0
+    with hands.override():
+        bpy.ops.ed.undo_push(message="New Scene")
+    return scene
+
+
+def pencils() -> list[Any]:
+    return [thing for thing in bpy.data.objects if thing.type == tools.pencil_type()]
+
+
+def strokes() -> int:
+    return sum(len(found) for thing in pencils() for found in tools.read_pencil(thing).values())
+
+
+def open_panel() -> Steps:
+    """Opens the side panel and finds the add-on's tab as one who clicks on one after the other."""
+    hands.show_side_panel(True)
+    hands.watch_panel()
+    yield 0.5
+    hands.panel_was_drawn()
+    for place in hands.tab_places():
+        hands.click(*place)
+        yield 0.3
+        hands.redraw()
+        if hands.panel_was_drawn():
+            return
+    raise AssertionError("no tab shows the panel")
+
+
+def the_button_draws(out: pathlib.Path) -> Steps:
+    """Click, progress, strokes; then undo, redo, and a second click."""
+    scene = new_scene()
+    yield 0.5
+    yield from open_panel()
+    hands.picture(out / "1_panel.png")
+    start = time.perf_counter()
+    hands.click(*hands.button_place())
+    yield tasks.is_running
+    yield lambda: not tasks.is_running()
+    print(f"click to strokes: {time.perf_counter() - start:.2f} s", flush=True)
+    assert strokes() > 50
+    count = strokes()
+    hands.picture(out / "2_illustration.png")
+    with hands.override():
+        bpy.ops.ed.undo()
+    yield 0.3
+    assert not pencils() and "Suzanne" in bpy.data.objects
+    with hands.override():
+        bpy.ops.ed.redo()
+    yield 0.3
+    assert strokes() == count
+    scene = hands.window().scene
+    scene.camera.location.x += 0.5
+    start = time.perf_counter()
+    hands.click(*hands.button_place())
+    yield lambda: tasks.is_running() or strokes() != count
+    yield lambda: not tasks.is_running()
+    print(f"click to strokes after the camera moved: {time.perf_counter() - start:.2f} s")
+    assert len(pencils()) == 1
+    hands.picture(out / "3_second_click.png")
+
+
+def escape_stops_a_run(out: pathlib.Path) -> Steps:
+    """ESC while a heavy drawing is made, at five moments; the scene stays as it was."""
+    scene = new_scene(1)
+    scene.illustrate.level, scene.illustrate.threads = 6, 1
+    yield from open_panel()
+    before = state()
+    ended = watch_cancel()
+    latencies = []
+    for moment in (0.0, 0.15, 0.4, 0.8, 1.5):
+        hands.redraw()
+        hands.click(*hands.button_place())
+        yield tasks.is_running
+        yield moment
+        if moment == 0.8:
+            hands.picture(out / "4_progress.png")
+        assert tasks.is_running(), "too quick to be stopped"
+        start = time.perf_counter()
+        hands.press("ESC")
+        yield lambda: not tasks.is_running()
+        latencies.append(ended[-1] - start)
+        yield 0.2
+        assert state() == before
+    print("ESC to its end:", *(f"{1000 * s:.0f} ms" for s in latencies), flush=True)
+    yield lambda: not worker._running
+    hands.picture(out / "5_after_escape.png")
+
+
+def watch_cancel() -> list[float]:
+    """When the last runs were cancelled; Blender's own redraw comes after that."""
+    ended: list[float] = []
+    cancel = tasks.TaskOperator.cancel
+
+    def watched(self: Any, context: Any) -> None:
+        cancel(self, context)
+        ended.append(time.perf_counter())
+
+    tasks.TaskOperator.cancel = watched
+    return ended
+
+
+def state() -> Any:
+    """All data that a run might have touched."""
+    names = ("objects", "meshes", "scenes", "materials", "collections", "grease_pencils", "curves")
+    blocks = {name: sorted(block.name for block in getattr(bpy.data, name)) for name in names}
+    return blocks, hands.window().scene.frame_current
+
+
+def the_view_moves_while_it_works(out: pathlib.Path) -> Steps:
+    """Orbiting is allowed during a run, a click on another object is not."""
+    new_scene(4).illustrate.level = 5
+    yield from open_panel()
+    view = hands.viewport().spaces.active.region_3d
+    hands.click(*hands.button_place())
+    yield tasks.is_running
+    distance = view.view_distance
+    middle = hands.region("WINDOW")
+    x, y = middle.x + middle.width // 3, middle.y + middle.height // 3
+    hands.move(x, y)
+    hands.window().event_simulate(type="WHEELUPMOUSE", value="PRESS", x=x, y=y)
+    yield lambda: view.view_distance != distance
+    assert tasks.is_running()
+    hands.press("ESC")
+    yield lambda: not tasks.is_running()
+    hands.picture(out / "6_zoomed.png")
+
+
+def saved_and_reopened(out: pathlib.Path) -> Steps:
+    """Strokes, settings and marks are in the file: a click replaces what was drawn before."""
+    scene = new_scene()
+    scene.illustrate.spacing_px = 12
+    yield 0.3
+    with hands.override():
+        bpy.ops.illustrate.illustrate()
+    count, path = strokes(), str(out / "saved.blend")
+    with hands.override():
+        bpy.ops.wm.save_as_mainfile(filepath=path, check_existing=False)
+        bpy.ops.wm.open_mainfile(filepath=path, load_ui=False)
+    yield 0.5
+    scene = hands.window().scene
+    assert strokes() == count and scene.illustrate.spacing_px == 12
+    with hands.override():
+        assert bpy.ops.illustrate.illustrate() == {"FINISHED"}
+    assert len(pencils()) == 1 and strokes() == count
+    pathlib.Path(path).unlink()
+
+
+def a_bake_is_stopped_between_frames(out: pathlib.Path) -> Steps:
+    """ESC in the middle of a bake sets the frame back and writes nothing; then a whole bake."""
+    scene = new_scene()
+    scene.frame_start, scene.frame_end = 1, 8
+    monkey = bpy.data.objects["Suzanne"]
+    for frame, turn in ((1, 0.0), (8, 1.0)):
+        monkey.rotation_euler.z = turn
+        monkey.keyframe_insert("rotation_euler", frame=frame)
+    scene.frame_set(1)
+    yield 0.3
+    before = state()
+    with hands.override():
+        assert bpy.ops.illustrate.bake("INVOKE_DEFAULT") == {"RUNNING_MODAL"}
+    yield lambda: scene.frame_current == 3
+    hands.press("ESC")
+    yield lambda: not tasks.is_running()
+    assert state() == before
+    with hands.override():
+        bpy.ops.illustrate.bake("INVOKE_DEFAULT")
+    yield lambda: not tasks.is_running()
+    layers = pencils()[0].data.layers
+    assert max(len(layer.frames) for layer in layers) == 8
+    scene.frame_set(5)
+    hands.picture(out / "7_baked.png")
+
+
+def live_lines_follow_the_view(out: pathlib.Path) -> Steps:
+    """100,000 triangles; lines while orbiting, quickly enough; nothing is left afterwards."""
+    scene = new_scene()
+    bpy.data.objects["Suzanne"].modifiers[0].levels = 4
+    scene.illustrate.level = 4
+    hands.show_side_panel(False)
+    yield 0.3
+    plain = dark(hands.picture(out / "8_without_lines.png"))
+    hands.manager().illustrate_live = True
+    yield lambda: LIVE.lines is not None
+    view = hands.viewport().spaces.active.region_3d
+    LIVE.seconds.clear()
+    for i in range(25):
+        view.view_rotation = Quaternion((0, 0, 1), 0.02) @ view.view_rotation
+        hands.redraw()
+        if i % 20 == 19:
+            yield 0.05
+    shown = dark(hands.picture(out / "9_live_lines.png"))
+    assert shown > plain + 300, (plain, shown)
+    triangles = LIVE.lines._smooth.shape[1] if LIVE.lines else 0
+    median = statistics.median(LIVE.seconds)
+    print(f"live lines: {triangles} triangles, median {1000 * median:.1f} ms a redraw", flush=True)
+    assert len(LIVE.seconds) >= 25 and triangles > 50_000
+    hands.manager().illustrate_live_eye = "CAMERA"
+    hands.picture(out / "10_lines_of_the_camera.png")
+    hands.manager().illustrate_live_eye = "VIEW"
+    bpy.data.objects["Suzanne"].location.x += 0.5
+    lines = LIVE.lines
+    yield lambda: LIVE.lines is not lines
+    lines = LIVE.lines
+    yield 1.0
+    assert LIVE.lines is lines, "read again although nothing changed"
+    hands.manager().illustrate_live = False
+    assert LIVE._handle is None
+    after = dark(hands.picture(out / "11_lines_off.png"))
+    assert after < shown - 300
+
+
+def dark(path: pathlib.Path) -> int:
+    """Black pixels of the 3D view."""
+    return int((hands.pixels(path).max(axis=2) < 0.06).sum())
+
+
+def live_lines_end_with_the_file(_out: pathlib.Path) -> Steps:
+    """Loading a file turns them off, while they are shown and while they are made."""
+    for pause in (0.0, 1.0):
+        new_scene(4)
+        hands.manager().illustrate_live = True
+        yield pause
+        new_scene()
+        assert not LIVE.is_on and LIVE._handle is None and LIVE.lines is None
+        yield 0.5
+        hands.redraw()
+
+
+def overlays_are_shown(out: pathlib.Path) -> Steps:
+    """Each overlay is seen."""
+    new_scene()
+    yield 0.3
+    with hands.override():
+        bpy.ops.illustrate.illustrate()
+        bpy.ops.illustrate.clear()
+        bpy.ops.view3d.view_camera()
+    yield 0.5
+    plain = hands.pixels(hands.picture(out / "12_plain.png"))
+    for kind in KINDS:
+        hands.manager().illustrate_inspect = kind
+        shown = hands.pixels(hands.picture(out / f"13_{kind.lower()}.png"))
+        changed = int((np.abs(shown - plain).max(axis=2) > 0.1).sum())
+        assert changed > 30, (kind, changed)
+        yield 0.05
+    hands.manager().illustrate_inspect = "NONE"
+    assert INSPECTOR._handle is None
+
+
+def the_panel_says_what_is_wrong(out: pathlib.Path) -> Steps:
+    """Without a camera the button is grey, and the panel says why."""
+    scene = new_scene()
+    scene.camera = None
+    yield from open_panel()
+    hands.picture(out / "14_no_camera.png")
+    hands.click(*hands.button_place())
+    yield 0.5
+    assert not tasks.is_running() and not pencils()
+    with hands.override(), contextlib.suppress(RuntimeError):
+        assert not bpy.ops.illustrate.illustrate.poll()
+    scene.camera = bpy.data.objects["Eye"]
+
+
+ALL = [
+    the_button_draws,
+    escape_stops_a_run,
+    the_view_moves_while_it_works,
+    saved_and_reopened,
+    a_bake_is_stopped_between_frames,
+    live_lines_follow_the_view,
+    live_lines_end_with_the_file,
+    overlays_are_shown,
+    the_panel_says_what_is_wrong,
+]
