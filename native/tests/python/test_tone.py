@@ -155,8 +155,8 @@ def ink(drawing: ill.Drawing, where: NDArray[np.bool_]) -> float:
 def test_extra_levels_are_hatched_more_densely(balls: ill.Prepared) -> None:
     assert ill.draw(balls, CAMERA).tone.extra.shape == (0, 0)
     options = ill.DrawOptions(
-        shadow_share=0.8, extra_levels=3, undercuts=False, mach_bands=False, spacing_px=5,
-        undercut_spacing_px=2.5, simplify_px=0.01,
+        shadow_share=0.8, extra_levels=3, undercuts=False, mach_bands=False, spacing_px=8,
+        undercut_spacing_px=4, simplify_px=0.01,
     )  # fmt: skip
     drawing = ill.draw(balls, CAMERA, options)
     check_drawing(drawing, CAMERA)
