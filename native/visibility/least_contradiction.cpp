@@ -9,7 +9,7 @@ namespace {
 
 constexpr double hidden_break_px = 12;  // what a break costs, in px of wrong label
 constexpr double visible_break_px = 30;
-constexpr double free_change_px = 1;  // a change at a demoted crossing
+constexpr double free_change_px = 5;  // at a demoted crossing, another change than the rule's
 constexpr int most_layers = 64;
 constexpr std::size_t most_entries = 500'000;  // of a table; of larger ones only one is made
 
@@ -98,6 +98,15 @@ class LeastContradiction {
     return in;
   }
 
+  // What labels at the last arc's end cost where the first arc's start has `start`.
+  std::vector<double> at_the_seam(int start, std::vector<double> cost) const {
+    const int by_rule = start - path_.labels.change_behind(arcs_.size() - 1);
+    for (int q = 0; q < states_; ++q) {
+      if (q != by_rule) cost[idx(q)] += arcs_.front().starts_free ? free_change_px : infinity;
+    }
+    return cost;
+  }
+
   // Cyclic paths start with exactly `start` layers and have to come back to them.
   void try_start(int start) {
     start_of_.assign(arcs_.size() * idx(states_), 0);
@@ -109,11 +118,9 @@ class LeastContradiction {
       cost = through(arc, cost);
       if (arc + 1 < arcs_.size()) cost = to_next(arc, cost);
     }
-    int last = static_cast<int>(std::min_element(cost.begin(), cost.end()) - cost.begin());
-    if (cyclic_ && !arcs_.front().starts_free) {
-      last = start - path_.labels.change_behind(arcs_.size() - 1);
-    }
-    if (last < 0 || last >= states_ || !(cost[idx(last)] < least_cost_)) return;
+    if (cyclic_) cost = at_the_seam(start, cost);
+    const int last = static_cast<int>(std::min_element(cost.begin(), cost.end()) - cost.begin());
+    if (!(cost[idx(last)] < least_cost_)) return;
     least_cost_ = cost[idx(last)];
     trace_back(last);
   }

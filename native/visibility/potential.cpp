@@ -29,7 +29,7 @@ class PathWalker {
     if (!closed || count == 0) add_arc(strand, none, count == 0 ? none : 0, freed);
     for (int v = 0; v < count; ++v) {
       const Visit& visit = visits[idx(v)];
-      if (!visit.front && arrangement_.is_live(visit.crossing)) {
+      if (!visit.front) {
         offset_ += back_change(arrangement_, arrangement_.crossings[idx(visit.crossing)]);
       }
       const bool last = v + 1 == count;

@@ -13,7 +13,7 @@ struct PathArc {
   int begin;
   int end;
   int offset;        // invisibility minus the path's base
-  bool starts_free;  // at a demoted crossing or cusp: the label may change by anything there
+  bool starts_free;  // at a demoted crossing or cusp: the label may change otherwise there
   double length_px;
   std::array<StrandPlace, 5>
       samples;  // just behind its start, at its quarters, just before its end

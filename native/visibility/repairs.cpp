@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "visibility/joint_touches.h"
 #include "visibility/potential.h"
 
 namespace illustrate {
@@ -74,14 +75,21 @@ class Repairer {
     return dropped;
   }
 
-  // Between a contour and another curve that runs through it, next to their joint.
-  int touches() {
+  // Between a contour and another curve that runs through it, next to their joint;
+  // is_paid as in joint_touches.h.
+  int touches(std::vector<std::uint8_t>& is_paid) {
     start();
     int dropped = 0;
     for (std::size_t c = 0; c < arrangement_.crossings.size(); ++c) {
       const int crossing = static_cast<int>(c);
-      if (arrangement_.is_live(crossing) && is_of_contour(crossing) && ends_in_joint(crossing))
-        dropped += drop(crossing);
+      if (!arrangement_.is_live(crossing) || !is_of_contour(crossing)) continue;
+      const int node = joint_behind(crossing);
+      if (node == none) continue;
+      dropped += drop(crossing);
+      const Crossing& x = arrangement_.crossings[c];
+      const int curve = is_contour(x.front.strand) ? x.back.strand : x.front.strand;
+      const bool is_behind = arrangement_.network->strands[idx(curve)].start_node == node;
+      is_paid[2 * idx(node) + (is_behind ? 1 : 0)] ^= 1;
     }
     arrangement_.forget_visits();
     return dropped;
@@ -97,7 +105,7 @@ class Repairer {
       const int partner = lens_partner(c, wanted == nullptr);
       if (partner != none) {
         dropped += drop(c) + drop(partner);
-      } else if (wanted && balances(c) && ends_in_joint(c)) {
+      } else if (wanted && balances(c) && joint_behind(c) != none) {
         dropped += drop(c);
       }
     }
@@ -193,12 +201,13 @@ class Repairer {
     return from.step == to.step && from.visit >= to.visit;
   }
 
+  bool is_contour(int strand) const {
+    return arrangement_.network->strands[idx(strand)].kind == Kind::silhouette;
+  }
+
   // Whether one of its two strands is a contour, the other one not.
   bool is_of_contour(int c) const {
     const Crossing& x = arrangement_.crossings[idx(c)];
-    const auto is_contour = [&](int strand) {
-      return arrangement_.network->strands[idx(strand)].kind == Kind::silhouette;
-    };
     return is_contour(x.front.strand) != is_contour(x.back.strand);
   }
 
@@ -244,9 +253,9 @@ class Repairer {
     return is_thin(one, two, lens_px);
   }
 
-  // Whether both strands run from the crossing into one joint without crossing each other again,
-  // close together.
-  bool ends_in_joint(int c) {
+  // The joint that both strands run into from the crossing, close together and without crossing
+  // each other again; none where they do not.
+  int joint_behind(int c) {
     const Stop a = stops_[2 * idx(c)], b = stops_[2 * idx(c) + 1];
     for (const bool a_forward : {true, false}) {
       for (const bool b_forward : {true, false}) {
@@ -254,10 +263,10 @@ class Repairer {
         if (node == none || node != end_node(b, b_forward)) continue;
         const Stretch one = way_to_end(a, a_forward), two = way_to_end(b, b_forward);
         if (!one.found || !two.found || meets_behind(a, a_forward, strand(b))) continue;
-        if (is_thin(one, two, joint_lens_px)) return true;
+        if (is_thin(one, two, joint_lens_px)) return node;
       }
     }
-    return false;
+    return none;
   }
 
   int end_node(const Stop& stop, bool forward) const {
@@ -325,11 +334,12 @@ int drop_twists_and_lenses(Arrangement& arrangement, double& moved_px) {
 
 int drop_touches(Arrangement& arrangement, double& moved_px) {
   Repairer repairer(arrangement, moved_px);
+  std::vector<std::uint8_t> is_paid(2 * arrangement.network->nodes.size(), 0);
   int total = 0;
-  for (int dropped = repairer.touches(); dropped > 0; dropped = repairer.touches()) {
+  for (int dropped = repairer.touches(is_paid); dropped > 0; dropped = repairer.touches(is_paid)) {
     total += dropped;
   }
-  return total;
+  return total + drop_touches_past_nodes(arrangement, is_paid, moved_px);
 }
 
 int drop_lenses(Arrangement& arrangement, const std::vector<int>& crossings, double& moved_px) {

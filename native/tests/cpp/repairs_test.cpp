@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "cameras.h"
+#include "visibility/least_contradiction.h"
 #include "visibility/potential.h"
 
 namespace illustrate {
@@ -66,6 +69,85 @@ TEST(Imbalance, IsTheResidualOfTheLabels) {
     const Path& path = arrangement.paths[0];
     EXPECT_EQ(imbalance(arrangement, path), relative_labels(arrangement, path).residual);
   }
+}
+
+// A contour along the x axis, its surface above it, and a curve that comes from above, runs through
+// it at the origin and leaves with this slope, to cross it again, 0.3 px further on, past a node.
+CurveNetwork contour_run_through(double slope) {
+  const Vec3 joint(0, 0, 0), past(.2, .2 * slope, 0);
+  CurveNetwork network;
+  network.nodes = {{NodeKind::joint, joint}, {NodeKind::joint, past}};
+  const auto add_strand = [&](Kind kind, const Points& points, int start, int end) {
+    for (const Vec3& p : points) network.points.push({p, {}});
+    network.points.close_list();
+    const auto node = [&](int given, const Vec3& p) {
+      if (given != none) return given;
+      network.nodes.push_back({NodeKind::end, p});
+      return static_cast<int>(network.nodes.size()) - 1;
+    };
+    Strand strand;
+    strand.kind = kind;
+    strand.start_node = node(start, points.front());
+    strand.end_node = node(end, points.back());
+    strand.left_layers = kind == Kind::silhouette ? 2 : 0;
+    network.strands.push_back(strand);
+  };
+  const Vec3 left(-10, 0, 0), right(10, 0, 0), above(-10, 3, 0), behind(.5, -.3 * slope, 0);
+  add_strand(Kind::silhouette, {left, joint}, none, 0);
+  add_strand(Kind::silhouette, {joint, right}, 0, none);
+  add_strand(Kind::intersection, {above, joint}, none, 0);
+  add_strand(Kind::intersection, {joint, past}, 0, 1);
+  add_strand(Kind::intersection, {past, behind, Vec3(10, -3 * slope, 0)}, 1, none);
+  network.ties = {{0, 0, 1, 1}, {0, 2, 3, 1}, {1, 3, 4, 0}};
+  return network;
+}
+
+TEST(Touches, OfACurveThatLeavesItsSurfaceAreDroppedPastNodes) {
+  const CurveNetwork network = contour_run_through(-.25);
+  Arrangement arrangement = arrange(network, one_px);
+  ASSERT_EQ(arrangement.crossings.size(), 1U);
+  double moved_px = 0;
+  EXPECT_EQ(drop_touches(arrangement, moved_px), 1);
+  EXPECT_FALSE(arrangement.is_live(0));
+  EXPECT_NEAR(moved_px, .32, .01);
+}
+
+TEST(Touches, OfACurveThatStaysOnItsSurfaceAreNone) {
+  const CurveNetwork network = contour_run_through(.25);
+  Arrangement arrangement = arrange(network, one_px);
+  ASSERT_EQ(arrangement.crossings.size(), 1U);
+  double moved_px = 0;
+  EXPECT_EQ(drop_touches(arrangement, moved_px), 0);
+  EXPECT_TRUE(arrangement.is_live(0));
+}
+
+TEST(Demoted, CrossingsKeepTheirChange) {
+  const CurveNetwork network = curled_square(0, 0);
+  Arrangement arrangement = arrange(network, one_px);
+  const int change = relative_labels(arrangement, arrangement.paths[0]).residual;
+  ASSERT_EQ(std::abs(change), 2);
+  arrangement.states[0] = CrossingState::demoted;
+  arrangement.forget_visits();
+  const PathLabels labels = relative_labels(arrangement, arrangement.paths[0]);
+  EXPECT_EQ(labels.residual, change);
+  EXPECT_EQ(std::count_if(labels.arcs.begin(), labels.arcs.end(),
+                          [](const PathArc& arc) { return arc.starts_free; }),
+            1);
+}
+
+// The labels of three arcs, the rule's change between the first two, which rays may overrule, 2.
+std::vector<int> labels_past_a_demoted_crossing(const std::vector<Evidence>& evidence) {
+  LabelledPath path;
+  for (const int offset : {0, 2, 2})
+    path.labels.arcs.push_back({0, none, none, offset, path.labels.arcs.size() == 1, 0, {}});
+  label_with_breaks(path, evidence, false, 10);
+  return path.along;
+}
+
+TEST(Demoted, CrossingsYieldToRaysAtAPrice) {
+  const std::vector<int> by_rule{0, 2, 2}, by_rays{0, 1, 1};
+  EXPECT_EQ(labels_past_a_demoted_crossing({{0, 0, 100}, {1, 0, 4}, {2, 0, .5}}), by_rule);
+  EXPECT_EQ(labels_past_a_demoted_crossing({{0, 0, 100}, {1, 0, 4}, {1, 0, 2}}), by_rays);
 }
 
 }  // namespace

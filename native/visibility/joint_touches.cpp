@@ -1,0 +1,158 @@
+#include "visibility/joint_touches.h"
+
+#include <algorithm>
+
+namespace illustrate {
+namespace {
+
+constexpr double reach_px = 1.0;
+constexpr int most_strands = 8;  // that a way from a joint runs over
+
+struct Direction {
+  double x, y;
+};
+
+double cross(const Direction& a, const Direction& b) { return a.x * b.y - a.y * b.x; }
+
+// Whether u lies between a and b, counter-clockwise.
+bool is_between(const Direction& a, const Direction& u, const Direction& b) {
+  const bool left_of_a = cross(a, u) > 0, right_of_b = cross(u, b) > 0;
+  return cross(a, b) > 0 ? left_of_a && right_of_b : left_of_a || right_of_b;
+}
+
+class JointTouches {
+ public:
+  explicit JointTouches(const Arrangement& arrangement)
+      : arrangement_(arrangement),
+        network_(*arrangement.network),
+        ties_(network_.nodes.size()),
+        next_(network_.strands.size(), none),
+        previous_(network_.strands.size(), none) {
+    for (const Tie& tie : network_.ties) {
+      ties_[idx(tie.node)].push_back(tie);
+      next_[idx(tie.a)] = tie.b;
+      previous_[idx(tie.b)] = tie.a;
+    }
+  }
+
+  // Whether a contour and another kind of curve run through a node.
+  bool is_of_contour(std::size_t node) const {
+    const std::vector<Tie>& ties = ties_[node];
+    return ties.size() == 2 && is_contour(ties[0]) != is_contour(ties[1]);
+  }
+
+  // Whether the curve through the contour is, before (half 0) or behind (half 1) the node, on the
+  // side of the contour where its surface is not.
+  bool leaves_surface(std::size_t node, std::size_t half) const {
+    const Tie &s = contour(node), &t = other(node);
+    const Direction in = direction(s.a, false), out = direction(s.b, true);
+    const Direction along = half == 0 ? direction(t.a, false) : direction(t.b, true);
+    if (along.x == 0 && along.y == 0) return false;
+    const Strand& strand = network_.strands[idx(s.b)];
+    return is_between(in, along, out) == (strand.left_layers > strand.right_layers);
+  }
+
+  // The nearest crossing of that half with the contour, none if there is none.
+  int nearest_crossing(std::size_t node, std::size_t half, double& distance_px) const {
+    std::vector<int> on_contour, on_half;
+    for (const bool forward : {false, true}) collect(contour(node), forward, on_contour);
+    collect(other(node), half == 1, on_half);
+    int nearest = none;
+    for (const int c : on_half) {
+      if (std::find(on_contour.begin(), on_contour.end(), c) == on_contour.end()) continue;
+      const double distance =
+          (arrangement_.crossings[idx(c)].image - image_of(contour(node))).norm();
+      if (nearest != none && distance >= distance_px) continue;
+      nearest = c;
+      distance_px = distance;
+    }
+    return nearest;
+  }
+
+ private:
+  bool is_contour(const Tie& tie) const {
+    return network_.strands[idx(tie.a)].kind == Kind::silhouette;
+  }
+
+  const Tie& contour(std::size_t node) const {
+    return ties_[node][is_contour(ties_[node][0]) ? 0 : 1];
+  }
+  const Tie& other(std::size_t node) const {
+    return ties_[node][is_contour(ties_[node][0]) ? 1 : 0];
+  }
+
+  const Vec2& image_of(const Tie& tie) const {
+    return arrangement_.image.image[arrangement_.point(tie.b, 0)];
+  }
+
+  // Point i of a strand from its start or from its end.
+  std::size_t point(int strand, int i, bool forward) const {
+    return arrangement_.point(strand, forward ? i : arrangement_.point_count(strand) - 1 - i);
+  }
+
+  // From a strand's end to the first point elsewhere on the grid.
+  Direction direction(int strand, bool forward) const {
+    const std::vector<GridPoint>& grid = arrangement_.image.grid;
+    const GridPoint& from = grid[point(strand, 0, forward)];
+    for (int i = 1; i < arrangement_.point_count(strand); ++i) {
+      const GridPoint& to = grid[point(strand, i, forward)];
+      if (to.x == from.x && to.y == from.y) continue;
+      return {static_cast<double>(to.x - from.x), static_cast<double>(to.y - from.y)};
+    }
+    return {0, 0};
+  }
+
+  void collect(const Tie& tie, bool forward, std::vector<int>& found) const {
+    int strand = forward ? tie.b : tie.a;
+    for (int k = 0; k < most_strands && strand != none; ++k) {
+      if (!collect(strand, forward, image_of(tie), found)) break;
+      strand = forward ? next_[idx(strand)] : previous_[idx(strand)];
+    }
+  }
+
+  // Live crossings on the way along a strand while it stays near; whether it does to its end.
+  bool collect(int strand, bool forward, const Vec2& centre, std::vector<int>& found) const {
+    const std::vector<Visit>& visits = arrangement_.visits[idx(strand)];
+    const int segments = arrangement_.point_count(strand) - 1;
+    for (int i = 0; i < segments; ++i) {
+      const int segment = forward ? i : segments - 1 - i;
+      for (const Visit& visit : visits) {
+        const bool is_here = visit.place.segment == segment && arrangement_.is_live(visit.crossing);
+        if (is_here && is_near(arrangement_.crossings[idx(visit.crossing)].image, centre))
+          found.push_back(visit.crossing);
+      }
+      if (!is_near(arrangement_.image.image[point(strand, i + 1, forward)], centre)) return false;
+    }
+    return true;
+  }
+
+  static bool is_near(const Vec2& p, const Vec2& centre) { return (p - centre).norm() <= reach_px; }
+
+  const Arrangement& arrangement_;
+  const CurveNetwork& network_;
+  std::vector<std::vector<Tie>> ties_;  // (nodes)
+  std::vector<int> next_;               // (strands)
+  std::vector<int> previous_;           // (strands)
+};
+
+}  // namespace
+
+int drop_touches_past_nodes(Arrangement& arrangement, const std::vector<std::uint8_t>& is_paid,
+                            double& moved_px) {
+  const JointTouches joints(arrangement);
+  int dropped = 0;
+  for (std::size_t i = 0; i < is_paid.size(); ++i) {
+    const std::size_t node = i / 2, half = i % 2;
+    if (is_paid[i] || !joints.is_of_contour(node) || !joints.leaves_surface(node, half)) continue;
+    double distance_px = 0;
+    const int crossing = joints.nearest_crossing(node, half, distance_px);
+    if (crossing == none) continue;
+    arrangement.states[idx(crossing)] = CrossingState::dropped;
+    moved_px = std::max(moved_px, distance_px);
+    ++dropped;
+  }
+  arrangement.forget_visits();
+  return dropped;
+}
+
+}  // namespace illustrate

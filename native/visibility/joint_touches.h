@@ -1,0 +1,19 @@
+// Where a curve runs through a contour: what the images of the two do at their joint.
+#pragma once
+
+#include "visibility/arrangement.h"
+
+namespace illustrate {
+
+// The image of a curve on a contour's surface only touches the contour where it runs through it, on
+// the side where the surface is. Where a polyline leaves the joint on the other side it crosses the
+// contour once more nearby, to make up for it: that crossing is none.
+
+// Drops it where it lies beyond other nodes, both ways to it within a pixel of the joint; `is_paid`
+// tells where an odd number has been dropped before: [2 n] before node n on the curve that runs
+// through the contour there, [2 n + 1] behind it. Returns the number of crossings dropped;
+// `moved_px` grows to the farthest from its joint.
+int drop_touches_past_nodes(Arrangement& arrangement, const std::vector<std::uint8_t>& is_paid,
+                            double& moved_px);
+
+}  // namespace illustrate
