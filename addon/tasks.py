@@ -19,6 +19,7 @@ Task = Generator["Step", Any, list[tuple[str, str]]]
 
 INTERVAL_S = 0.02  # between looks at the worker
 SHOWN_S = 0.2  # that a text stays at least
+REDRAW_SHARE = 5.0  # and so many times as long as Blender takes to show it
 NAVIGATION = {
     "MIDDLEMOUSE",
     "WHEELUPMOUSE",
@@ -108,6 +109,7 @@ class TaskOperator:
         except IllustrateError as error:
             return self._fail(error)
         self._shown, self._shown_at = "", -SHOWN_S
+        self._pause_s, self._is_redrawing = SHOWN_S, False
         manager = context.window_manager
         self._timer = manager.event_timer_add(INTERVAL_S, window=context.window)
         manager.progress_begin(0, 100)
@@ -163,8 +165,11 @@ class TaskOperator:
         fraction = step.start + (step.end - step.start) * worker.fraction
         text = status_text(fraction, step.title, worker.stage)
         now = time.monotonic()
-        if text != self._shown and now - self._shown_at >= SHOWN_S:
-            self._shown, self._shown_at = text, now
+        if self._is_redrawing:  # the first event since: so long it took
+            self._is_redrawing = False
+            self._pause_s = max(SHOWN_S, REDRAW_SHARE * (now - self._shown_at))
+        if text != self._shown and now - self._shown_at >= self._pause_s:
+            self._shown, self._shown_at, self._is_redrawing = text, now, True
             context.window_manager.progress_update(int(100 * fraction))
             context.workspace.status_text_set(text)
 

@@ -19,7 +19,7 @@ import bpy
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
-PATIENCE_S = 30.0
+PATIENCE_S = 60.0
 INTERVAL_S = 0.01
 
 Scenario = Callable[[pathlib.Path], Generator[Any, None, None]]
