@@ -14,18 +14,6 @@
 
 namespace illustrate {
 
-// What a view is hatched on, with; `spacing_scale` and `unhatched` as for place_hatches.
-struct HatchScene {
-  const Surface& surface;
-  const CrossField& field;
-  const Camera& camera;
-  const VisibleImage& visible;
-  const ToneMap& tone;
-  const LabelledGraph& graph;
-  const std::vector<double>& spacing_scale;
-  const std::vector<std::uint8_t>& unhatched;
-};
-
 // `first`: strokes of the drawing before this one, as points on this surface; where there are any,
 // they are placed instead of the curves. The rules of HatchOptions hold for
 // both kinds of seeding. Adds "hatch_steps" and "hatches" to `counts`. Throws as place_hatches.
