@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "hatch/cut_streamlines.h"
 #include "hatch/finish_streamlines.h"
@@ -17,25 +18,33 @@ namespace {
 // Seeds on the whole surface for each square of a spacing, seen face on.
 constexpr double seeds_per_square = 3;
 
+// Of the curves that a view starts from; finer ones would find no room. In spacings.
+constexpr double finest_radius = 0.9;
+
 // Of the lattice of the image that helps where seeds on the surface are too few, in spacings.
 constexpr double lattice_step = 0.5;
 
-// World length of a pixel, on average over what is seen; 0 where nothing is.
-double mean_pixel(const HatchScene& scene) {
+// World length of a spacing, on average over what is seen and hatched; 0 where nothing is.
+double mean_spacing(const HatchScene& scene, double spacing_px) {
+  const VisibleImage& visible = scene.visible;
+  const int step = std::max(1, static_cast<int>(spacing_px / visible.cell_px));
   double sum = 0, count = 0;
-  int last = none;
-  for (const int triangle : scene.visible.triangle) {
-    if (triangle == none || triangle == last) continue;
-    last = triangle;
-    const Vec3& p = scene.surface.positions[idx(scene.surface.triangles[idx(triangle)][0])];
-    sum += scene.camera.pixel_size(p);
-    count += 1;
+  for (int row = step / 2; row < visible.height; row += step) {
+    for (int column = step / 2; column < visible.width; column += step) {
+      const int triangle = visible.triangle[idx(visible.index(column, row))];
+      if (triangle == none) continue;
+      const int object = scene.surface.triangle_objects[idx(triangle)];
+      if (!scene.is_hatched(object)) continue;
+      const Vec3& p = scene.surface.positions[idx(scene.surface.triangles[idx(triangle)][0])];
+      sum += scene.camera.pixel_size(p) * scene.spacing_on(object, spacing_px);
+      count += 1;
+    }
   }
   return count > 0 ? sum / count : 0;
 }
 
 std::size_t seed_count(const HatchScene& scene, double area, double spacing_px) {
-  const double spacing = mean_pixel(scene) * spacing_px;
+  const double spacing = mean_spacing(scene, spacing_px);
   const double count = spacing > 0 ? seeds_per_square * area / (spacing * spacing) : 0;
   return static_cast<std::size_t>(std::min(count, 1e9));
 }
@@ -107,6 +116,11 @@ void finish_ends(StreamlineSet& set, const HatchView& view,
 }
 
 }  // namespace
+
+double wanted_radius(const HatchScene& scene, const HatchOptions& options) {
+  const double spacing = mean_spacing(scene, options.spacing_px);
+  return spacing > 0 ? finest_radius * spacing : std::numeric_limits<double>::infinity();
+}
 
 Hatches even_hatches(const HatchScene& scene, const SurfaceCurves& curves,
                      const Ragged<SurfacePoint>& first, const HatchOptions& options, int threads,

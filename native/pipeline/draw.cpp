@@ -134,7 +134,11 @@ class View {
     const std::vector<double> spacing_scale = spacing_scales(options_.styles);
     const HatchScene hatch_scene{surface,      field,         camera_,       visible,
                                  result_.tone, result_.graph, spacing_scale, unhatched};
-    const Progress hatch_progress = progress.part(0.3, 1, "hatch");
+    const Progress hatch_progress = progress.part(0.4, 1, "hatch");
+    if (options_.hatch.seeding == HatchSeeding::surface_curves) {
+      curves_ =
+          &scene_.hatch_curves(wanted_radius(hatch_scene, options_.hatch), progress.part(0.3, 0.4));
+    }
     hatches_ = timed(result_.timings["hatch"], [&] {
       const bool has_extra = options_.tone.extra_levels > 0;
       Hatches made =
@@ -163,7 +167,7 @@ class View {
     if (options_.hatch.seeding == HatchSeeding::critical_curves) {
       return place_hatches(scene, options_.hatch, result_.counts, progress);
     }
-    return even_hatches(scene, scene_.hatch_curves(), previous_, options_.hatch, options_.threads,
+    return even_hatches(scene, *curves_, previous_, options_.hatch, options_.threads,
                         result_.counts, progress);
   }
 
@@ -191,6 +195,7 @@ class View {
   const Camera& camera_;
   const DrawOptions& options_;
   Ragged<SurfacePoint> previous_;
+  const SurfaceCurves* curves_ = nullptr;
   Hatches hatches_;
   DrawResult result_;
 };
@@ -209,9 +214,7 @@ DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOption
   if (hatching && previous) view.follow(*previous, prepared.surface());
   view.label_curves(progress.part(0.3, hatching ? 0.5 : 0.95));
   if (hatching) {
-    const bool along_curves = options.hatch.seeding == HatchSeeding::surface_curves;
-    if (along_curves) prepared.hatch_curves(progress.part(0.5, 0.55));
-    view.hatch(*field, lights, progress.part(0.55, 0.95));
+    view.hatch(*field, lights, progress.part(0.5, 0.95));
   }
   return std::move(view).strokes(progress.part(0.95, 1, "stroke"));
 }
