@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "hatch/cut_streamlines.h"
+#include "hatch/edge_seeds.h"
 #include "hatch/finish_streamlines.h"
 #include "hatch/grow_streamlines.h"
 #include "hatch/image_lattice.h"
@@ -80,7 +81,7 @@ void place_anew(StreamlineSet& set, const HatchView& view, const Ragged<SurfaceP
   fill_streamlines(set, view, seeds, {0.9, 0.6, 1.5});
   merge_streamlines(set, view);
   progress.report(0.4);
-  relax_streamlines(set, view, 4, threads);
+  relax_streamlines(set, view, 5, threads);
   progress.report(0.7);
   cut_streamlines(set, view, 0.5, 1.5);
   extend_streamlines(set, view, 0.65);
@@ -112,6 +113,7 @@ void finish_ends(StreamlineSet& set, const HatchView& view,
   extend_tips(set, view, 0.72, 0.6);
   set.drop_shorter(view, 0.5);
   fill_streamlines(set, view, seeds, {0.77, 0.55, 0.75});
+  fill_streamlines(set, view, edge_seeds(set, view), {0.75, 0.5, 0.4});
   extend_tips(set, view, 0.72, 0.6);
 }
 
