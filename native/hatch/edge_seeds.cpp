@@ -11,16 +11,18 @@ constexpr double lattice_step = 0.25;
 constexpr double strip_width = 0.9;
 constexpr double near = 0.9;
 
-// Whether streamlines of both families pass near a point of the image, on its sheet.
-bool is_crossed(const StreamlineGrid& grid, const Vec2& image, double depth, double spacing_world,
-                double radius) {
+// Whether streamlines of both families pass near a point of the image, on its sheet and side of
+// all critical curves.
+bool is_crossed(const StreamlineSet& set, const HatchView& view, const Vec2& image, double depth,
+                double spacing_world, double radius) {
   const GridNode* first = nullptr;
-  return grid.any_near(image, radius, [&](const GridNode& node) {
-    const Vec2 offset(double(node.x) - image.x(), double(node.y) - image.y());
-    if (offset.squaredNorm() > radius * radius) return false;
+  return set.grid.any_near(image, radius, [&](const GridNode& node) {
+    const Vec2 other(double(node.x), double(node.y));
+    if ((other - image).squaredNorm() > radius * radius) return false;
     if (std::abs(depth - double(node.depth)) > 3 * spacing_world) return false;
+    const float cosine = first ? first->tangent.dot(node.tangent) : 1;
+    if ((first && 2 * cosine * cosine >= 1) || view.curves.separate(image, other)) return false;
     if (!first) first = &node;
-    const float cosine = first->tangent.dot(node.tangent);
     return 2 * cosine * cosine < 1;
   });
 }
@@ -40,7 +42,7 @@ std::vector<StreamlineNode> edge_seeds(const StreamlineSet& set, const HatchView
                   const Vec3 position = position_at(surface, on);
                   const double world = spacing * camera.pixel_size(position);
                   const double depth = camera.project(position).depth;
-                  if (is_crossed(set.grid, image, depth, world, near * spacing)) return;
+                  if (is_crossed(set, view, image, depth, world, near * spacing)) return;
                   places.push_back(on);
                 });
   return seed_nodes(view, places, places.size());
