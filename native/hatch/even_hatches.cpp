@@ -20,7 +20,7 @@ namespace {
 constexpr double seeds_per_square = 3;
 
 // Of the curves that a view starts from; finer ones would find no room. In spacings.
-constexpr double finest_radius = 0.9;
+constexpr double finest_radius = 0.8;
 
 // Of the lattice of the image that helps where seeds on the surface are too few, in spacings.
 constexpr double lattice_step = 0.5;
