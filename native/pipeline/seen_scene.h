@@ -32,9 +32,11 @@ class SeenScene {
   // Curves on the whole surface, as far as their triangles are in this scene, with their numbers in
   // it.
   Ragged<SurfacePoint> seen_parts(const Ragged<SurfacePoint>& curves) const;
-  const SurfaceCurves& hatch_curves() const {
-    if (!part_) return prepared_.hatch_curves();
-    return part_->hatch_curves.get([&] { return seen_curves(prepared_.hatch_curves()); });
+  // Down to a radius, world units.
+  const SurfaceCurves& hatch_curves(double radius, const Progress& progress) const {
+    const SurfaceCurves& whole = prepared_.hatch_curves(progress, radius);
+    if (!part_) return whole;
+    return part_->hatch_curves.get([&] { return seen_curves(whole); });
   }
 
   // From triangles of this scene to those of `prepared`.
