@@ -78,14 +78,18 @@ class JointFinder {
     const bool to_next_edge =
         to.edge != none && opposite_side(surface_, {last, to.edge}).triangle == first;
     if (first == last || to_next_edge) return {first};
+    constexpr int steps = 2;  // round a vertex that both ends are near
     std::vector<int> result{first, last};
-    for (const int t : {first, last}) {
-      for (const int neighbour : surface_.neighbours[idx(t)]) {
-        if (neighbour != none) result.push_back(neighbour);
+    for (int step = 0; step < steps; ++step) {
+      const std::vector<int> inner = result;
+      for (const int t : inner) {
+        for (const int neighbour : surface_.neighbours[idx(t)]) {
+          if (neighbour != none) result.push_back(neighbour);
+        }
       }
+      std::sort(result.begin(), result.end());
+      result.erase(std::unique(result.begin(), result.end()), result.end());
     }
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
   }
 
