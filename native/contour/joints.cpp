@@ -66,7 +66,7 @@ class JointFinder {
           const Vec2 start = barycentrics(surface_, triangle, points[i].position);
           const Vec2 end =
               barycentrics(surface_, triangle, points[(i + 1) % points.size()].position);
-          intersection_pieces_[triangle].push_back({{triangle, start, end, 0, 1}, curve, segment});
+          intersection_pieces_[triangle].push_back({curve, segment, start, end, 0, 1});
         }
       }
     }
