@@ -166,7 +166,7 @@ class Thinner {
       return added;
     }
     added.point.position = drawn_[a].position + f * (drawn_[b].position - drawn_[a].position);
-    added.point.on = locate(surface_, t, added.point.position);
+    added.point.on = nearest_on(surface_, t, added.point.position);
     return added;
   }
 
