@@ -71,12 +71,11 @@ void Prepared::take_over(const Prepared& previous) {
 
 std::vector<SoundMesh> Prepared::sanitize_all(Geometry& geometry, const Progress& progress) const {
   std::vector<SoundMesh> sound;
+  const auto count = static_cast<double>(geometry.meshes.size());
   for (const MeshPointer& mesh : geometry.meshes) {
-    progress.report(static_cast<double>(sound.size()) /
-                    static_cast<double>(geometry.meshes.size()));
-    validate(*mesh);
+    const auto done = static_cast<double>(sound.size());
     Counts counts;
-    sound.push_back(sanitize(*mesh, counts));
+    sound.push_back(sanitize(*mesh, counts, progress.part(done / count, (done + 1) / count)));
     add(geometry.counts, counts);
     geometry.mesh_reports.push_back({mesh->name, std::move(counts)});
   }
@@ -99,25 +98,28 @@ void Prepared::make_geometry(const std::vector<MeshPointer>& meshes, const Progr
   geometry_ = std::move(geometry);
 }
 
-const Bvh& Prepared::bvh() const {
+const Bvh& Prepared::bvh(const Progress& progress) const {
   return geometry_->bvh.get([&] {
-    return timed("surface",
-                 [&] { return Bvh(surface().positions, surface().triangles, options_.threads); });
+    return timed("surface", [&] {
+      return Bvh(surface().positions, surface().triangles, options_.threads, progress);
+    });
   });
 }
 
-const DualSurface& Prepared::dual_surface() const {
-  return geometry_->dual_surface.get(
-      [&] { return timed("surface", [&] { return DualSurface(surface(), options_.threads); }); });
+const DualSurface& Prepared::dual_surface(const Progress& progress) const {
+  return geometry_->dual_surface.get([&] {
+    return timed("surface", [&] { return DualSurface(surface(), options_.threads, progress); });
+  });
 }
 
 const std::pair<IntersectionCurves, Counts>& Prepared::found_intersections(
     const Progress& progress) const {
   return geometry_->intersections.get([&] {
+    const Bvh& tree = bvh(progress.part(0, 0.3, "intersections"));
     return timed("intersections", [&] {
       Counts counts;
-      IntersectionCurves curves =
-          illustrate::intersections(surface(), bvh(), counts, progress.part(0, 1, "intersections"));
+      IntersectionCurves curves = illustrate::intersections(surface(), tree, counts,
+                                                            progress.part(0.3, 1, "intersections"));
       return std::make_pair(std::move(curves), std::move(counts));
     });
   });

@@ -32,8 +32,8 @@ class Prepared {
   std::size_t object_count() const { return geometry_->meshes.size(); }
   const Surface& surface() const { return geometry_->surface; }
   const LimitSurface& limit_surface() const { return *geometry_->limit_surface; }
-  const Bvh& bvh() const;
-  const DualSurface& dual_surface() const;
+  const Bvh& bvh(const Progress& progress = {}) const;
+  const DualSurface& dual_surface(const Progress& progress = {}) const;
   const std::vector<FeatureEdge>& features() const { return geometry_->features; }
   const IntersectionCurves& intersections(const Progress& progress = {}) const;
   const Curvature& hatch_curvature(const Progress& progress = {}) const;

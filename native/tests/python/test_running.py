@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import threading
+from collections import Counter
+from collections.abc import Callable
 
 import illustrate_native as ill
 import numpy as np
@@ -78,3 +80,45 @@ def test_threads_may_share_a_prepared() -> None:
         worker.join()
     assert len(drawn) == 4
     assert all(d == drawn[0] for d in drawn)
+
+
+STAGES = {
+    "sanitize": 4, "surface": 8, "intersections": 4, "curvature": 8, "field": 100, "contour": 8,
+    "visibility": 2, "hatch curves": 16, "tone": 16, "hatch": 32, "stroke": 1,
+}  # fmt: skip
+"""How often each stage reports at least, for 33,000 vertices and 65,000 cells on one thread."""
+
+EVERYTHING = ill.DrawOptions(threads=1, suggestive_contours=True, cast_shadows=True)
+
+
+def stages_of(goes_on: Callable[[str], bool]) -> list[str]:
+    """The stage of each report until `goes_on` says no."""
+    told: list[str] = []
+
+    def progress(_: float, stage: str) -> bool:
+        told.append(stage)
+        return goes_on(stage)
+
+    mesh = torus(64, 32).mesh()
+    found = ill.prepare([mesh], ill.PrepareOptions(level=2, threads=1), progress=progress)
+    ill.draw(found, look_at(radius=1.4), EVERYTHING, progress=progress)
+    return told
+
+
+def test_every_stage_reports_often_enough_to_be_stopped() -> None:
+    told = Counter(stages_of(lambda _: True))
+    assert not {stage for stage, least in STAGES.items() if told[stage] < least}, told
+    assert set(told) - {""} <= set(STAGES)
+
+
+@pytest.mark.parametrize("stage", STAGES)
+def test_every_stage_stops_when_it_is_told_to(stage: str) -> None:
+    after: list[str] = []
+
+    def goes_on(now: str) -> bool:
+        after.extend([now] if after or now == stage else [])
+        return not after
+
+    with pytest.raises(ill.Cancelled):
+        stages_of(goes_on)
+    assert after == [stage]
