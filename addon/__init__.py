@@ -13,7 +13,17 @@ bl_info = {
     "category": "Render",
 }
 
-PARTS = (preferences, settings, styles, cache, operators, bake, viewport, ui, translations)
+PARTS = (
+    preferences,
+    settings,
+    styles,
+    cache,
+    operators,
+    bake,
+    *viewport.PARTS,
+    *ui.PARTS,
+    translations,
+)
 
 
 def register() -> None:

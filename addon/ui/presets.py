@@ -103,14 +103,4 @@ class ILLUSTRATE_OT_add_preset(AddPresetBase, bpy.types.Operator):
 
 CLASSES = (ILLUSTRATE_OT_add_preset, ILLUSTRATE_MT_presets, ILLUSTRATE_PT_presets)
 
-
-def register() -> None:
-    """Registers the menu, its panel and its operator."""
-    for each in CLASSES:
-        bpy.utils.register_class(each)
-
-
-def unregister() -> None:
-    """Takes them away again."""
-    for each in reversed(CLASSES):
-        bpy.utils.unregister_class(each)
+register, unregister = bpy.utils.register_classes_factory(CLASSES)

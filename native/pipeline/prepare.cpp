@@ -76,12 +76,11 @@ void Prepared::take_over(const Prepared& previous) {
 
 std::vector<SoundMesh> Prepared::sanitize_all(Geometry& geometry, const Progress& progress) const {
   std::vector<SoundMesh> sound;
+  const auto count = static_cast<double>(geometry.meshes.size());
   for (const MeshPointer& mesh : geometry.meshes) {
-    progress.report(static_cast<double>(sound.size()) /
-                    static_cast<double>(geometry.meshes.size()));
-    validate(*mesh);
+    const auto done = static_cast<double>(sound.size());
     Counts counts;
-    sound.push_back(sanitize(*mesh, counts));
+    sound.push_back(sanitize(*mesh, counts, progress.part(done / count, (done + 1) / count)));
     add(geometry.counts, counts);
     geometry.mesh_reports.push_back({mesh->name, std::move(counts)});
   }
@@ -95,10 +94,10 @@ void Prepared::make_geometry(const std::vector<MeshPointer>& meshes, const Progr
       timed("sanitize", [&] { return sanitize_all(*geometry, progress.part(0, 0.1, "sanitize")); });
   const Progress surface_progress = progress.part(0.1, 0.6, "surface");
   geometry->surface = timed("surface", [&] {
-    return refine(std::move(sound), options_.surface, geometry->counts, surface_progress);
+    return refine(std::move(sound), options_.surface, geometry->counts,
+                  surface_progress.part(0, 0.6));
   });
-  timed("surface", [&] { make_search(*geometry); });
-  surface_progress.report(1);
+  timed("surface", [&] { make_search(*geometry, surface_progress.part(0.6, 1)); });
   geometry->intersections = timed("intersections", [&] {
     return illustrate::intersections(geometry->surface, *geometry->bvh, geometry->counts,
                                      progress.part(0.6, 1, "intersections"));
@@ -106,12 +105,13 @@ void Prepared::make_geometry(const std::vector<MeshPointer>& meshes, const Progr
   geometry_ = std::move(geometry);
 }
 
-void Prepared::make_search(Geometry& geometry) const {
+void Prepared::make_search(Geometry& geometry, const Progress& progress) const {
   const Surface& surface = geometry.surface;
   geometry.limit_surface.emplace(surface);
   geometry.features = feature_edges(surface);
-  geometry.bvh.emplace(surface.positions, surface.triangles, options_.threads);
-  geometry.dual_surface.emplace(surface, options_.threads);
+  geometry.bvh.emplace(surface.positions, surface.triangles, options_.threads,
+                       progress.part(0, 0.5));
+  geometry.dual_surface.emplace(surface, options_.threads, progress.part(0.5, 1));
 }
 
 const Curvature& Prepared::hatch_curvature(const Progress& progress) const {

@@ -65,7 +65,7 @@ class Prepared {
 
   void make_geometry(const std::vector<MeshPointer>& meshes, const Progress& progress);
   std::vector<SoundMesh> sanitize_all(Geometry& geometry, const Progress& progress) const;
-  void make_search(Geometry& geometry) const;
+  void make_search(Geometry& geometry, const Progress& progress) const;
   bool has_surface_of(const std::vector<MeshPointer>& meshes, const PrepareOptions& options) const;
   void take_over(const Prepared& previous);
   CrossField solve_field(const Progress& progress) const;
