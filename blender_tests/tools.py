@@ -11,6 +11,11 @@ V3 = bpy.app.version >= (4, 3, 0)
 Stroke = dict[str, Any]
 
 
+def new_file() -> None:
+    """An empty file; unlike the factory's settings it leaves add-ons enabled."""
+    bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+
+
 def add_camera(scene: Any, place: Any = (5, -6, 4), size: Any = (320, 240), **settings: Any) -> Any:
     """A camera at `place` that looks at the origin."""
     camera = bpy.data.objects.new("Eye", bpy.data.cameras.new("Eye"))
