@@ -25,7 +25,7 @@ def handlers() -> list[str]:
         for name, found in lists.items()
         if isinstance(found, list)
         for handler in found
-        if handler.__module__.startswith("illustrate")
+        if handler.__module__.startswith(illustrate.__name__)
     ]
 
 
