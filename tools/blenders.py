@@ -60,8 +60,8 @@ class Place:
         own = [f"{name}={value}" for name, value in variables.items()]
         if self.root == Path("/"):
             return ["env", *own, *words]
-        chroot = ["chroot", str(self.root), "/usr/bin/env", "-i", PATH_IN_ROOT, "LANG=C.UTF-8"]
-        return [*chroot, *own, *words]
+        enter = [str(ROOT / "tools" / "enter_root.sh"), str(self.root)]
+        return [*enter, "/usr/bin/env", "-i", PATH_IN_ROOT, "LANG=C.UTF-8", *own, *words]
 
 
 def table() -> list[Blender]:
@@ -111,8 +111,8 @@ def package(blender: Blender) -> str:
     return found[0]
 
 
-def background_suite(blender: Blender, place: Place) -> Suite:
-    """All tests, without a window."""
+def background_suite(blender: Blender, place: Place, options: list[str]) -> Suite:
+    """All tests, without a window; options: further ones of pytest."""
     results = _fresh(place, blender, "background")
     script = place.inside(place.checkout / "blender_tests" / "run.py")
     start = [place.program, script]
@@ -120,7 +120,7 @@ def background_suite(blender: Blender, place: Place) -> Suite:
         start = [place.program, "-b", "--factory-startup", "--python-exit-code", "1"]
         start += ["--python", script]
     junit = results / "tests.xml"
-    words = [*start, "--", "-q", f"--junitxml={place.inside(junit)}"]
+    words = [*start, "--", "-q", f"--junitxml={place.inside(junit)}", *options]
     command = place.command(words, _variables(blender, place, results))
     return Suite(f"Blender {blender.version}", command, junit)
 

@@ -14,12 +14,12 @@ from blenders import Blender
 from suites import Outcome
 
 
-def test(blender: Blender, window: bool) -> Outcome:
+def test(blender: Blender, window: bool, options: list[str]) -> Outcome:
     """All tests in one Blender, and those in a window if asked for; what cannot run has failed."""
     found = Outcome()
     try:
         place = blenders.set_up(blender)
-        found.add(suites.run(blenders.background_suite(blender, place)))
+        found.add(suites.run(blenders.background_suite(blender, place, options)))
         if window and blender.is_program:
             found.add(suites.run(blenders.window_suite(blender, place)))
     except blenders.SetUpError as error:
@@ -42,14 +42,16 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("versions", nargs="*", help="such as 4.2.23; all when left out")
     parser.add_argument("--no-window", action="store_true", help="leave the window suite out")
+    parser.add_argument("-k", help="only the tests that match, as pytest's -k; no window")
     arguments = parser.parse_args()
     try:
         wanted = chosen(arguments.versions)
     except ValueError as error:
         parser.error(str(error))
-    window = not arguments.no_window
+    window = not arguments.no_window and arguments.k is None
+    options = [] if arguments.k is None else ["-k", arguments.k]
     return suites.report(
-        {f"Blender {blender.version}": test(blender, window) for blender in wanted}
+        {f"Blender {blender.version}": test(blender, window, options) for blender in wanted}
     )
 
 
