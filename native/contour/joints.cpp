@@ -32,7 +32,7 @@ class JointFinder {
     index_features();
     for (std::size_t c = 0; c < silhouettes_.chains.size(); ++c) cut_chain(static_cast<int>(c));
     if (!intersections_.curves.empty() || !lines_.curves.empty()) {
-      chain_pieces_ = pieces_by_triangle(surface_, silhouettes_);
+      chain_pieces_ = pieces_of_chains(surface_, silhouettes_);
     }
     for (std::size_t c = 0; c < intersections_.curves.size(); ++c) {
       cut_intersection(static_cast<int>(c));

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "surface/locate.h"
-
 namespace illustrate {
 namespace {
 
@@ -45,6 +43,18 @@ std::vector<std::uint8_t> nearness_along(const Surface& surface, const Camera& c
   return front_is_near;
 }
 
+// Whether the segments a b and c d cross, at f and h of their ways. What lies on a line counts as
+// on its left, so that polylines cross as often as they must also at each other's points.
+bool cross_evenly(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, double& f,
+                  double& h) {
+  const double ca = cross(b - a, c - a), da = cross(b - a, d - a);
+  const double ac = cross(d - c, a - c), bc = cross(d - c, b - c);
+  if ((ca >= 0) == (da >= 0) || (ac >= 0) == (bc >= 0)) return false;
+  f = ac / (ac - bc);
+  h = ca / (ca - da);
+  return true;
+}
+
 // Where a chain crosses an intersection curve on one of the curve's two sheets.
 struct Pass {
   Meeting meeting;
@@ -60,6 +70,7 @@ class CurveMeetings {
       : surface_(surface),
         silhouettes_(silhouettes),
         pieces_(pieces),
+        intersections_(intersections),
         curve_(curve),
         points_(intersections.curves[idx(curve)]),
         sheets_(intersections.segment_triangles.data() + intersections.curves.offsets[idx(curve)]),
@@ -95,10 +106,10 @@ class CurveMeetings {
     const int t = triangle(i, sheet);
     const auto found = pieces_.find(t);
     if (found == pieces_.end()) return;
-    const Vec2 from = barycentrics(surface_, t, start(i)), to = barycentrics(surface_, t, end(i));
+    const auto [from, to] = ends_on_sheet(surface_, intersections_, curve_, i, sheet);
     for (const CurvePiece& p : found->second) {
       double f, h;
-      if (!segments_cross(from, to, p.start, p.end, f, h)) continue;
+      if (!cross_evenly(from, to, p.start, p.end, f, h)) continue;
       h = p.from + h * (p.to - p.from);
       const Span<const ChainPoint> chain = silhouettes_.chains[idx(p.curve)];
       const Vec3& a = chain[idx(p.segment)].position;
@@ -163,6 +174,7 @@ class CurveMeetings {
   const Surface& surface_;
   const Silhouettes& silhouettes_;
   const PiecesByTriangle& pieces_;
+  const IntersectionCurves& intersections_;
   int curve_;
   Span<const IntersectionPoint> points_;
   const std::array<int, 2>* sheets_;  // (segments)

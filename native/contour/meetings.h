@@ -2,9 +2,9 @@
 // changes there.
 #pragma once
 
-#include "contour/chain_way.h"
 #include "contour/exact_silhouettes.h"
 #include "contour/intersections.h"
+#include "contour/surface_ways.h"
 #include "view/camera.h"
 
 namespace illustrate {
