@@ -135,44 +135,31 @@ class Repairer {
     return arrangement_.visits[idx(strand(stop))][idx(stop.visit)];
   }
 
-  int without(int c) const {
-    return sums_[idx(stops_[2 * idx(c) + 1].path)] -
-           back_change(arrangement_, arrangement_.crossings[idx(c)]);
+  int change_at(int c) const { return back_change(arrangement_, arrangement_.crossings[idx(c)]); }
+
+  // How much nearer to balance a path is without a change.
+  int gain(int path, int change) const {
+    if (!arrangement_.paths[idx(path)].cyclic) return 0;
+    const int sum = sums_[idx(path)];
+    return std::abs(sum) - std::abs(sum - change);
   }
 
   // Whether its back path, where closed, comes nearer to balance without a crossing.
   bool balances(int c) const {
     const int path = stops_[2 * idx(c) + 1].path;
-    return !arrangement_.paths[idx(path)].cyclic ||
-           std::abs(without(c)) < std::abs(sums_[idx(path)]);
+    return !arrangement_.paths[idx(path)].cyclic || gain(path, change_at(c)) > 0;
   }
 
   // Whether closed paths are farther from balance without two crossings.
   bool unbalances(int c, int partner) const {
     const int path = stops_[2 * idx(c) + 1].path, other = stops_[2 * idx(partner) + 1].path;
-    const auto sum = [&](int p) {
-      return arrangement_.paths[idx(p)].cyclic ? std::abs(sums_[idx(p)]) : 0;
-    };
-    (void)sum;
-    const auto change = [&](int x) {
-      return back_change(arrangement_, arrangement_.crossings[idx(x)]);
-    };
-    const auto after = [&](int p) {
-      int s = sums_[idx(p)];
-      for (const int x : {c, partner})
-        if (stops_[2 * idx(x) + 1].path == p) s -= change(x);
-      return arrangement_.paths[idx(p)].cyclic ? std::abs(s) : 0;
-    };
-    int before = sum(path), behind = after(path);
-    if (other != path) {
-      before += sum(other);
-      behind += after(other);
-    }
-    return behind > before;
+    const int one = change_at(c), two = change_at(partner);
+    if (path == other) return gain(path, one + two) < 0;
+    return gain(path, one) + gain(other, two) < 0;
   }
 
   int drop(int c) {
-    sums_[idx(stops_[2 * idx(c) + 1].path)] = without(c);
+    sums_[idx(stops_[2 * idx(c) + 1].path)] -= change_at(c);
     arrangement_.states[idx(c)] = CrossingState::dropped;
     return 1;
   }
