@@ -121,6 +121,42 @@ TEST(Touches, OfACurveThatStaysOnItsSurfaceAreNone) {
   EXPECT_TRUE(arrangement.is_live(0));
 }
 
+// A contour that ends on a crease; the crease has a node, where one of its sides turns back, just
+// before that or this far along, and polylines cross between the two.
+CurveNetwork contour_ends_beside_a_node(double link_px, Kind link) {
+  const Vec3 turning(0, 0, 0), end(link_px, 0, 0);
+  CurveNetwork network;
+  network.nodes = {{NodeKind::joint, turning},
+                   {NodeKind::joint, end},
+                   {NodeKind::end, Vec3(-20, .5, 0)},
+                   {NodeKind::end, Vec3(-20, -.5, -1)},
+                   {NodeKind::end, Vec3(20, -3, 0)}};
+  const auto add_strand = [&](Kind kind, const Points& points, int start, int to) {
+    for (const Vec3& p : points) network.points.push({p, {}});
+    network.points.close_list();
+    network.strands.push_back({kind, 0, start, to, kind == Kind::silhouette ? 2 : 0, 0});
+  };
+  add_strand(Kind::crease, {network.nodes[2].position, Vec3(-.2, -.05, 0), turning}, 2, 0);
+  add_strand(link, {turning, end}, 0, 1);
+  add_strand(Kind::crease, {end, network.nodes[4].position}, 1, 4);
+  add_strand(Kind::silhouette,
+             {network.nodes[3].position, Vec3(-.4, -.05, -1), Vec3(-.1, .05, -1), end}, 3, 1);
+  return network;
+}
+
+TEST(Touches, OfAContourWithTheCreaseThatItEndsOnAreDroppedPastANode) {
+  const auto dropped = [](double link_px, Kind link) {
+    const CurveNetwork network = contour_ends_beside_a_node(link_px, link);
+    Arrangement arrangement = arrange(network, one_px);
+    EXPECT_EQ(arrangement.crossings.size(), 1U);
+    double moved_px = 0;
+    return drop_touches(arrangement, moved_px);
+  };
+  EXPECT_EQ(dropped(.3, Kind::crease), 1);
+  EXPECT_EQ(dropped(3, Kind::crease), 0) << "farther than a touch";
+  EXPECT_EQ(dropped(.3, Kind::silhouette), 0) << "another contour between them";
+}
+
 // Its surface is above the x axis; a fold whose contour comes to a cusp at the origin along the
 // axis and leaves again just above, each on its own side. A curve comes over the tip from the left
 // and runs through the lower strand, 0.2 px from the tip: the far strand if `ends_far`.
