@@ -59,6 +59,7 @@ class Drawer {
       swallowtails = tidy(surface, line);
     }
     if (line.closed && line.points.size() < smallest_loop) line.points.clear();
+    line.left_out = exact.left_out(line);
     return swallowtails;
   }
 
@@ -88,13 +89,15 @@ class Drawer {
 
 // Back from the patchwork to the whole surface.
 void restore(const Patchwork& patchwork, ExactChains& drawn) {
+  const auto restore_point = [&](ChainPoint& p) {
+    const Patchwork::Place place = patchwork.on_whole(p.on, p.edge);
+    p.on = place.on;
+    p.edge = place.edge;
+    p.fraction = place.fraction;
+  };
   for (ExactPolyline& line : drawn.chains) {
-    for (ExactPoint& p : line.points) {
-      const Patchwork::Place place = patchwork.on_whole(p.on, p.edge);
-      p.on = place.on;
-      p.edge = place.edge;
-      p.fraction = place.fraction;
-    }
+    for (ExactPoint& p : line.points) restore_point(p);
+    for (LeftOutPoint& p : line.left_out) restore_point(p.point);
   }
 }
 
@@ -191,6 +194,8 @@ Silhouettes exact_silhouettes(const Surface& surface, const LimitSurface& limit,
       result.chains.push(p);
       result.cusps += p.is_cusp();
     }
+    const int chain = static_cast<int>(result.chains.size());
+    for (const LeftOutPoint& p : line.left_out) result.passed.push_back({chain, p.behind, p.point});
     result.chains.close_list();
     result.closed.push_back(line.closed);
   }

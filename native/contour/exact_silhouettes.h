@@ -11,11 +11,19 @@
 
 namespace illustrate {
 
+// Where a segment of a chain passes over an edge of the surface; the point is not one of the chain.
+struct PassedEdge {
+  int chain;
+  int segment;
+  ChainPoint point;
+};
+
 // Chains run with the front on their left. Segment i of a chain lies in the triangle
-// points[i].on.triangle.
+// points[i].on.triangle, and behind each edge that it passes in the triangle of that point.
 struct Silhouettes {
   Ragged<ChainPoint> chains;
   std::vector<std::uint8_t> closed;
+  std::vector<PassedEdge> passed;  // by chain, segment and way
   std::int64_t cusps = 0;
 };
 

@@ -72,11 +72,13 @@ class Relaxer {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     const StreamlineNode& node = streamline.nodes[idx(index)];
     const Vec2 left = node.left();
+    const double beside = 2 * band * streamline.spacing * node_step;
+    const Vec2 box = far * left.cwiseAbs() + beside * node.heading.cwiseAbs();
     std::array<double, 2> nearest{infinite, infinite};
-    set_.grid.any_near(node.image, far, [&](const GridNode& other) {
+    set_.grid.any_in_box(node.image, box, [&](const GridNode& other) {
       const Vec2 offset(double(other.x) - node.image.x(), double(other.y) - node.image.y());
       const double along = offset.dot(node.heading);
-      if (std::abs(along) > 2 * band * streamline.spacing * node_step) return false;
+      if (std::abs(along) > beside) return false;
       if (other.streamline == number && std::abs(other.index - index) <= own_nodes) return false;
       const Vec2 heading(double(other.ux), double(other.uy));
       const double cosine = heading.dot(node.heading);

@@ -103,7 +103,7 @@ class Repairer {
       const int c = wanted ? (*wanted)[k] : static_cast<int>(k);
       if (!arrangement_.is_live(c)) continue;
       const int partner = lens_partner(c, wanted == nullptr);
-      if (partner != none) {
+      if (partner != none && !unbalances(c, partner)) {
         dropped += drop(c) + drop(partner);
       } else if (wanted && balances(c) && joint_behind(c) != none) {
         dropped += drop(c);
@@ -145,6 +145,30 @@ class Repairer {
     const int path = stops_[2 * idx(c) + 1].path;
     return !arrangement_.paths[idx(path)].cyclic ||
            std::abs(without(c)) < std::abs(sums_[idx(path)]);
+  }
+
+  // Whether closed paths are farther from balance without two crossings.
+  bool unbalances(int c, int partner) const {
+    const int path = stops_[2 * idx(c) + 1].path, other = stops_[2 * idx(partner) + 1].path;
+    const auto sum = [&](int p) {
+      return arrangement_.paths[idx(p)].cyclic ? std::abs(sums_[idx(p)]) : 0;
+    };
+    (void)sum;
+    const auto change = [&](int x) {
+      return back_change(arrangement_, arrangement_.crossings[idx(x)]);
+    };
+    const auto after = [&](int p) {
+      int s = sums_[idx(p)];
+      for (const int x : {c, partner})
+        if (stops_[2 * idx(x) + 1].path == p) s -= change(x);
+      return arrangement_.paths[idx(p)].cyclic ? std::abs(s) : 0;
+    };
+    int before = sum(path), behind = after(path);
+    if (other != path) {
+      before += sum(other);
+      behind += after(other);
+    }
+    return behind > before;
   }
 
   int drop(int c) {

@@ -83,7 +83,7 @@ def test_threads_may_share_a_prepared() -> None:
 
 
 STAGES = {
-    "sanitize": 4, "surface": 8, "intersections": 4, "curvature": 8, "field": 100, "contour": 8,
+    "sanitize": 4, "surface": 12, "intersections": 4, "curvature": 8, "field": 100, "contour": 4,
     "visibility": 2, "hatch curves": 16, "tone": 16, "hatch": 32, "stroke": 1,
 }  # fmt: skip
 """How often each stage reports at least, for 33,000 vertices and 65,000 cells on one thread."""
