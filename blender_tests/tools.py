@@ -1,4 +1,4 @@
-"""Scenes to test with, and a view of the strokes in them that shares no code with the add-on."""
+"""Scenes to test with, what is read of them, and strokes as seen without the add-on's code."""
 
 import ctypes
 import os
@@ -9,10 +9,16 @@ from typing import Any
 
 import bpy
 import numpy as np
+from illustrate.scene import read_scene
 from mathutils import Vector
 
 V3 = bpy.app.version >= (4, 3, 0)
 Stroke = dict[str, Any]
+
+
+def read(scene: Any, **options: Any) -> Any:
+    """What the add-on reads of the scene."""
+    return read_scene(scene, bpy.context.evaluated_depsgraph_get(), **options)
 
 
 def run_script(
