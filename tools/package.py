@@ -145,9 +145,10 @@ def make_legacy(installed: Path, pythons: tuple[str, ...], folder: Path) -> Path
     files["LICENSE"] = (ROOT / "LICENSE").read_bytes()
     del files["blender_manifest.toml"]
     name = f"illustrate-{version()}-legacy-{PLATFORM_OF_BLENDER}.zip"
-    return write_zip(
-        folder / name, {f"illustrate/{path}": data for path, data in sorted(files.items())}
-    )
+    # Blender removes an older installation, the module in memory too, by the entry of its folder;
+    # without one it would write into the file that is mapped.
+    inside = {f"illustrate/{path}": data for path, data in sorted(files.items())}
+    return write_zip(folder / name, {"illustrate/": b"", **inside})
 
 
 def main() -> None:
