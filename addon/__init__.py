@@ -1,6 +1,17 @@
 """Illustrate: line illustrations of smooth surfaces, as editable strokes."""
 
-from . import bake, cache, command, operators, preferences, settings, styles, translations, ui, viewport
+from . import (
+    bake,
+    cache,
+    command,
+    operators,
+    preferences,
+    settings,
+    styles,
+    translations,
+    ui,
+    viewport,
+)
 from .worker import stop_all
 
 bl_info = {

@@ -18,7 +18,7 @@ def drawing_bytes(scene: Any) -> bytes:
     return text.encode()
 
 
-def subdivide_by_blender(scene: Any) -> None:
+def subdivide_by_blender() -> None:
     """OpenSubdiv of Blender, on creased edges, to a level that leaves its mark."""
     thing = tools.add_cube("Blender's")
     tools.subdivide(thing, levels=5, boundary_smooth="PRESERVE_CORNERS")
@@ -48,7 +48,7 @@ def test_drawings_are_the_same_after_blenders_own_work(scene: Any, others: str) 
     before = drawing_bytes(scene)
     assert len(before) > 10_000
     if others in ("subdivision", "all"):
-        subdivide_by_blender(scene)
+        subdivide_by_blender()
     if others in ("cycles", "all"):
         render(scene, freestyle=False)
     if others in ("freestyle", "all"):

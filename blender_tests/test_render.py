@@ -5,14 +5,16 @@ from typing import Any
 import bpy
 import numpy as np
 import pytest
+import svg_ink
 from illustrate import illustration, native
 from illustrate.output import files, write_drawing
 
-import svg_ink
 import tools
 
 SIZE = (640, 480)
-WIDTH_PX = 8.0  # Blender's smoothing of edges makes strokes 0.15 to 0.3 px wider, whatever their width
+WIDTH_PX = (
+    8.0  # Blender's smoothing of edges makes strokes 0.15 to 0.3 px wider, whatever their width
+)
 
 
 def drawn(scene: Any) -> Any:

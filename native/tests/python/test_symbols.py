@@ -8,20 +8,21 @@ import zipfile
 from collections.abc import Iterator
 from io import BytesIO
 from pathlib import Path
+from typing import Any
 
+import illustrate_native
 import pytest
 from elftools.elf.dynamic import DynamicSection
 from elftools.elf.elffile import ELFFile
 from elftools.elf.gnuversions import GNUVerNeedSection
 from elftools.elf.sections import SymbolTableSection
 
-import illustrate_native
-
 ROOT = Path(__file__).resolve().parents[3]
 LIBRARIES = {"libc.so.6", "libm.so.6", "libgcc_s.so.1", "libstdc++.so.6", "ld-linux-x86-64.so.2"}
 FLOORS = {"GLIBC": (2, 28), "GLIBCXX": (3, 4, 25), "CXXABI": (1, 3, 11)}
 """Of the oldest system that Blender itself runs on."""
 GUESTS = ("OpenSubdiv", "nlopt")
+
 
 def modules() -> Iterator[tuple[str, bytes]]:
     """The module that is tested, and those in the packages of dist where they are built."""
@@ -49,7 +50,8 @@ def elf(name: str) -> ELFFile:
 def needed(name: str) -> set[str]:
     dynamic = elf(name).get_section_by_name(".dynamic")
     assert isinstance(dynamic, DynamicSection)
-    return {tag.needed for tag in dynamic.iter_tags() if tag.entry.d_tag == "DT_NEEDED"}
+    tags: list[Any] = list(dynamic.iter_tags("DT_NEEDED"))
+    return {tag.needed for tag in tags}
 
 
 def exported(name: str) -> set[str]:
