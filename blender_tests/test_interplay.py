@@ -36,6 +36,8 @@ def render(scene: Any, freestyle: bool) -> None:
     linesets = bpy.context.view_layer.freestyle_settings.linesets
     if freestyle and not len(linesets):
         linesets.new("All")
+    for lineset in linesets:  # Blender 3.4 forgets to make a line style and misses it then
+        lineset.linestyle = lineset.linestyle or bpy.data.linestyles.new("Plain")
     assert bpy.ops.render.render() == {"FINISHED"}
     scene.render.use_freestyle, scene.render.resolution_percentage = False, 100
 

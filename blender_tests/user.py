@@ -5,7 +5,6 @@
 Prints what happened as lines; test_install.py reads them.
 """
 
-import contextlib
 import os
 import pathlib
 import sys
@@ -46,7 +45,8 @@ def switch_and_remove(archive: str, package: str) -> None:
         index = repos.index("user_default")
         bpy.ops.extensions.package_uninstall(repo_index=index, pkg_id=installed.NAME)
     else:
-        with contextlib.suppress(RuntimeError):  # at its end it redraws an area: there is none
+        window = bpy.context.window_manager.windows[0]
+        with bpy.context.temp_override(window=window, area=window.screen.areas[0]):
             bpy.ops.preferences.addon_remove(module=package)
         assert not (pathlib.Path(bpy.utils.user_resource("SCRIPTS")) / "addons" / package).exists()
     print("left after removing:", *classes())
