@@ -32,19 +32,19 @@ class MeshArrays:
 
 def read_mesh(mesh: Any, name: str, shading: bool) -> MeshArrays:
     """Arrays of a Blender mesh. shading: what is shaded sharp is sharp, besides what is creased."""
-    edges = _get(mesh.edges, "vertices", np.int32, 2)
+    edges = _held(mesh, ".edge_verts", mesh.edges, "vertices", np.int32, 2)
     sharpness = _sharpness(_edge_creases(mesh))
     sizes = _get(mesh.polygons, "loop_total", np.int32)
     arrays = MeshArrays(
         name=name,
-        positions=_get(mesh.vertices, "co", np.float32, 3).astype(float),
+        positions=_held(mesh, "position", mesh.vertices, "co", np.float32, 3).astype(float),
         face_sizes=sizes,
-        corner_vertices=_get(mesh.loops, "vertex_index", np.int32),
+        corner_vertices=_held(mesh, ".corner_vert", mesh.loops, "vertex_index", np.int32),
         edge_vertices=edges,
         edge_sharpness=sharpness,
         vertex_sharpness=_vertex_sharpness(mesh),
         marked_edges=edges[_freestyle_marks(mesh)],
-        face_materials=_get(mesh.polygons, "material_index", np.int32),
+        face_materials=_face_materials(mesh),
     )
     if shading:
         arrays.crease_angle_deg, is_sharp = _shading(mesh)
@@ -59,6 +59,14 @@ def _get(collection: Any, name: str, dtype: Any, columns: int = 1) -> Any:
     values = np.zeros(len(collection) * columns, dtype)
     collection.foreach_get(name, values)
     return values if columns == 1 else values.reshape(-1, columns)
+
+
+def _held(mesh: Any, attribute: str, elements: Any, name: str, dtype: Any, columns: int = 1) -> Any:
+    """The same, copied at once from the attribute that holds it in newer versions of Blender."""
+    held = mesh.attributes.get(attribute)
+    if held is None:
+        return _get(elements, name, dtype, columns)
+    return _get(held.data, "vector" if columns == 3 else "value", dtype, columns)
 
 
 def _attribute(mesh: Any, name: str, dtype: Any, count: int) -> Any:
@@ -86,6 +94,13 @@ def _vertex_sharpness(mesh: Any) -> Any:
     else:
         creases = _attribute(mesh, "crease_vert", np.float32, len(mesh.vertices))
     return _sharpness(creases) if creases.any() else None
+
+
+def _face_materials(mesh: Any) -> Any:
+    """(f,) index of each face's material."""
+    if bpy.app.version < (4, 0, 0):
+        return _get(mesh.polygons, "material_index", np.int32)
+    return _attribute(mesh, "material_index", np.int32, len(mesh.polygons))
 
 
 def _freestyle_marks(mesh: Any) -> Any:

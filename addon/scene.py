@@ -24,6 +24,7 @@ EDGE_LENGTH_PX = 3.0  # of refined surfaces, where the object is nearest to the 
 MEASURED_EDGES = 20_000
 LEEWAY = 1.4  # below 2, which would be another level
 MOST_HALVINGS = 12  # more than any level of subdivision
+DEFORMING_PARENTS = ("ARMATURE", "LATTICE")
 
 
 @dataclass(frozen=True)
@@ -252,38 +253,57 @@ def _trailing_subdivision(thing: Any) -> Any:
 
 
 def _read_cages(objects: list[Any], scene: Any) -> dict[Any, MeshArrays]:
-    """The meshes below the last Subdivision of `objects`, evaluated in a scene of their own.
+    """The meshes below the last Subdivision of `objects`.
 
-    The artist's scene is not evaluated again and nothing stays behind.
+    Where nothing comes before the Subdivision, the cage is the mesh that is edited.
     """
-    if not objects:
-        return {}
+    found = {thing: _read_cage(thing, thing.data) for thing in objects if _is_own_cage(thing)}
+    others = [thing for thing in dict.fromkeys(objects) if thing not in found]
+    return found | _evaluated_cages(others, scene) if others else found
+
+
+def _is_own_cage(thing: Any) -> bool:
+    """True where nothing changes the object's mesh but its last Subdivision."""
+    return (
+        sum(modifier.show_viewport for modifier in thing.modifiers) == 1
+        and thing.mode != "EDIT"
+        and thing.data.shape_keys is None
+        and thing.parent_type not in DEFORMING_PARENTS
+    )
+
+
+def _evaluated_cages(objects: list[Any], scene: Any) -> dict[Any, MeshArrays]:
+    """Cages evaluated in a scene of their own.
+
+    The artist's scene is not evaluated again and nothing stays behind, but Blender draws its
+    viewports anew.
+    """
     stage = bpy.data.scenes.new("illustrate cages")
     copies: dict[Any, Any] = {}
     try:
         stage.frame_current = scene.frame_current
-        for thing in dict.fromkeys(objects):
+        for thing in objects:
             copies[thing] = copy = thing.copy()
             copy.modifiers.remove(_trailing_subdivision(copy))
             copy.hide_viewport = False
             stage.collection.objects.link(copy)
         layer = stage.view_layers[0]
         layer.update()
-        return {
-            thing: _read_cage(thing, copy.evaluated_get(layer.depsgraph))
-            for thing, copy in copies.items()
-        }
+        cages = {}
+        for thing, copy in copies.items():
+            with _mesh_of(copy.evaluated_get(layer.depsgraph)) as mesh:
+                cages[thing] = _read_cage(thing, mesh)
+        return cages
     finally:
         for copy in copies.values():
             bpy.data.objects.remove(copy)
-        bpy.data.scenes.remove(stage)
+        bpy.data.batch_remove((stage,))  # `scenes.remove` crashes in a command of 4.3
 
 
-def _read_cage(thing: Any, evaluated: Any) -> MeshArrays:
+def _read_cage(thing: Any, mesh: Any) -> MeshArrays:
     """The control mesh of a subdivision surface with the creases its modifier heeds."""
     subdivision = _trailing_subdivision(thing)
-    with _mesh_of(evaluated) as mesh:
-        geometry = read_mesh(mesh, thing.name, shading=False)
+    geometry = read_mesh(mesh, thing.name, shading=False)
     geometry.scheme = "catmull-clark"
     geometry.boundary = "edges" if subdivision.boundary_smooth == "ALL" else "corners"
     if not subdivision.use_creases:

@@ -240,7 +240,7 @@ def test_a_missing_native_module_is_explained(scene: Any, monkeypatch: Any, tmp_
     monkeypatch.setattr(native, "__file__", str(tmp_path / "native.py"))
     monkeypatch.setattr(sys, "path", [str(tmp_path)])
     importlib.invalidate_caches()
-    with pytest.raises(RuntimeError, match="native module of Illustrate cannot be loaded"):
+    with pytest.raises(RuntimeError, match="native module of Illustrate is missing"):
         bpy.ops.illustrate.illustrate()
 
 

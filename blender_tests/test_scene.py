@@ -1,21 +1,18 @@
 """What the add-on reads of a scene."""
 
 import itertools
-import math
 from typing import Any
 
 import bpy
 import numpy as np
 import pytest
 from bpy_extras.object_utils import world_to_camera_view
-from illustrate.scene import read_camera, read_scene
+from illustrate import scene as scene_reader
+from illustrate.scene import read_camera
 from mathutils import Matrix, Vector
 
 import tools
-
-
-def read(scene: Any, **options: Any) -> Any:
-    return read_scene(scene, bpy.context.evaluated_depsgraph_get(), **options)
+from tools import read
 
 
 def only_mesh(scene: Any) -> Any:
@@ -155,14 +152,21 @@ def test_one_flat_face_of_a_smooth_object_is_sharp_all_round(scene: Any) -> None
     assert mesh.crease_angle_deg == 180
 
 
+def mark_for_freestyle(mesh: Any, edge: int) -> None:
+    if bpy.app.version >= (5, 0, 0):
+        mesh.attributes.new("freestyle_edge", "BOOLEAN", "EDGE").data[edge].value = True
+        return
+    for _ in range(2):  # Blender 3.4 puts the very first mark elsewhere
+        mesh.edges[0].use_freestyle_mark = False
+        mesh.edges[edge].use_freestyle_mark = True
+
+
 def test_freestyle_marks_and_materials_are_read(scene: Any) -> None:
     cube = tools.cube_scene(scene)
     for _ in range(2):
         cube.data.materials.append(bpy.data.materials.new("Paint"))
     cube.data.polygons[3].material_index = 1
-    for _ in range(2):  # Blender 3.4 puts the very first mark elsewhere
-        cube.data.edges[0].use_freestyle_mark = False
-        cube.data.edges[5].use_freestyle_mark = True
+    mark_for_freestyle(cube.data, 5)
     mesh = only_mesh(scene)
     assert mesh.marked_edges.tolist() == [list(cube.data.edges[5].vertices)]
     assert mesh.face_materials.tolist() == [0, 0, 0, 1, 0, 0]
@@ -240,6 +244,50 @@ def test_keyframed_cages_are_read_at_their_frame(scene: Any) -> None:
         assert only_mesh(scene).positions[:, 2].max() == pytest.approx(height, abs=1e-5)
 
 
+def bare(_cube: Any) -> None:
+    """Nothing but the Subdivision."""
+
+
+def shape_key(cube: Any) -> None:
+    cube.shape_key_add(name="Basis")
+    up = cube.shape_key_add(name="Up")
+    for point in up.data:
+        point.co.z += 2
+    up.value = 0.5
+
+
+def lattice_parent(cube: Any) -> None:
+    lattice = bpy.data.objects.new("Lattice", bpy.data.lattices.new("Lattice"))
+    lattice.scale = (2, 2, 2)
+    bpy.context.scene.collection.objects.link(lattice)
+    for point in lattice.data.points:
+        point.co_deform.z += 0.5
+    cube.parent, cube.parent_type = lattice, "LATTICE"
+    bpy.context.view_layer.update()
+
+
+@pytest.mark.parametrize("change", [bare, shape_key, lattice_parent])
+def test_cages_are_read_with_all_that_changes_them(
+    scene: Any, monkeypatch: Any, change: Any
+) -> None:
+    cube = tools.cube_scene(scene)
+    tools.subdivide(cube)
+    change(cube)
+    found = only_mesh(scene)
+    monkeypatch.setattr(scene_reader, "_is_own_cage", lambda _: False)
+    evaluated = only_mesh(scene)
+    for name, values in vars(evaluated).items():
+        np.testing.assert_array_equal(getattr(found, name), values, err_msg=name)
+    assert (found.positions[:, 2].max() == 1) == (change is bare)
+
+
+def test_a_subdivided_mesh_is_read_without_a_redraw(scene: Any, monkeypatch: Any) -> None:
+    """Blender draws viewports anew when a scene comes or goes, and keys wait meanwhile."""
+    tools.subdivide(tools.cube_scene(scene))
+    monkeypatch.delattr(scene_reader, "_evaluated_cages")
+    assert len(only_mesh(scene).positions) == 8
+
+
 def test_instances_of_collections_are_drawn_where_they_are(scene: Any) -> None:
     tools.add_camera(scene)
     collection = bpy.data.collections.new("Parts")
@@ -285,120 +333,3 @@ def test_edits_in_edit_mode_are_read(scene: Any) -> None:
         assert only_mesh(scene).positions[:, 2].min() == pytest.approx(1)
     finally:
         bpy.ops.object.mode_set(mode="OBJECT")
-
-
-def add_light(scene: Any, kind: str, place: Any, energy: float) -> Any:
-    light = bpy.data.objects.new(kind, bpy.data.lights.new(kind, kind))
-    light.location = place
-    light.data.energy = energy
-    scene.collection.objects.link(light)
-    return light
-
-
-def test_lights_are_read_with_their_place_and_direction(scene: Any) -> None:
-    tools.add_camera(scene)
-    tools.add_cube()
-    sun = add_light(scene, "SUN", (9, 9, 9), 2)
-    sun.rotation_euler.x = math.radians(90)  # shines along +y
-    spot = add_light(scene, "SPOT", (0, 0, 5), 100)
-    spot.data.spot_size = math.radians(60)
-    add_light(scene, "POINT", (0, 0, 5), 100)
-    add_light(scene, "AREA", (0, 0, 5), 100)
-    add_light(scene, "POINT", (0, 0, 2), 0)
-    lights = {light.kind: light for light in read(scene).lights}
-    assert set(lights) == {"sun", "spot", "point", "area"}
-    assert lights["sun"].vector == pytest.approx([0, -1, 0], abs=1e-6)
-    assert lights["spot"].blend == pytest.approx(0.15)
-    assert lights["sun"].strength == 1  # the strongest
-    assert lights["spot"].vector == pytest.approx([0, 0, 5])
-    assert lights["spot"].direction == pytest.approx([0, 0, -1])
-    assert lights["spot"].angle_rad == pytest.approx(math.radians(30))
-    assert lights["area"].strength == pytest.approx(math.pi * lights["point"].strength)
-    assert not read(scene, use_lights=False).lights
-
-
-def test_the_strongest_light_is_white_in_the_middle(scene: Any) -> None:
-    tools.add_camera(scene)
-    tools.add_cube()
-    add_light(scene, "POINT", (0, 0, 2), 50)
-    add_light(scene, "POINT", (0, 0, 4), 50)
-    lights = read(scene).lights
-    assert [light.strength for light in lights] == pytest.approx([4, 4])
-    assert [light.strength_at([0, 0, 0]) for light in lights] == pytest.approx([1, 0.25])
-
-
-def test_an_area_light_has_its_extent(scene: Any) -> None:
-    tools.add_camera(scene)
-    tools.add_cube()
-    lamp = add_light(scene, "AREA", (0, 0, 5), 100)
-    lamp.data.shape, lamp.data.size, lamp.data.size_y = "ELLIPSE", 2, 3
-    lamp.scale = (2, 1, 1)
-    lamp.data.use_shadow = False
-    bpy.context.view_layer.update()
-    (light,) = read(scene).lights
-    assert light.edges == pytest.approx(np.array([[4, 0, 0], [0, 3, 0]]), abs=1e-6)
-    assert light.ellipse and not light.casts_shadows
-
-
-LAMPS: dict[str, dict[str, Any]] = {
-    "SUN": {"energy": 2.0, "angle": 0.0},
-    "POINT": {"energy": 300.0, "shadow_soft_size": 0.0},
-    "SPOT": {"energy": 600.0, "shadow_soft_size": 0.0, "spot_size": 1.2, "spot_blend": 0.6},
-    "AREA": {"energy": 250.0, "shape": "RECTANGLE", "size": 2.5, "size_y": 0.5},
-}
-
-
-def white_sphere(scene: Any) -> None:
-    """A ball, seen from above with a pixel for every sixteenth of its radius."""
-    tools.add_camera(scene, (0, 0, 8), (40, 40), type="ORTHO", ortho_scale=2.5)
-    bpy.ops.mesh.primitive_uv_sphere_add(segments=96, ring_count=48)
-    bpy.ops.object.shade_smooth()
-    material = bpy.data.materials.new("White")
-    material.use_nodes = True
-    nodes = material.node_tree.nodes
-    nodes.clear()
-    diffuse, output = nodes.new("ShaderNodeBsdfDiffuse"), nodes.new("ShaderNodeOutputMaterial")
-    diffuse.inputs["Color"].default_value = (1, 1, 1, 1)
-    material.node_tree.links.new(diffuse.outputs[0], output.inputs[0])
-    bpy.context.object.data.materials.append(material)
-
-
-def rendered(scene: Any, folder: Any) -> Any:
-    """(h, w) what Cycles makes of the scene, direct light only, first row at the top."""
-    scene.render.engine = "CYCLES"
-    cycles = scene.cycles
-    cycles.samples, cycles.use_denoising, cycles.max_bounces = 64, False, 0
-    cycles.use_adaptive_sampling, cycles.filter_width = False, 0.01
-    scene.view_settings.view_transform = "Raw"
-    scene.render.image_settings.file_format = "OPEN_EXR"
-    scene.render.filepath = str(folder / "light.exr")
-    bpy.ops.render.render(write_still=True)
-    image = bpy.data.images.load(scene.render.filepath)
-    size = image.size[1], image.size[0], image.channels
-    return np.array(image.pixels[:]).reshape(size)[::-1, :, 0]
-
-
-@pytest.mark.parametrize("kind", LAMPS)
-def test_brightness_is_what_the_render_shows(scene: Any, kind: str, tmp_path: Any) -> None:
-    from illustrate import native
-    from illustrate.scene import read_scene
-
-    if kind in ("SPOT", "AREA") and bpy.app.version >= (4, 0):
-        pytest.skip("spots and areas are measured against the Cycles of Blender 3.4: 4 differs")
-    white_sphere(scene)
-    lamp = add_light(scene, kind, (1.5, 1, 2.5), 1)
-    lamp.rotation_euler = Vector((1.5, 1, 2.5)).to_track_quat("Z", "Y").to_euler()
-    for name, value in LAMPS[kind].items():
-        setattr(lamp.data, name, value)
-    bpy.context.view_layer.update()
-    depsgraph = bpy.context.evaluated_depsgraph_get()
-    arrays = read_scene(scene, depsgraph, auto_exposure=False)
-    ill = native.load()
-    prepared = ill.prepare([ill.PolygonMesh(**vars(mesh)) for mesh in arrays.meshes])
-    lights = [ill.Light(**vars(light)) for light in arrays.lights]
-    tone = ill.draw(prepared, ill.Camera(**vars(arrays.camera)), lights=lights).tone
-    picture = np.minimum(1, rendered(scene, tmp_path))
-    rows, columns = np.indices(picture.shape) + 0.5
-    inside = np.hypot(rows - 20, columns - 20) < 14
-    assert picture[inside].max() > 0.2
-    assert np.abs(picture - tone.brightness)[inside].max() < 0.03

@@ -166,7 +166,7 @@ class Thinner {
       return added;
     }
     added.point.position = drawn_[a].position + f * (drawn_[b].position - drawn_[a].position);
-    added.point.on = locate(surface_, t, added.point.position);
+    added.point.on = nearest_on(surface_, t, added.point.position);
     return added;
   }
 
@@ -314,7 +314,7 @@ std::vector<Swallowtail> small_swallowtails(const Drawn& drawn) {
     const std::optional<std::size_t> j = drawn.next_cusp(i);
     if (!j || drawn[*j].cusp_jump != drawn[i].cusp_jump) continue;
     const double apart = drawn.distance(i, *j);
-    if (apart > swallowtail_px || !stays_near(drawn, i, *j, 2 * apart)) continue;
+    if (apart > swallowtail_px || !stays_near(drawn, i, *j, swallowtail_px)) continue;
     result.push_back({apart, i, *j});
   }
   std::sort(result.begin(), result.end(), [](const Swallowtail& a, const Swallowtail& b) {

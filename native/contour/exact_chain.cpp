@@ -259,6 +259,20 @@ ExactPolyline ExactChain::polyline() {
   return line;
 }
 
+std::vector<LeftOutPoint> ExactChain::left_out(const ExactPolyline& line) const {
+  std::vector<LeftOutPoint> result;
+  const std::size_t count = line.points.size();
+  for (std::size_t i = 0; i + (closed_ ? 0 : 1) < count; ++i) {
+    const ExactPoint& next = line.points[(i + 1) % count];
+    const std::size_t first = after(idx(line.points[i].segment));
+    const std::size_t end = next.edge == none ? after(idx(next.segment)) : idx(next.segment);
+    for (std::size_t k = first; k != end; k = after(k)) {
+      result.push_back({static_cast<int>(i), stations_[k].point});
+    }
+  }
+  return result;
+}
+
 // Where the next station lies on the patch of a segment's triangle.
 Vec2 ExactChain::uv_at_end(std::size_t i) const {
   const EdgePoint &from = stations_[i].point, &to = stations_[after(i)].point;
@@ -326,7 +340,7 @@ void ExactChain::add_linear_cusp(std::size_t i, ExactPolyline& line) const {
   const Vec3 step = to.position - from.position;
   ExactPoint cusp;
   cusp.position = from.position + fraction * step;
-  cusp.on = locate(surface_, from.on.triangle, cusp.position);
+  cusp.on = nearest_on(surface_, from.on.triangle, cusp.position);
   cusp.cusp_jump = step.dot(camera_.to_eye(cusp.position)) < 0 ? 1 : -1;
   cusp.segment = static_cast<int>(i);
   line.points.push_back(cusp);

@@ -22,11 +22,18 @@ struct ExactKnot {
   ContourKnot arriving, leaving;
 };
 
+// A point of the linear chain that its polyline leaves out, and the polyline's point before it.
+struct LeftOutPoint {
+  int behind;
+  ChainPoint point;
+};
+
 struct ExactPolyline {
   bool closed = false;
   int edges = 0;  // that the linear chain crosses
   std::vector<ExactPoint> points;
   std::vector<ExactKnot> knots;
+  std::vector<LeftOutPoint> left_out;  // in order; only once the points are final
 };
 
 // What was found on the edges of a surface, by their lower and higher vertices. Stays true as long
@@ -60,6 +67,9 @@ class ExactChain {
 
   // The chain that was solved, with what lies within its triangles.
   ExactPolyline polyline();
+
+  // Of a polyline that was made of this chain and has lost points since.
+  std::vector<LeftOutPoint> left_out(const ExactPolyline& line) const;
 
   // Makes a segment exact, and its points no farther apart than that.
   void make_finer(int segment, double longest_px);

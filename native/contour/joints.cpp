@@ -4,6 +4,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "contour/meetings.h"
 #include "contour/triple_points.h"
 #include "surface/locate.h"
 
@@ -30,10 +31,13 @@ class JointFinder {
   Joints run() {
     index_features();
     for (std::size_t c = 0; c < silhouettes_.chains.size(); ++c) cut_chain(static_cast<int>(c));
-    if (!intersections_.curves.empty() || !lines_.curves.empty()) index_segments();
+    if (!intersections_.curves.empty() || !lines_.curves.empty()) {
+      chain_pieces_ = pieces_of_chains(surface_, silhouettes_);
+    }
     for (std::size_t c = 0; c < intersections_.curves.size(); ++c) {
       cut_intersection(static_cast<int>(c));
     }
+    cut_where_chains_pass();
     cut_at_triple_points();
     joints_.first_line_node = static_cast<int>(joints_.nodes.size());
     if (!lines_.curves.empty()) index_intersections();
@@ -43,12 +47,6 @@ class JointFinder {
   }
 
  private:
-  // Of a chain or an intersection curve.
-  struct CurveSegment {
-    int curve;
-    int segment;
-  };
-
   void index_features() {
     for (std::size_t f = 0; f < features_.size(); ++f) {
       for (const EdgeSide& side : features_[f].sides) {
@@ -58,44 +56,17 @@ class JointFinder {
     }
   }
 
-  void index_segments() {
-    for (std::size_t c = 0; c < silhouettes_.chains.size(); ++c) {
-      const Span<const ChainPoint> chain = silhouettes_.chains[c];
-      const std::size_t count = chain.size() - (silhouettes_.closed[c] ? 0 : 1);
-      for (std::size_t i = 0; i < count; ++i) {
-        const CurveSegment segment{static_cast<int>(c), static_cast<int>(i)};
-        for (const int triangle : triangles_of(chain[i], chain[(i + 1) % chain.size()])) {
-          segments_[triangle].push_back(segment);
-        }
-      }
-    }
-  }
-
-  // Where a chain's segment may lie: in the triangle it starts in, but beside cusps, where points
-  // were left out, anywhere round its ends.
-  std::vector<int> triangles_of(const ChainPoint& from, const ChainPoint& to) const {
-    const int first = from.on.triangle, last = to.on.triangle;
-    const bool to_next_edge =
-        to.edge != none && opposite_side(surface_, {last, to.edge}).triangle == first;
-    if (first == last || to_next_edge) return {first};
-    std::vector<int> result{first, last};
-    for (const int t : {first, last}) {
-      for (const int neighbour : surface_.neighbours[idx(t)]) {
-        if (neighbour != none) result.push_back(neighbour);
-      }
-    }
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
-  }
-
   void index_intersections() {
     for (std::size_t c = 0; c < intersections_.curves.size(); ++c) {
       for (std::size_t i = 0; i < intersections_.curves[c].size(); ++i) {
-        const CurveSegment segment{static_cast<int>(c), static_cast<int>(i)};
-        const std::size_t point = global_point(segment.curve, segment.segment);
-        for (const int triangle : intersections_.segment_triangles[point]) {
-          if (triangle != none) intersection_segments_[triangle].push_back(segment);
+        const int curve = static_cast<int>(c), segment = static_cast<int>(i);
+        for (const int triangle : intersections_.segment_triangles[global_point(curve, segment)]) {
+          if (triangle == none) continue;
+          const Span<const IntersectionPoint> points = intersections_.curves[c];
+          const Vec2 start = barycentrics(surface_, triangle, points[i].position);
+          const Vec2 end =
+              barycentrics(surface_, triangle, points[(i + 1) % points.size()].position);
+          intersection_pieces_[triangle].push_back({curve, segment, start, end, 0, 1});
         }
       }
     }
@@ -155,7 +126,6 @@ class JointFinder {
       if (node == none) node = cut_at_edge(curve[i].b, curve[i].position);
       if (node == none && tip) node = add_node(NodeKind::end, curve[i].position);
       if (node != none) joints_.intersections.push_back({c, static_cast<int>(i), 0, node, {}});
-      if (i + 1 < curve.size() || closed) cut_by_chains(c, static_cast<int>(i));
     }
   }
 
@@ -170,11 +140,13 @@ class JointFinder {
     return none;
   }
 
-  void cut_by_chains(int c, int i) {
-    for (const int triangle : intersections_.segment_triangles[global_point(c, i)]) {
-      const auto found = segments_.find(triangle);
-      if (found == segments_.end()) continue;
-      for (const CurveSegment& s : found->second) cut_by_segment(c, i, triangle, s);
+  void cut_where_chains_pass() {
+    for (const Meeting& m :
+         find_meetings(surface_, silhouettes_, chain_pieces_, intersections_, camera_)) {
+      const int node = add_node(NodeKind::joint, m.position);
+      joints_.intersections.push_back(
+          {m.curve, m.curve_segment, m.curve_fraction, node, m.curve_change});
+      joints_.chains.push_back({m.chain, m.chain_segment, m.chain_fraction, node, m.chain_change});
     }
   }
 
@@ -197,66 +169,29 @@ class JointFinder {
   void cut_line_segment(int c, int i) {
     const Span<const ZeroPoint> line = lines_.curves[idx(c)];
     const int triangle = line[idx(i)].on.triangle;
-    const Vec3 &start = line[idx(i)].position, &end = line[(idx(i) + 1) % line.size()].position;
-    const auto cut = [&](const auto& segments, const auto& curves, std::vector<CurveCut>& cuts) {
-      const auto found = segments.find(triangle);
-      if (found == segments.end()) return;
-      for (const CurveSegment& s : found->second) {
+    const Vec2 start = barycentrics(surface_, triangle, line[idx(i)].position);
+    const Vec2 end = barycentrics(surface_, triangle, line[(idx(i) + 1) % line.size()].position);
+    const auto cut = [&](const auto& pieces, const auto& curves, std::vector<CurveCut>& cuts) {
+      const auto found = pieces.find(triangle);
+      if (found == pieces.end()) return;
+      for (const CurvePiece& s : found->second) {
+        double f, h;
+        if (!segments_cross(start, end, s.start, s.end, f, h)) continue;
+        h = s.from + h * (s.to - s.from);
         const auto curve = curves[idx(s.curve)];
         const Vec3& a = curve[idx(s.segment)].position;
         const Vec3& b = curve[(idx(s.segment) + 1) % curve.size()].position;
-        double f, h;
-        if (!segments_cross(
-                barycentrics(surface_, triangle, start), barycentrics(surface_, triangle, end),
-                barycentrics(surface_, triangle, a), barycentrics(surface_, triangle, b), f, h))
-          continue;
         const int node = add_node(NodeKind::joint, a + h * (b - a));
         joints_.lines.push_back({c, i, f, node, {}});
         cuts.push_back({s.curve, s.segment, h, node, 0});
       }
     };
-    cut(segments_, silhouettes_.chains, joints_.chains);
-    cut(intersection_segments_, intersections_.curves, joints_.intersections);
-  }
-
-  // Barycentrics of a chain's point on a triangle that its segment lies in. Exact points are off
-  // the plane of the triangle: where they are on an edge they have to be for both its sides.
-  Vec2 place_on(int triangle, const ChainPoint& p) const {
-    if (p.on.triangle == triangle) return {p.on.b1, p.on.b2};
-    const EdgeSide side =
-        p.edge == none ? EdgeSide{} : opposite_side(surface_, {p.on.triangle, p.edge});
-    if (side.triangle != triangle) return barycentrics(surface_, triangle, p.position);
-    const auto place = [&](int t, int k) {
-      return surface_.places[idx(surface_.triangles[idx(t)][idx(k)])];
-    };
-    const bool parallel = place(triangle, side.corner) == place(p.on.triangle, p.edge);
-    const SurfacePoint on = on_edge(triangle, side.corner, parallel ? p.fraction : 1 - p.fraction);
-    return {on.b1, on.b2};
+    cut(chain_pieces_, silhouettes_.chains, joints_.chains);
+    cut(intersection_pieces_, intersections_.curves, joints_.intersections);
   }
 
   std::size_t global_point(int c, int i) const {
     return idx(intersections_.curves.offsets[idx(c)] + i);
-  }
-
-  void cut_by_segment(int c, int i, int triangle, const CurveSegment& s) {
-    const Span<const IntersectionPoint> curve = intersections_.curves[idx(c)];
-    const Span<const ChainPoint> chain = silhouettes_.chains[idx(s.curve)];
-    const Vec3& start = chain[idx(s.segment)].position;
-    const Vec3& end = chain[(idx(s.segment) + 1) % chain.size()].position;
-    const Vec3 &from = curve[idx(i)].position, &to = curve[(idx(i) + 1) % curve.size()].position;
-    double f, h;
-    if (!segments_cross(barycentrics(surface_, triangle, from),
-                        barycentrics(surface_, triangle, to),
-                        place_on(triangle, chain[idx(s.segment)]),
-                        place_on(triangle, chain[(idx(s.segment) + 1) % chain.size()]), f, h)) {
-      return;
-    }
-    const int node = add_node(NodeKind::joint, start + h * (end - start));
-    const auto& sheets = intersections_.segment_triangles[global_point(c, i)];
-    const int other = sheets[0] == triangle ? sheets[1] : sheets[0];
-    joints_.intersections.push_back(
-        {c, i, f, node, change_of_strand(triangle, end - start, to - from)});
-    joints_.chains.push_back({s.curve, s.segment, h, node, change_through(other, end - start)});
   }
 
   void cut_at_triple_points() {
@@ -278,16 +213,6 @@ class JointFinder {
     const Vec3 normal = winding_normal(triangle);
     const Vec3& corner = surface_.positions[idx(surface_.triangles[idx(triangle)][0])];
     return (normal.dot(camera_.to_eye(corner)) >= 0) == (normal.dot(along) >= 0) ? -1 : 1;
-  }
-
-  // Of a curve on a triangle that crosses its contour: the front is on the left of the contour, and
-  // is the nearer strand where the contour's image runs as that of n x r, r the line of sight.
-  int change_of_strand(int triangle, const Vec3& contour, const Vec3& along) const {
-    const Vec3 normal = winding_normal(triangle);
-    const Vec3& corner = surface_.positions[idx(surface_.triangles[idx(triangle)][0])];
-    const bool to_front = normal.dot(contour.cross(along)) >= 0;
-    const bool front_is_near = contour.dot(camera_.to_eye(corner).cross(normal)) >= 0;
-    return to_front == front_is_near ? -1 : 1;
   }
 
   Vec3 winding_normal(int triangle) const {
@@ -317,8 +242,8 @@ class JointFinder {
   const ZeroCurves& lines_;
   const Camera& camera_;
   std::unordered_map<std::int64_t, int> feature_of_side_;
-  std::unordered_map<int, std::vector<CurveSegment>> segments_;               // of chains
-  std::unordered_map<int, std::vector<CurveSegment>> intersection_segments_;  // by triangle
+  PiecesByTriangle chain_pieces_;
+  PiecesByTriangle intersection_pieces_;
   Joints joints_;
 };
 

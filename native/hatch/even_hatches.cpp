@@ -78,17 +78,16 @@ std::vector<StreamlineNode> all_seeds(const HatchScene& scene, const HatchView& 
 void place_anew(StreamlineSet& set, const HatchView& view, const Ragged<SurfacePoint>& curves,
                 const std::vector<StreamlineNode>& seeds, int threads, const Progress& progress) {
   place_curves(set, view, curves, {}, progress.part(0, 0.3));
-  fill_streamlines(set, view, seeds, {0.9, 0.6, 1.5});
+  fill_streamlines(set, view, seeds, {0.9, 0.6, 1.5}, progress.part(0.3, 0.4));
   merge_streamlines(set, view);
-  progress.report(0.4);
-  relax_streamlines(set, view, 5, threads);
-  progress.report(0.7);
+  relax_streamlines(set, view, 5, threads, progress.part(0.4, 0.7));
   cut_streamlines(set, view, 0.5, 1.5);
+  progress.report(0.7);
   extend_streamlines(set, view, 0.65);
   set.drop_shorter(view, 1.5);
-  fill_streamlines(set, view, seeds, {0.75, 0.55, 1});
+  fill_streamlines(set, view, seeds, {0.75, 0.55, 1}, progress.part(0.75, 0.8));
   merge_streamlines(set, view);
-  relax_streamlines(set, view, 2, threads);
+  relax_streamlines(set, view, 2, threads, progress.part(0.8, 1));
   cut_streamlines(set, view, 0.5, 1);
 }
 
@@ -98,9 +97,9 @@ void place_after(StreamlineSet& set, const HatchView& view, const Ragged<Surface
   place_curves(set, view, first, {0.5, 0.5, 0.5, true}, progress.part(0, 0.3));
   extend_streamlines(set, view, 0.65);
   merge_streamlines(set, view);
-  fill_streamlines(set, view, seeds, {0.75, 0.65, 1.5});
-  progress.report(0.4);
+  fill_streamlines(set, view, seeds, {0.75, 0.65, 1.5}, progress.part(0.3, 0.4));
   for (int round = 0; round < 2; ++round) {
+    progress.report(0.4 + 0.3 * round);
     if (round > 0) merge_streamlines(set, view);
     relax_streamlines(set, view, 1, threads);
     cut_streamlines(set, view, 0.5, 1);
@@ -109,11 +108,12 @@ void place_after(StreamlineSet& set, const HatchView& view, const Ragged<Surface
 
 // Right up to what ends the streamlines, and into what is left.
 void finish_ends(StreamlineSet& set, const HatchView& view,
-                 const std::vector<StreamlineNode>& seeds) {
+                 const std::vector<StreamlineNode>& seeds, const Progress& progress) {
+  progress.report(0);
   extend_tips(set, view, 0.72, 0.6);
   set.drop_shorter(view, 0.5);
-  fill_streamlines(set, view, seeds, {0.77, 0.55, 0.75});
-  fill_streamlines(set, view, edge_seeds(set, view), {0.75, 0.5, 0.4});
+  fill_streamlines(set, view, seeds, {0.77, 0.55, 0.75}, progress.part(0.3, 0.6));
+  fill_streamlines(set, view, edge_seeds(set, view), {0.75, 0.5, 0.4}, progress.part(0.6, 0.9));
   extend_tips(set, view, 0.72, 0.6);
 }
 
@@ -138,7 +138,7 @@ Hatches even_hatches(const HatchScene& scene, const SurfaceCurves& curves,
   } else {
     place_after(set, view, first, seeds, threads, progress.part(0.1, 0.7));
   }
-  finish_ends(set, view, seeds);
+  finish_ends(set, view, seeds, progress.part(0.7, 0.9));
   progress.report(0.9);
   Hatches hatches = finished(set.streamlines, view);
   fill_undercuts(hatches, scene, options, counts, progress.part(0.9, 1));

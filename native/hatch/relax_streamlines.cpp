@@ -220,8 +220,10 @@ class Relaxer {
 
 }  // namespace
 
-void relax_streamlines(StreamlineSet& set, const HatchView& view, int sweeps, int threads) {
+void relax_streamlines(StreamlineSet& set, const HatchView& view, int sweeps, int threads,
+                       const Progress& progress) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {
+    progress.report(static_cast<double>(sweep) / sweeps);
     std::vector<std::vector<StreamlineNode>> moved(set.streamlines.size());
     const Relaxer relaxer(set, view, sweep);
     parallel_for(moved.size(), threads, [&](std::size_t begin, std::size_t end) {

@@ -105,22 +105,24 @@ class View {
     const StrokeOptions& stroke = options_.stroke;
     const NetworkOptions network_options{stroke.marks, stroke.materials, stroke.flat_outlines,
                                          options_.curvature_curves};
+    const Progress search = progress.part(0, 0.2, "contour");
     const ContourScene contour_scene{
         scene_.surface(),
         scene_.limit_surface(),
         scene_.features(),
         scene_.intersections(),
-        options_.scan_silhouettes ? nullptr : &scene_.dual_surface(),
-        options_.curvature_curves.any() ? &scene_.curvature_derivative() : nullptr};
+        options_.scan_silhouettes ? nullptr : &scene_.dual_surface(search),
+        options_.curvature_curves.any() ? &scene_.curvature_derivative(progress.part(0.2, 0.3))
+                                        : nullptr};
     const CurveNetwork network = timed(result_.timings["contour"], [&] {
       return build_network(contour_scene, camera_, network_options, result_.counts,
-                           progress.part(0, 0.5, "contour"));
+                           progress.part(0.3, 0.6, "contour"));
     });
     result_.graph = timed(result_.timings["visibility"], [&] {
       const bool by_vote = options_.visibility == VisibilityMethod::vote;
       return (by_vote ? vote_network : label_network)(network, scene_.surface(), scene_.bvh(),
                                                       camera_, result_.counts,
-                                                      progress.part(0.5, 1, "visibility"));
+                                                      progress.part(0.6, 1, "visibility"));
     });
   }
 
@@ -219,8 +221,8 @@ DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOption
   validate(options, prepared.object_count());
   for (std::size_t i = 0; i < lights.size(); ++i) validate(lights[i], i);
   const bool hatching = anything_is_hatched(options);
-  const SeenScene scene(prepared, options.styles, options.threads, progress.part(0, 0.1));
-  const CrossField* field = hatching ? &prepared.field(progress.part(0.1, 0.3)) : nullptr;
+  const SeenScene scene(prepared, options.styles, options.threads);
+  const CrossField* field = hatching ? &prepared.field(progress.part(0, 0.3)) : nullptr;
   View view(scene, camera, options);
   if (hatching && previous) view.follow(*previous, prepared.surface());
   view.label_curves(progress.part(0.3, hatching ? 0.5 : 0.95));

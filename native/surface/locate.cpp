@@ -1,5 +1,7 @@
 #include "surface/locate.h"
 
+#include <algorithm>
+
 namespace illustrate {
 
 Vec2 barycentrics(const Surface& surface, int triangle, const Vec3& p) {
@@ -23,6 +25,12 @@ SurfacePoint on_edge(int triangle, int corner, double fraction) {
 SurfacePoint locate(const Surface& surface, int triangle, const Vec3& p) {
   const Vec2 weights = barycentrics(surface, triangle, p);
   return {triangle, weights.x(), weights.y()};
+}
+
+SurfacePoint nearest_on(const Surface& surface, int triangle, const Vec3& p) {
+  const Vec2 weights = barycentrics(surface, triangle, p);
+  const double b1 = std::clamp(weights.x(), 0.0, 1.0);
+  return {triangle, b1, std::clamp(weights.y(), 0.0, 1.0 - b1)};
 }
 
 bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, double& f,

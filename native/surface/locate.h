@@ -19,4 +19,7 @@ bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, 
 // The same as `barycentrics`, as a SurfacePoint.
 SurfacePoint locate(const Surface& surface, int triangle, const Vec3& p);
 
+// Likewise, but no farther than the triangle's edges.
+SurfacePoint nearest_on(const Surface& surface, int triangle, const Vec3& p);
+
 }  // namespace illustrate

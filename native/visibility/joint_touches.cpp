@@ -69,6 +69,31 @@ class JointTouches {
     return nearest;
   }
 
+  // Whether that half runs off over the tip of a cusp beside the node, which is on the cusp's far
+  // strand.
+  bool runs_over_cusp(std::size_t node, std::size_t half) const {
+    const Tie &s = contour(node), &t = other(node);
+    const Direction along = half == 0 ? direction(t.a, false) : direction(t.b, true);
+    for (const bool forward : {false, true}) {
+      const int strand = forward ? s.b : s.a;
+      const Strand& way = network_.strands[idx(strand)];
+      const int cusp = forward ? way.end_node : way.start_node;
+      if (network_.nodes[idx(cusp)].kind != NodeKind::cusp || ties_[idx(cusp)].size() != 1)
+        continue;
+      const Vec2& tip = arrangement_.image.image[point(strand, 0, !forward)];
+      const Vec2 to_tip = tip - image_of(s);
+      // Along the far strand to the cusp the way comes nearer to the viewer, away from it recedes.
+      const bool is_far = ties_[idx(cusp)][0].jump == (forward ? -1 : 1);
+      if (is_far && is_near(tip, image_of(s)) && to_tip.x() * along.x - to_tip.y() * along.y > 0)
+        return true;
+    }
+    return false;
+  }
+
+  const Tie& other(std::size_t node) const {
+    return ties_[node][is_contour(ties_[node][0]) ? 1 : 0];
+  }
+
  private:
   bool is_contour(const Tie& tie) const {
     return network_.strands[idx(tie.a)].kind == Kind::silhouette;
@@ -76,9 +101,6 @@ class JointTouches {
 
   const Tie& contour(std::size_t node) const {
     return ties_[node][is_contour(ties_[node][0]) ? 0 : 1];
-  }
-  const Tie& other(std::size_t node) const {
-    return ties_[node][is_contour(ties_[node][0]) ? 1 : 0];
   }
 
   const Vec2& image_of(const Tie& tie) const {
@@ -135,6 +157,16 @@ class JointTouches {
   std::vector<int> previous_;           // (strands)
 };
 
+// Turns round what changes where a strand starts.
+void turn_jump(Arrangement& arrangement, int strand) {
+  for (Path& path : arrangement.paths) {
+    const auto found = std::find(path.strands.begin(), path.strands.end(), strand);
+    if (found == path.strands.end()) continue;
+    int& jump = path.jumps[static_cast<std::size_t>(found - path.strands.begin())];
+    jump = -jump;
+  }
+}
+
 }  // namespace
 
 int drop_touches_past_nodes(Arrangement& arrangement, const std::vector<std::uint8_t>& is_paid,
@@ -143,10 +175,14 @@ int drop_touches_past_nodes(Arrangement& arrangement, const std::vector<std::uin
   int dropped = 0;
   for (std::size_t i = 0; i < is_paid.size(); ++i) {
     const std::size_t node = i / 2, half = i % 2;
-    if (is_paid[i] || !joints.is_of_contour(node) || !joints.leaves_surface(node, half)) continue;
+    if (!joints.is_of_contour(node) || joints.leaves_surface(node, half) == (is_paid[i] != 0))
+      continue;
     double distance_px = 0;
-    const int crossing = joints.nearest_crossing(node, half, distance_px);
-    if (crossing == none) continue;
+    const int crossing = is_paid[i] ? none : joints.nearest_crossing(node, half, distance_px);
+    if (crossing == none) {
+      if (joints.runs_over_cusp(node, half)) turn_jump(arrangement, joints.other(node).b);
+      continue;
+    }
     arrangement.states[idx(crossing)] = CrossingState::dropped;
     moved_px = std::max(moved_px, distance_px);
     ++dropped;

@@ -1,0 +1,129 @@
+"""Lights as they are read, and as bright as Blender's own."""
+
+import math
+from typing import Any
+
+import bpy
+import numpy as np
+import pytest
+from mathutils import Vector
+
+import tools
+from tools import read
+
+
+def add_light(scene: Any, kind: str, place: Any, energy: float) -> Any:
+    light = bpy.data.objects.new(kind, bpy.data.lights.new(kind, kind))
+    light.location = place
+    light.data.energy = energy
+    scene.collection.objects.link(light)
+    return light
+
+
+def test_lights_are_read_with_their_place_and_direction(scene: Any) -> None:
+    tools.add_camera(scene)
+    tools.add_cube()
+    sun = add_light(scene, "SUN", (9, 9, 9), 2)
+    sun.rotation_euler.x = math.radians(90)  # shines along +y
+    spot = add_light(scene, "SPOT", (0, 0, 5), 100)
+    spot.data.spot_size = math.radians(60)
+    add_light(scene, "POINT", (0, 0, 5), 100)
+    add_light(scene, "AREA", (0, 0, 5), 100)
+    add_light(scene, "POINT", (0, 0, 2), 0)
+    lights = {light.kind: light for light in read(scene).lights}
+    assert set(lights) == {"sun", "spot", "point", "area"}
+    assert lights["sun"].vector == pytest.approx([0, -1, 0], abs=1e-6)
+    assert lights["spot"].blend == pytest.approx(0.15)
+    assert lights["sun"].strength == 1  # the strongest
+    assert lights["spot"].vector == pytest.approx([0, 0, 5])
+    assert lights["spot"].direction == pytest.approx([0, 0, -1])
+    assert lights["spot"].angle_rad == pytest.approx(math.radians(30))
+    assert lights["area"].strength == pytest.approx(math.pi * lights["point"].strength)
+    assert not read(scene, use_lights=False).lights
+
+
+def test_the_strongest_light_is_white_in_the_middle(scene: Any) -> None:
+    tools.add_camera(scene)
+    tools.add_cube()
+    add_light(scene, "POINT", (0, 0, 2), 50)
+    add_light(scene, "POINT", (0, 0, 4), 50)
+    lights = read(scene).lights
+    assert [light.strength for light in lights] == pytest.approx([4, 4])
+    assert [light.strength_at([0, 0, 0]) for light in lights] == pytest.approx([1, 0.25])
+
+
+def test_an_area_light_has_its_extent(scene: Any) -> None:
+    tools.add_camera(scene)
+    tools.add_cube()
+    lamp = add_light(scene, "AREA", (0, 0, 5), 100)
+    lamp.data.shape, lamp.data.size, lamp.data.size_y = "ELLIPSE", 2, 3
+    lamp.scale = (2, 1, 1)
+    lamp.data.use_shadow = False
+    bpy.context.view_layer.update()
+    (light,) = read(scene).lights
+    assert light.edges == pytest.approx(np.array([[4, 0, 0], [0, 3, 0]]), abs=1e-6)
+    assert light.ellipse and not light.casts_shadows
+
+
+LAMPS: dict[str, dict[str, Any]] = {
+    "SUN": {"energy": 2.0, "angle": 0.0},
+    "POINT": {"energy": 300.0, "shadow_soft_size": 0.0},
+    "SPOT": {"energy": 600.0, "shadow_soft_size": 0.0, "spot_size": 1.2, "spot_blend": 0.6},
+    "AREA": {"energy": 250.0, "shape": "RECTANGLE", "size": 2.5, "size_y": 0.5},
+}
+
+
+def white_sphere(scene: Any) -> None:
+    """A ball, seen from above with a pixel for every sixteenth of its radius."""
+    tools.add_camera(scene, (0, 0, 8), (40, 40), type="ORTHO", ortho_scale=2.5)
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=96, ring_count=48)
+    bpy.ops.object.shade_smooth()
+    material = bpy.data.materials.new("White")
+    material.use_nodes = True
+    nodes = material.node_tree.nodes
+    nodes.clear()
+    diffuse, output = nodes.new("ShaderNodeBsdfDiffuse"), nodes.new("ShaderNodeOutputMaterial")
+    diffuse.inputs["Color"].default_value = (1, 1, 1, 1)
+    material.node_tree.links.new(diffuse.outputs[0], output.inputs[0])
+    bpy.context.object.data.materials.append(material)
+
+
+def rendered(scene: Any, folder: Any) -> Any:
+    """(h, w) what Cycles makes of the scene, direct light only, first row at the top."""
+    scene.render.engine = "CYCLES"
+    cycles = scene.cycles
+    cycles.samples, cycles.use_denoising, cycles.max_bounces = 64, False, 0
+    cycles.use_adaptive_sampling, cycles.filter_width = False, 0.01
+    scene.view_settings.view_transform = "Raw"
+    scene.render.image_settings.file_format = "OPEN_EXR"
+    scene.render.filepath = str(folder / "light.exr")
+    bpy.ops.render.render(write_still=True)
+    image = bpy.data.images.load(scene.render.filepath)
+    size = image.size[1], image.size[0], image.channels
+    return np.array(image.pixels[:]).reshape(size)[::-1, :, 0]
+
+
+@pytest.mark.parametrize("kind", LAMPS)
+def test_brightness_is_what_the_render_shows(scene: Any, kind: str, tmp_path: Any) -> None:
+    from illustrate import native
+    from illustrate.scene import read_scene
+
+    if kind in ("SPOT", "AREA") and bpy.app.version >= (4, 0):
+        pytest.skip("spots and areas are measured against the Cycles of Blender 3.4: 4 differs")
+    white_sphere(scene)
+    lamp = add_light(scene, kind, (1.5, 1, 2.5), 1)
+    lamp.rotation_euler = Vector((1.5, 1, 2.5)).to_track_quat("Z", "Y").to_euler()
+    for name, value in LAMPS[kind].items():
+        setattr(lamp.data, name, value)
+    bpy.context.view_layer.update()
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    arrays = read_scene(scene, depsgraph, auto_exposure=False)
+    ill = native.load()
+    prepared = ill.prepare([ill.PolygonMesh(**vars(mesh)) for mesh in arrays.meshes])
+    lights = [ill.Light(**vars(light)) for light in arrays.lights]
+    tone = ill.draw(prepared, ill.Camera(**vars(arrays.camera)), lights=lights).tone
+    picture = np.minimum(1, rendered(scene, tmp_path))
+    rows, columns = np.indices(picture.shape) + 0.5
+    inside = np.hypot(rows - 20, columns - 20) < 14
+    assert picture[inside].max() > 0.2
+    assert np.abs(picture - tone.brightness)[inside].max() < 0.03
