@@ -1,5 +1,5 @@
 # Each target sets up what it needs and can be run first; what is already there is not done again.
-.PHONY: build demo test test-window bench sanitize lint
+.PHONY: build demo test test-window bench sanitize extension matrix lint
 
 build:
 	tools/build.sh
@@ -18,6 +18,12 @@ bench:
 
 sanitize:
 	tools/sanitize.sh
+
+extension:
+	tools/extension.sh
+
+matrix:
+	tools/matrix.sh
 
 lint:
 	tools/lint.sh

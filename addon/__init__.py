@@ -1,6 +1,17 @@
 """Illustrate: line illustrations of smooth surfaces, as editable strokes."""
 
-from . import bake, cache, operators, preferences, settings, styles, translations, ui, viewport
+from . import (
+    bake,
+    cache,
+    command,
+    operators,
+    preferences,
+    settings,
+    styles,
+    translations,
+    ui,
+    viewport,
+)
 from .worker import stop_all
 
 bl_info = {
@@ -13,7 +24,18 @@ bl_info = {
     "category": "Render",
 }
 
-PARTS = (preferences, settings, styles, cache, operators, bake, viewport, ui, translations)
+PARTS = (
+    preferences,
+    settings,
+    styles,
+    cache,
+    operators,
+    bake,
+    *viewport.PARTS,
+    *ui.PARTS,
+    translations,
+    command,
+)
 
 
 def register() -> None:

@@ -8,8 +8,8 @@ import bpy
 from . import native, output
 from .illustration import compute, read_request
 from .messages import IllustrateError, counted
-from .operators import can_illustrate
-from .tasks import Step, Task, TaskOperator
+from .operators import DrawingOperator
+from .tasks import Step, Task
 
 
 def frames_of(scene: Any) -> range:
@@ -23,7 +23,7 @@ def frames_of(scene: Any) -> range:
     return range(start, end + 1, chosen.frame_step)
 
 
-class ILLUSTRATE_OT_bake(TaskOperator, bpy.types.Operator):
+class ILLUSTRATE_OT_bake(DrawingOperator, bpy.types.Operator):
     """Writes the illustrations of a range of frames."""
 
     bl_idname = "illustrate.bake"
@@ -32,12 +32,6 @@ class ILLUSTRATE_OT_bake(TaskOperator, bpy.types.Operator):
         "Draw every frame of the range into a keyframe of its own; frames with strokes of yours "
         "are left as they are"
     )
-    bl_options = {"REGISTER", "UNDO"}
-
-    @classmethod
-    def poll(cls, context: Any) -> bool:
-        """There is a camera, and something before it."""
-        return can_illustrate(cls, context)
 
     def task(self, context: Any) -> Task:
         """Draws frame after frame in a thread; writes them together at the end."""
@@ -78,11 +72,4 @@ def _step(request: Any, frame: int, start: float, end: float) -> Step:
     return Step(lambda progress: compute(request, progress), start, end, f"Frame {frame}")
 
 
-def register() -> None:
-    """Registers the operator."""
-    bpy.utils.register_class(ILLUSTRATE_OT_bake)
-
-
-def unregister() -> None:
-    """Takes it away again."""
-    bpy.utils.unregister_class(ILLUSTRATE_OT_bake)
+register, unregister = bpy.utils.register_classes_factory((ILLUSTRATE_OT_bake,))

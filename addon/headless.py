@@ -1,6 +1,7 @@
 """Illustrates frames of a scene without a window and writes the drawings to files.
 
     blender -b FILE.blend --python-exit-code 3 --python headless.py -- --out DIR [options]
+    blender -b FILE.blend --command illustrate --out DIR [options]       (the extension, 4.2 on)
     python headless.py FILE.blend --out DIR [options]          (a Python that has the module bpy)
 
 A file is called as the .blend and its frame, such as scene_0001.svg; it appears whole or not at
@@ -152,7 +153,7 @@ def parse(arguments: list[str]) -> Any:
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(prog="headless.py", description=(__doc__ or "").split("\n")[0])
+    parser = argparse.ArgumentParser(prog=PACKAGE, description=(__doc__ or "").split("\n")[0])
     parser.add_argument("blend", nargs="?", help="the file to open; the open one when left out")
     parser.add_argument(
         "--frames",

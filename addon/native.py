@@ -1,10 +1,16 @@
-"""The native module: the one that came with the add-on, else the one installed for this Python."""
+"""The native module: the one that came with the add-on, else the one installed for this Python.
+
+An extension brings it as a wheel, which Blender installs; the add-on for older Blenders has it inside.
+"""
 
 import importlib
 import importlib.util
 import pathlib
+import re
 import sys
 from types import ModuleType
+
+import bpy
 
 from .messages import IllustrateError
 
@@ -18,11 +24,32 @@ def load() -> ModuleType:
     try:
         return _load_bundled() or importlib.import_module(NAME)
     except ImportError as error:
-        version = ".".join(map(str, sys.version_info[:2]))
-        raise IllustrateError(
-            f"The native module of Illustrate cannot be loaded for Python {version} ({error}): "
-            "install the add-on again from a package made for this Blender"
-        ) from error
+        raise IllustrateError(_missing(error)) from error
+
+
+def _missing(error: ImportError) -> str:
+    """Why the module cannot be loaded, and the way out."""
+    needed, inside = "{}.{}".format(*sys.version_info[:2]), pythons_inside()
+    blender = f"Blender {bpy.app.version_string} runs Python {needed}"
+    if needed in inside:
+        return (
+            f"The native module of Illustrate for Python {needed} is there and cannot be loaded "
+            f"({error}): install Illustrate again from the package for this system"
+        )
+    has = f"has it for Python {', '.join(inside)}" if inside else "has it for no Python"
+    return (
+        f"The native module of Illustrate is missing: {blender}, and this package {has}. "
+        "Install the package of Illustrate that is made for this Blender"
+    )
+
+
+def pythons_inside() -> list[str]:
+    """The Pythons that this package has the module for, such as '3.11', by its files."""
+    folder = pathlib.Path(__file__).parent
+    names = [path.name for path in (*folder.glob("wheels/*.whl"), *folder.glob(f"{NAME}/_core.*"))]
+    found = [re.search(r"-cp3(\d+)-|[.]cp(?:ython-)?3(\d+)-", name) for name in names]
+    minors = {int(match[1] or match[2]) for match in found if match}
+    return [f"3.{minor}" for minor in sorted(minors)]
 
 
 def load_part(name: str) -> ModuleType:

@@ -7,10 +7,11 @@ is turned into the native one. To mirror a new native option, add a row.
 import math
 from typing import Any
 
-from bpy.props import EnumProperty, FloatProperty, FloatVectorProperty
+from bpy.props import FloatProperty, FloatVectorProperty
 
 from .option_kinds import (
     NativeOption,
+    choice,
     paper,
     pixels,
     real,
@@ -21,15 +22,9 @@ from .option_kinds import (
     whole,
 )
 
-THREADS = whole(
-    "threads",
-    "surface",
-    "Threads",
-    0,
-    "Threads to compute with, 0 for as many as there are cores",
-    min=0,
-    max=1024,
-)
+THREADS = whole("threads", "surface", "Threads", 0,
+                "Threads to compute with, 0 for as many as there are cores",
+                min=0, max=1024)  # fmt: skip
 
 SCHEMES = [
     ("auto", "Automatic", "Catmull-Clark for meshes of quads, Loop for others", 0),
@@ -42,12 +37,7 @@ VISIBILITIES = [
     ("vote", "Vote", "The vote of the paper, for comparison", 1),
 ]
 SEEDINGS = [
-    (
-        "surface-curves",
-        "Surface Curves",
-        "Ranked curves of the surface, the same from all sides",
-        0,
-    ),
+    ("surface-curves", "Surface Curves", "Ranked curves of the surface, alike from all sides", 0),
     ("critical-curves", "Critical Curves", "The lines of the picture, as in the paper", 1),
 ]
 FIELD_STARTS = [
@@ -56,140 +46,54 @@ FIELD_STARTS = [
 ]
 
 PREPARE = (
-    NativeOption(
-        "scheme",
-        EnumProperty(
-            name="Subdivision",
-            items=SCHEMES,
-            default="auto",
-            description="Which smooth surface meshes stand for, where no Subdivision modifier "
-            "says it",
-        ),
-        "surface",
-    ),
-    whole(
-        "level",
-        "surface",
-        "Level",
-        -1,
-        "How often surfaces are subdivided, -1 for as often as the picture needs",
-        min=-1,
-        max=10,
-    ),
-    real(
-        "edge_length",
-        "surface",
-        "Edge Length",
-        0.0,
-        "Longest median edge of automatic levels, 0 for what the picture needs",
-        min=0.0,
-        unit="LENGTH",
-    ),
-    whole(
-        "triangle_budget",
-        "surface",
-        "Triangle Budget",
-        250_000,
-        "Most triangles that surfaces are refined to, all objects together",
-        min=1_000,
-        soft_max=2_000_000,
-    ),
+    choice("scheme", "surface", "Subdivision", SCHEMES, "auto",
+           "Which smooth surface meshes stand for, where no Subdivision modifier says it"),
+    whole("level", "surface", "Level", -1,
+          "How often surfaces are subdivided, -1 for as often as the picture needs",
+          min=-1, max=10),
+    real("edge_length", "surface", "Edge Length", 0.0,
+         "Longest median edge of automatic levels, 0 for what the picture needs",
+         min=0.0, unit="LENGTH"),
+    whole("triangle_budget", "surface", "Triangle Budget", 250_000,
+          "Most triangles that surfaces are refined to, all objects together",
+          min=1_000, soft_max=2_000_000),
     THREADS,
-    whole(
-        "rings",
-        "surface",
-        "Smoothing",
-        3,
-        "Rings of neighbours that directions are computed from: more for meshes with fine detail "
-        "that the hatches should not follow",
-        min=1,
-        max=10,
-    ),
-    real(
-        "parabolic_ratio",
-        "surface",
-        "Parabolic Ratio",
-        0.2,
-        "Hatches keep to the curvature where the smaller one is at most this share of the larger; "
-        "0 smooths all directions",
-        min=0.0,
-        soft_max=1.0,
-    ),
-    real(
-        "least_curvature",
-        "surface",
-        "Least Curvature",
-        1.0,
-        "Where an object bends less, measured against its size, directions are smoothed",
-        min=0.0,
-        soft_max=20.0,
-    ),
-    real(
-        "largest_energy",
-        "surface",
-        "Largest Energy",
-        0.05,
-        "Where directions of curvature disagree more with their neighbours, they are smoothed",
-        min=0.0,
-        max=2.0,
-    ),
-    real(
-        "alignment_weight",
-        "surface",
-        "Alignment",
-        0.1,
-        "How strongly creases and boundaries pull the hatches along them",
-        min=0.0,
-        soft_max=1.0,
-    ),
-    switch(
-        "inverse_length_weights",
-        "surface",
-        "Short Edges Count More",
-        False,
-        "Edges of the surface count in inverse proportion to their length",
-    ),
-    NativeOption(
-        "field_start",
-        EnumProperty(
-            name="Start",
-            items=FIELD_STARTS,
-            default="search",
-            description="Where the smoothing of directions starts from",
-        ),
-        "surface",
-    ),
-    real(
-        "guide_radius",
-        "surface",
-        "Guide Radius",
-        0.05,
-        "So far from a guide it alone says where hatches run, measured against the object's size",
-        min=0.0,
-        soft_max=1.0,
-    ),
-    whole(
-        "max_evaluations",
-        "surface",
-        "Evaluations",
-        500,
-        "Most steps of smoothing the directions",
-        min=0,
-        soft_max=5_000,
-    ),
+    whole("rings", "surface", "Smoothing", 3,
+          "Rings of neighbours that directions are computed from: more for meshes with fine detail "
+          "that the hatches should not follow",
+          min=1, max=10),
+    real("parabolic_ratio", "surface", "Parabolic Ratio", 0.2,
+         "Hatches keep to the curvature where the smaller one is at most this share of the larger; "
+         "0 smooths all directions",
+         min=0.0, soft_max=1.0),
+    real("least_curvature", "surface", "Least Curvature", 1.0,
+         "Where an object bends less, measured against its size, directions are smoothed",
+         min=0.0, soft_max=20.0),
+    real("largest_energy", "surface", "Largest Energy", 0.05,
+         "Where directions of curvature disagree more with their neighbours, they are smoothed",
+         min=0.0, max=2.0),
+    real("alignment_weight", "surface", "Alignment", 0.1,
+         "How strongly creases and boundaries pull the hatches along them",
+         min=0.0, soft_max=1.0),
+    switch("inverse_length_weights", "surface", "Short Edges Count More", False,
+           "Edges of the surface count in inverse proportion to their length"),
+    choice("field_start", "surface", "Start", FIELD_STARTS, "search",
+           "Where the smoothing of directions starts from"),
+    real("guide_radius", "surface", "Guide Radius", 0.05,
+         "So far from a guide it alone says where hatches run, measured against the object's size",
+         min=0.0, soft_max=1.0),
+    whole("max_evaluations", "surface", "Evaluations", 500,
+          "Most steps of smoothing the directions",
+          min=0, soft_max=5_000),
     NativeOption(
         "default_direction",
-        FloatVectorProperty(
-            name="Default Direction",
-            size=3,
-            default=(0.0, 0.0, 1.0),
-            subtype="XYZ",
-            description="World direction of hatches where no curvature gives one",
-        ),
+        FloatVectorProperty(name="Default Direction", size=3, default=(0.0, 0.0, 1.0),
+                            subtype="XYZ",
+                            description="World direction of hatches where no curvature gives one"),
         "surface",
         to_native=lambda vector: tuple(vector) if any(vector) else (0.0, 0.0, 1.0),
     ),
-)
+)  # fmt: skip
 
 LINES = (
     paper("line_width_px", "main", "Line Width", 2.0, "Width of silhouettes and boundaries",
@@ -216,9 +120,8 @@ LINES = (
     threshold("ridge_threshold", "Ridge", "ridges", 15.0),
     switch("valleys", "lines", "Valleys", False, "Draw where a smooth surface caves in most"),
     threshold("valley_threshold", "Valley", "valleys", 15.0),
-    NativeOption("visibility", EnumProperty(
-        name="Visibility", items=VISIBILITIES, default="labels",
-        description="How it is found out which lines are hidden"), "surface"),
+    choice("visibility", "surface", "Visibility", VISIBILITIES, "labels",
+           "How it is found out which lines are hidden"),
     switch("scan_silhouettes", "surface", "Scan Silhouettes", False,
             "Look at every triangle for silhouettes instead of searching: slower, for checks"),
 )  # fmt: skip
@@ -240,12 +143,8 @@ HATCHING = (
            0.0, 10_000.0, 100.0),
     paper("max_length_px", "hatching", "Longest", 2500.0, "Length at which a hatch ends",
            1.0, 20_000.0, 5_000.0),
-    NativeOption(
-        "hatch_seeding",
-        EnumProperty(name="Seeding", items=SEEDINGS, default="surface-curves",
-                     description="What hatches start from"),
-        "hatching",
-    ),
+    choice("hatch_seeding", "hatching", "Seeding", SEEDINGS, "surface-curves",
+           "What hatches start from"),
     NativeOption(
         "max_turn_deg",
         FloatProperty(name="Most Turn", default=math.radians(150), min=math.radians(1),

@@ -14,27 +14,27 @@ from .tasks import Step, Task, TaskOperator, is_running
 from .viewport.inspect import INSPECTOR
 
 
-def can_illustrate(operator: Any, context: Any) -> bool:
-    """True when a click makes a drawing; else the operator's button says why it is grey."""
-    problem = "An illustration is being drawn: ESC cancels it" if is_running() else ""
-    problem = problem or stopping_problem(context.scene, context.view_layer)
-    if problem:
-        operator.poll_message_set(problem)
-    return not problem
+class DrawingOperator(TaskOperator):
+    """Mixin of tasks that draw: one at a time, and only where there is something to draw."""
+
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context: Any) -> bool:
+        """True when a drawing can be made; else the operator's button says why it is grey."""
+        problem = "An illustration is being drawn: ESC cancels it" if is_running() else ""
+        problem = problem or stopping_problem(context.scene, context.view_layer)
+        if problem:
+            cls.poll_message_set(problem)  # type: ignore[attr-defined]
+        return not problem
 
 
-class ILLUSTRATE_OT_illustrate(TaskOperator, bpy.types.Operator):
+class ILLUSTRATE_OT_illustrate(DrawingOperator, bpy.types.Operator):
     """Writes the scene's illustration."""
 
     bl_idname = "illustrate.illustrate"
     bl_label = "Illustrate"
     bl_description = "Draw the scene as its camera sees it, in place of the last illustration"
-    bl_options = {"REGISTER", "UNDO"}
-
-    @classmethod
-    def poll(cls, context: Any) -> bool:
-        """There is a camera, and something before it."""
-        return can_illustrate(cls, context)
 
     def task(self, context: Any) -> Task:
         """Reads, draws in a thread, writes."""
@@ -86,7 +86,7 @@ class ILLUSTRATE_OT_clear(bpy.types.Operator):
         return {"FINISHED"}
 
 
-class ILLUSTRATE_OT_show_field(TaskOperator, bpy.types.Operator):
+class ILLUSTRATE_OT_show_field(DrawingOperator, bpy.types.Operator):
     """Shows the field that hatches follow."""
 
     bl_idname = "illustrate.show_field"
@@ -95,7 +95,6 @@ class ILLUSTRATE_OT_show_field(TaskOperator, bpy.types.Operator):
         "Show the directions that hatches follow as crosses on the surfaces, with a red or blue "
         "mark where they turn round a point"
     )
-    bl_options = {"REGISTER", "UNDO"}
 
     def task(self, context: Any) -> Task:
         """Puts the field in place of the one shown last."""
@@ -137,14 +136,4 @@ CLASSES = (
     ILLUSTRATE_OT_hide_field,
 )
 
-
-def register() -> None:
-    """Registers the operators."""
-    for operator in CLASSES:
-        bpy.utils.register_class(operator)
-
-
-def unregister() -> None:
-    """Takes the operators away again."""
-    for operator in reversed(CLASSES):
-        bpy.utils.unregister_class(operator)
+register, unregister = bpy.utils.register_classes_factory(CLASSES)

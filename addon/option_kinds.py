@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from bpy.props import BoolProperty, FloatProperty, IntProperty
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 
 MM_PER_PX = 0.1  # between the defaults of lengths in pixels and in millimetres
 
@@ -58,6 +58,14 @@ def whole(
 def switch(native: str, panel: str, label: str, default: bool, text: str) -> NativeOption:
     """A choice of yes or no."""
     return NativeOption(native, BoolProperty(name=label, default=default, description=text), panel)
+
+
+def choice(
+    native: str, panel: str, label: str, items: list[Any], default: str, text: str
+) -> NativeOption:
+    """One of several. items: as those of EnumProperty."""
+    prop = EnumProperty(name=label, items=items, default=default, description=text)
+    return NativeOption(native, prop, panel)
 
 
 def paper(

@@ -58,11 +58,4 @@ def preference(name: str) -> Any:
     return value if isinstance(value, int | float) else tuple(value)
 
 
-def register() -> None:
-    """Registers the preferences."""
-    bpy.utils.register_class(ILLUSTRATE_AP_preferences)
-
-
-def unregister() -> None:
-    """Takes them away again."""
-    bpy.utils.unregister_class(ILLUSTRATE_AP_preferences)
+register, unregister = bpy.utils.register_classes_factory((ILLUSTRATE_AP_preferences,))

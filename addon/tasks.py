@@ -40,6 +40,7 @@ STAGES = {
     "contour": "Finding silhouettes",
     "visibility": "Hiding lines",
     "tone": "Lighting",
+    "hatch curves": "Tracing hatches",
     "hatch": "Hatching",
     "stroke": "Drawing strokes",
 }

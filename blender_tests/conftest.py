@@ -7,20 +7,24 @@ from typing import Any
 
 import bpy
 import illustrate
+import installed
 import pytest
+
+import tools
 
 _status = [0]
 
 
 @pytest.fixture(scope="session", autouse=True)
 def _addon() -> None:
-    illustrate.register()
+    if not installed.is_enabled(illustrate):
+        illustrate.register()
 
 
 @pytest.fixture(autouse=True)
 def scene() -> Iterator[Any]:
     """The only scene of an empty file."""
-    bpy.ops.wm.read_factory_settings(use_empty=True)
+    tools.new_file()
     yield bpy.context.scene
 
 

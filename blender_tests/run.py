@@ -1,12 +1,13 @@
-"""Runs the tests of the add-on inside Blender, on build/addons/illustrate.
+"""Runs the tests of the add-on inside Blender.
 
     blender -b --factory-startup --python-exit-code 1 --python blender_tests/run.py -- [ARGUMENTS]
     python blender_tests/run.py [ARGUMENTS]        (a Python that has the module bpy)
 
 ARGUMENTS are pytest's.
 
-pytest comes from this Python, from $ILLUSTRATE_TEST_SITE or from .venv, whichever has it first.
-$ILLUSTRATE_ADDONS names another folder of add-ons to test.
+pytest comes from this Python, else from $ILLUSTRATE_TEST_SITE, or .venv where that is not set.
+The add-on is that of build/addons; $ILLUSTRATE_ADDONS names another folder of add-ons, and
+$ILLUSTRATE_ZIP a package to install and to test.
 """
 
 import os
@@ -18,13 +19,11 @@ ROOT = HERE.parent
 
 
 def set_paths() -> None:
-    """The add-on first; packages for the tests last, so that they replace none of Blender's own."""
-    addons = os.environ.get("ILLUSTRATE_ADDONS", str(ROOT / "build" / "addons"))
-    sys.path[:0] = [addons, str(HERE), str(ROOT / "examples")]
+    """Packages for the tests come last, so that they replace none of Blender's own."""
+    sys.path[:0] = [str(HERE), str(ROOT / "examples")]
     site = os.environ.get("ILLUSTRATE_TEST_SITE")
     version = "python{}.{}".format(*sys.version_info[:2])
-    sys.path.extend([site] if site else [])
-    sys.path.append(str(ROOT / ".venv" / "lib" / version / "site-packages"))
+    sys.path.append(site or str(ROOT / ".venv" / "lib" / version / "site-packages"))
 
 
 def own_arguments() -> list[str]:
@@ -34,7 +33,9 @@ def own_arguments() -> list[str]:
 
 if __name__ == "__main__":
     set_paths()
+    import installed
     import pytest
 
+    installed.provide()
     options = ["-c", os.devnull, "--rootdir", str(HERE), "-p", "no:cacheprovider"]
     sys.exit(int(pytest.main([*options, str(HERE), *own_arguments()])))

@@ -122,7 +122,7 @@ def test_the_cache_is_emptied_with_the_file(scene: Any, counter: Counter) -> Non
     tools.cube_scene(scene)
     counter.of(scene)
     assert CACHE._prepared[2] is not None
-    bpy.ops.wm.read_factory_settings(use_empty=True)
+    tools.new_file()
     assert CACHE._prepared[2] is None and not CACHE._drawings
 
 

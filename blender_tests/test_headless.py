@@ -1,9 +1,7 @@
 """The command without a window, as another process runs it."""
 
-import os
 import pathlib
 import subprocess
-import sys
 from typing import Any
 
 import bpy
@@ -17,24 +15,7 @@ SCRIPT = pathlib.Path(illustrate.__file__).parent / "headless.py"
 
 def headless(blend: Any, *arguments: str) -> subprocess.CompletedProcess[str]:
     """Runs the script on a .blend in the program when this is the program, else in its module."""
-    if bpy.app.binary_path:
-        command = [
-            bpy.app.binary_path,
-            "-b",
-            "--factory-startup",
-            str(blend),
-            "--python-exit-code",
-            "3",
-            "--python",
-            str(SCRIPT),
-            "--",
-            *arguments,
-        ]
-    else:
-        command = [sys.executable, str(SCRIPT), str(blend), *arguments]
-    return subprocess.run(
-        command, capture_output=True, text=True, timeout=300, check=False, env=dict(os.environ)
-    )
+    return tools.run_script(SCRIPT, *arguments, blend=blend)
 
 
 @pytest.fixture
@@ -118,6 +99,49 @@ def test_a_scene_that_cannot_be_drawn(
     assert words in ran.stderr and "Traceback" not in ran.stderr
     assert ran.stderr.count("illustrate: error:") == 1
     assert not names(tmp_path / "out")
+
+
+def command(blend: Any, *arguments: str) -> subprocess.CompletedProcess[str]:
+    """Runs the command of the extension as an artist's script would, with the user's settings."""
+    if not bpy.app.binary_path:
+        pytest.skip("the module bpy has no --command")
+    if not illustrate.__name__.startswith("bl_ext."):
+        pytest.skip("--command is of extensions, of Blender 4.2 and later")
+    words = [bpy.app.binary_path, "-b", str(blend), "--command", "illustrate", *arguments]
+    return subprocess.run(words, capture_output=True, text=True, timeout=300, check=False)
+
+
+def test_the_command_of_blender(scene: Any, saved: Any, tmp_path: Any) -> None:
+    tools.cube_scene(scene)
+    blend, out = saved(), tmp_path / "out"
+    options = ("--frames", "1-2", "--format", "svg,png,json,blend", "--width-mm", "120")
+    ran = command(blend, "--out", str(out), *options, "--preset", "Silhouette Drawing")
+    assert ran.returncode == 0, ran.stdout + ran.stderr
+    assert len(names(out)) == 8
+    assert headless(blend, "--out", str(tmp_path / "same"), *options, "--preset",
+                    "Silhouette Drawing").returncode == 0  # fmt: skip
+    for name in ("shot_0001.svg", "shot_0002.json"):
+        assert (out / name).read_bytes() == (tmp_path / "same" / name).read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code", "words"),
+    [
+        (("--help",), 0, "--frames"),
+        (("--out", "OUT", "--format", "bmp"), 2, "not one of svg, png, json, blend"),
+        (("--out", "OUT", "--preset", "Watercolour"), 1, 'no preset "Watercolour"'),
+        (("--out", "OUT"), 1, "no camera"),
+    ],
+)
+def test_exit_codes_of_the_command(
+    scene: Any, saved: Any, tmp_path: Any, arguments: tuple[str, ...], code: int, words: str
+) -> None:
+    scene.camera = None
+    tools.add_cube()
+    out = str(tmp_path / "out")
+    ran = command(saved(), *(out if word == "OUT" else word for word in arguments))
+    assert ran.returncode == code, ran.stdout + ran.stderr
+    assert words in ran.stdout + ran.stderr and "Traceback" not in ran.stderr
 
 
 def test_a_preset_is_drawn_with(scene: Any, saved: Any, tmp_path: Any) -> None:

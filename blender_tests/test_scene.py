@@ -155,14 +155,21 @@ def test_one_flat_face_of_a_smooth_object_is_sharp_all_round(scene: Any) -> None
     assert mesh.crease_angle_deg == 180
 
 
+def mark_for_freestyle(mesh: Any, edge: int) -> None:
+    if bpy.app.version >= (5, 0, 0):
+        mesh.attributes.new("freestyle_edge", "BOOLEAN", "EDGE").data[edge].value = True
+        return
+    for _ in range(2):  # Blender 3.4 puts the very first mark elsewhere
+        mesh.edges[0].use_freestyle_mark = False
+        mesh.edges[edge].use_freestyle_mark = True
+
+
 def test_freestyle_marks_and_materials_are_read(scene: Any) -> None:
     cube = tools.cube_scene(scene)
     for _ in range(2):
         cube.data.materials.append(bpy.data.materials.new("Paint"))
     cube.data.polygons[3].material_index = 1
-    for _ in range(2):  # Blender 3.4 puts the very first mark elsewhere
-        cube.data.edges[0].use_freestyle_mark = False
-        cube.data.edges[5].use_freestyle_mark = True
+    mark_for_freestyle(cube.data, 5)
     mesh = only_mesh(scene)
     assert mesh.marked_edges.tolist() == [list(cube.data.edges[5].vertices)]
     assert mesh.face_materials.tolist() == [0, 0, 0, 1, 0, 0]

@@ -183,7 +183,7 @@ def test_settings_are_saved(scene: Any, tmp_path: Any) -> None:
     cube.illustrate.width_scale = 3
     path = str(tmp_path / "saved.blend")
     bpy.ops.wm.save_as_mainfile(filepath=path)
-    bpy.ops.wm.read_factory_settings(use_empty=True)
+    tools.new_file()
     bpy.ops.wm.open_mainfile(filepath=path)
     assert bpy.context.scene.illustrate.spacing_px == 21
     assert bpy.data.objects["Box"].illustrate.width_scale == 3

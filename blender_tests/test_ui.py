@@ -1,11 +1,14 @@
 """Panels, menus, preferences and translations, drawn into a layout that checks what it is given."""
 
+import contextlib
+from collections.abc import Iterator
 from types import SimpleNamespace
 from typing import Any
 
 import addon_utils
 import bpy
 import illustrate
+import installed
 import pytest
 from illustrate import preferences, problems, styles, translations
 from illustrate.ui import menus, panel, style_panel
@@ -140,23 +143,43 @@ def test_menus_have_an_entry() -> None:
         assert menus._entry in entries
 
 
+@contextlib.contextmanager
+def addon(enabled: bool) -> Iterator[str]:
+    """The name of the add-on, enabled in the preferences or registered alone; then as it was."""
+    name, was_enabled = illustrate.__name__, installed.is_enabled(illustrate)
+    switch(name, was_enabled, enabled)
+    try:
+        yield name
+    finally:
+        switch(name, enabled, was_enabled)
+
+
+def switch(name: str, is_enabled: bool, enabled: bool) -> None:
+    if is_enabled == enabled:
+        return
+    if is_enabled:
+        addon_utils.disable(name, default_set=True)
+        illustrate.register()
+    else:
+        illustrate.unregister()
+        assert addon_utils.enable(name, default_set=True) is not None
+
+
 def test_preferences_have_defaults_where_the_addon_has_none() -> None:
-    assert "illustrate" not in bpy.context.preferences.addons
-    for name, value in preferences.DEFAULTS.items():
-        assert preferences.preference(name) == value
+    with addon(enabled=False) as name:
+        assert name not in bpy.context.preferences.addons
+        for setting, value in preferences.DEFAULTS.items():
+            assert preferences.preference(setting) == value
 
 
 def test_preferences_count_where_the_addon_has_them() -> None:
-    illustrate.unregister()
-    try:
-        assert addon_utils.enable("illustrate", default_set=True) is not None
-        own = bpy.context.preferences.addons["illustrate"].preferences
+    with addon(enabled=True) as name:
+        own = bpy.context.preferences.addons[name].preferences
         own.live_width, own.live_color = 5.0, (1, 0, 0, 1)
         assert preferences.preference("live_width") == 5
         assert preferences.preference("live_color") == (1, 0, 0, 1)
-    finally:
-        addon_utils.disable("illustrate", default_set=True)
-        illustrate.register()
+        for setting, value in preferences.DEFAULTS.items():
+            setattr(own, setting, value)
 
 
 def test_translations_are_of_texts_that_are_there() -> None:

@@ -25,7 +25,7 @@ def handlers() -> list[str]:
         for name, found in lists.items()
         if isinstance(found, list)
         for handler in found
-        if handler.__module__.startswith("illustrate")
+        if handler.__module__.startswith(illustrate.__name__)
     ]
 
 
@@ -142,7 +142,7 @@ def test_live_lines_leave_nothing(scene: Any) -> None:
         assert not manager.illustrate_live and handlers() == before
         assert not bpy.app.timers.is_registered(LIVE._tick_again)
     manager.illustrate_live = True
-    bpy.ops.wm.read_factory_settings(use_empty=True)
+    tools.new_file()
     assert not LIVE.is_on and LIVE.lines is None and handlers() == before
 
 
@@ -209,7 +209,7 @@ def test_the_inspector_shows_the_last_illustration(scene: Any) -> None:
     bpy.ops.illustrate.illustrate()
     manager.illustrate_inspect = "FIELD"
     assert manager.illustrate_inspect == "FIELD" and INSPECTOR.marks()
-    bpy.ops.wm.read_factory_settings(use_empty=True)
+    tools.new_file()
     assert bpy.context.window_manager.illustrate_inspect == "NONE" and INSPECTOR.made is None
 
 

@@ -1,6 +1,10 @@
 """Scenes to test with, and a view of the strokes in them that shares no code with the add-on."""
 
 import ctypes
+import os
+import pathlib
+import subprocess
+import sys
 from typing import Any
 
 import bpy
@@ -9,6 +13,33 @@ from mathutils import Vector
 
 V3 = bpy.app.version >= (4, 3, 0)
 Stroke = dict[str, Any]
+
+
+def run_script(
+    script: Any, *arguments: str, blend: Any = None, user: Any = None
+) -> subprocess.CompletedProcess[str]:
+    """Runs a script in another process of this Blender, program or module.
+
+    blend: a file to open. user: a folder for the settings of a new user; else those of this one.
+    """
+    opened = [] if blend is None else [str(blend)]
+    command = [sys.executable, str(script), *opened, *arguments]
+    if bpy.app.binary_path:
+        start = [bpy.app.binary_path, "-b", "--factory-startup", *opened]
+        command = [*start, "--python-exit-code", "3", "--python", str(script), "--", *arguments]
+    variables = dict(os.environ)
+    for name in ("RESOURCES", "CONFIG", "SCRIPTS") if user else ():
+        folder = pathlib.Path(user) / name.lower()
+        folder.mkdir(parents=True, exist_ok=True)
+        variables[f"BLENDER_USER_{name}"] = str(folder)
+    return subprocess.run(
+        command, capture_output=True, text=True, timeout=300, check=False, env=variables
+    )
+
+
+def new_file() -> None:
+    """An empty file; unlike the factory's settings it leaves add-ons enabled."""
+    bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
 
 
 def add_camera(scene: Any, place: Any = (5, -6, 4), size: Any = (320, 240), **settings: Any) -> Any:

@@ -106,7 +106,7 @@ def is_available(name: str) -> bool:
 
 def build(name: str) -> Any:
     """Empties the open file and builds a scene of SCENES in it; the scene."""
-    bpy.ops.wm.read_factory_settings(use_empty=True)
+    bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
     SCENES[name]()
     return bpy.context.scene
 

@@ -18,20 +18,57 @@ recipe_hash() {
         sha256sum | cut -c1-16
 }
 
-# find_python: the first Python 3.11 on the path that can make environments and build modules.
+# pythons VERSION: programs that may be that Python, those on the path first, then pyenv's.
+pythons() {
+    type -ap "python$1" python3 || true
+    ls -d "${PYENV_ROOT:-$HOME/.pyenv}/versions/$1".*/bin/python /usr/bin/python"$1" 2>/dev/null || true
+}
+
+# find_python [VERSION]: the first of them, 3.11 unless said, that can make environments and build
+# modules.
 find_python() {
-    local candidate
-    for candidate in $(type -ap python3.11 python3) /usr/bin/python3.11; do
-        if "$candidate" - 2>/dev/null <<'CHECK'; then
+    local version=${1:-3.11} candidate
+    for candidate in $(pythons "$version"); do
+        if "$candidate" - "$version" 2>/dev/null <<'CHECK'; then
 import ensurepip, os, sys, sysconfig, venv
 header = os.path.join(sysconfig.get_paths()["include"], "Python.h")
-sys.exit(sys.version_info[:2] != (3, 11) or not os.path.exists(header))
+sys.exit("%d.%d" % sys.version_info[:2] != sys.argv[1] or not os.path.exists(header))
 CHECK
             printf '%s\n' "$candidate"
             return
         fi
     done
     return 1
+}
+
+# debian_mirror: where this machine's own package lists say that Debian's packages are.
+debian_mirror() {
+    sed -n 's/^URIs:[[:space:]]*\([^[:space:]]*\).*/\1/p' \
+        /etc/apt/sources.list.d/debian.sources 2>/dev/null | sed -n '1{p;q}'
+    sed -n 's/^deb[[:space:]]\+\(\[[^]]*\][[:space:]]*\)\?\([^[:space:]]*\).*/\2/p' \
+        /etc/apt/sources.list 2>/dev/null | sed -n '1{p;q}'
+}
+
+# configure FOLDER PYTHON [CMAKE OPTION...]
+configure() {
+    cmake -G Ninja -S "$ROOT" -B "$1" "-DPython_EXECUTABLE=$2" \
+        "-Dpybind11_DIR=$("$VENV/bin/python" -m pybind11 --cmakedir)" "${@:3}" >"$1.log" ||
+        { cat "$1.log" && fail "CMake could not configure the build"; } >&2
+}
+
+# compile FOLDER TARGET...
+compile() { cmake --build "$1" --parallel "$JOBS" --target "${@:2}"; }
+
+# compile_for_pythons VERSION...: the module for these Pythons, in build/native/pythons.
+compile_for_pythons() {
+    local version folders list=
+    for version in "$@"; do
+        folders=$("$ROOT/tools/setup_headers.sh" "$version") || return
+        list="$list${list:+;}$version=$folders"
+    done
+    rm -rf "$ROOT/build/native/pythons"
+    configure "$ROOT/build/native" "$VENV/bin/python" "-DILLUSTRATE_PYTHON_HEADERS=$list"
+    compile "$ROOT/build/native" "${@/#/_core_}"
 }
 
 # find_blender: $BLENDER, else the one on the path.

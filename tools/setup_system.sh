@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # setup_system.sh GROUP...: installs the Debian packages that are missing.
-# Groups: build, test, lint, window, blender (unless $BLENDER or another Blender on the path is there).
+# Groups: build, test, lint, window, root, blender (unless $BLENDER or another Blender on the path is there).
 # As root or with a sudo that asks nothing; else prints the command to run and fails.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -21,6 +21,7 @@ packages_of() {
             echo libgtest-dev libegl1 libgl1 libgl1-mesa-dri libice6 libsm6 libx11-6 libxext6 \
                 libxfixes3 libxi6 libxkbcommon0 libxrender1
             ;;
+        root) echo debootstrap ;;
         window) echo xvfb xauth imagemagick libgl1-mesa-dri ;;
         lint) echo clang-format clang-tidy libgtest-dev ;;
         blender) has_own_blender || echo blender python3-numpy libegl1 libgl1-mesa-dri ;;

@@ -3,15 +3,3 @@
 from . import menus, panel, presets, style_panel
 
 PARTS = (presets, panel, style_panel, menus)
-
-
-def register() -> None:
-    """Registers panels, menus and presets."""
-    for part in PARTS:
-        part.register()
-
-
-def unregister() -> None:
-    """Takes them away again."""
-    for part in reversed(PARTS):
-        part.unregister()

@@ -212,14 +212,4 @@ CLASSES = (
     ILLUSTRATE_PT_animation,
 )
 
-
-def register() -> None:
-    """Registers the panels."""
-    for panel in CLASSES:
-        bpy.utils.register_class(panel)
-
-
-def unregister() -> None:
-    """Takes the panels away again."""
-    for panel in reversed(CLASSES):
-        bpy.utils.unregister_class(panel)
+register, unregister = bpy.utils.register_classes_factory(CLASSES)

@@ -93,24 +93,13 @@ class ILLUSTRATE_OT_add_preset(AddPresetBase, bpy.types.Operator):
     bl_description = "Add or remove a preset of the settings"
     preset_menu = "ILLUSTRATE_MT_presets"
     preset_subdir = FOLDER
-    preset_defines = ["settings = bpy.context.scene.illustrate"]
 
     @property
     def preset_values(self) -> list[str]:
-        """What a preset holds."""
-        return [f"settings.{name}" for name in preset_fields()]
+        """What a preset holds. Blender 4.3 with Python 3.13 knows no names of `preset_defines`."""
+        return [f"bpy.context.scene.illustrate.{name}" for name in preset_fields()]
 
 
 CLASSES = (ILLUSTRATE_OT_add_preset, ILLUSTRATE_MT_presets, ILLUSTRATE_PT_presets)
 
-
-def register() -> None:
-    """Registers the menu, its panel and its operator."""
-    for each in CLASSES:
-        bpy.utils.register_class(each)
-
-
-def unregister() -> None:
-    """Takes them away again."""
-    for each in reversed(CLASSES):
-        bpy.utils.unregister_class(each)
+register, unregister = bpy.utils.register_classes_factory(CLASSES)

@@ -18,8 +18,13 @@ class _StylePanel:
 
     @staticmethod
     def owner(context: Any) -> Any:
-        """Whose style is shown."""
+        """Whose style is shown, or None."""
         raise NotImplementedError
+
+    @classmethod
+    def poll(cls, context: Any) -> bool:
+        """There is an owner."""
+        return cls.owner(context) is not None
 
     def draw_header(self, context: Any) -> None:
         """Shows the tick."""
@@ -43,11 +48,6 @@ class ILLUSTRATE_PT_object_style(_StylePanel, bpy.types.Panel):
     bl_idname = "ILLUSTRATE_PT_object_style"
     bl_context = "object"
 
-    @classmethod
-    def poll(cls, context: Any) -> bool:
-        """There is an object."""
-        return context.object is not None
-
     @staticmethod
     def owner(context: Any) -> Any:
         """The object."""
@@ -60,11 +60,6 @@ class ILLUSTRATE_PT_collection_style(_StylePanel, bpy.types.Panel):
     bl_idname = "ILLUSTRATE_PT_collection_style"
     bl_context = "collection"
 
-    @classmethod
-    def poll(cls, context: Any) -> bool:
-        """There is a collection."""
-        return context.collection is not None
-
     @staticmethod
     def owner(context: Any) -> Any:
         """The collection."""
@@ -73,14 +68,4 @@ class ILLUSTRATE_PT_collection_style(_StylePanel, bpy.types.Panel):
 
 CLASSES = (ILLUSTRATE_PT_object_style, ILLUSTRATE_PT_collection_style)
 
-
-def register() -> None:
-    """Registers the panels."""
-    for panel in CLASSES:
-        bpy.utils.register_class(panel)
-
-
-def unregister() -> None:
-    """Takes the panels away again."""
-    for panel in reversed(CLASSES):
-        bpy.utils.unregister_class(panel)
+register, unregister = bpy.utils.register_classes_factory(CLASSES)

@@ -18,7 +18,6 @@ from typing import Any
 import bpy
 
 HERE = pathlib.Path(__file__).resolve().parent
-ROOT = HERE.parents[1]
 PATIENCE_S = 60.0
 INTERVAL_S = 0.01
 
@@ -81,12 +80,16 @@ class Driver:
 
 def main() -> None:
     """Registers the add-on and starts the driver."""
-    sys.path[:0] = [str(ROOT / "build" / "addons"), str(HERE), str(HERE.parent)]
+    sys.path[:0] = [str(HERE), str(HERE.parent)]
+    import installed
+
+    installed.provide()
     import illustrate
     import scenarios
 
     bpy.context.preferences.view.show_splash = False
-    illustrate.register()
+    if not installed.is_enabled(illustrate):
+        illustrate.register()
     out = pathlib.Path(sys.argv[sys.argv.index("--") + 1]).resolve()
     out.mkdir(parents=True, exist_ok=True)
     chosen = sys.argv[sys.argv.index("--") + 2 :]

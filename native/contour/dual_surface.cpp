@@ -68,10 +68,11 @@ void place_quarters(int id, const Corners& corners, int cuts, Items& items) {
 }
 
 template <class CornersOf>
-Items items_of(const std::vector<int>& ids, const CornersOf& corners_of, int threads) {
+Items items_of(const std::vector<int>& ids, const CornersOf& corners_of, int threads,
+               const Progress& progress) {
   Items items;
   items.placed.resize(ids.size());
-  parallel_for(ids.size(), threads, [&](std::size_t begin, std::size_t end) {
+  parallel_for(ids.size(), threads, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       items.placed[i] =
           dual_item(ids[i], corners_of(ids[i])).value_or(DualItem{ids[i], none, {}, {}});
@@ -104,16 +105,17 @@ std::vector<std::vector<int>> ids_of(const Surface& surface) {
 }
 
 template <class DualOf>
-std::vector<Vec4> duals_of(std::size_t count, const DualOf& dual, int threads) {
+std::vector<Vec4> duals_of(std::size_t count, const DualOf& dual, int threads,
+                           const Progress& progress) {
   std::vector<Vec4> duals(count);
-  parallel_for(count, threads, [&](std::size_t begin, std::size_t end) {
+  parallel_for(count, threads, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) duals[i] = dual(static_cast<int>(i));
   });
   return duals;
 }
 
 DualTree tree_of_triangles(const Surface& surface, const std::vector<int>& triangles,
-                           const std::vector<Vec4>& duals, int threads) {
+                           const std::vector<Vec4>& duals, int threads, const Progress& progress) {
   const auto corners = [&](int t) {
     Corners result;
     for (int k = 0; k < 3; ++k) {
@@ -121,12 +123,13 @@ DualTree tree_of_triangles(const Surface& surface, const std::vector<int>& trian
     }
     return result;
   };
-  Items items = items_of(triangles, corners, threads);
+  Items items = items_of(triangles, corners, threads, progress.part(0, 0.5));
+  progress.report(0.5);
   return DualTree(items.placed, std::move(items.always), threads);
 }
 
 DualTree tree_of_edges(const Surface& surface, const std::vector<int>& edges, const Frame& frame,
-                       int threads) {
+                       int threads, const Progress& progress) {
   const auto plane = [&](int t) {
     return frame.dual(face_normal(surface, t),
                       surface.positions[idx(surface.triangles[idx(t)][0])]);
@@ -135,13 +138,14 @@ DualTree tree_of_edges(const Surface& surface, const std::vector<int>& edges, co
     const Vec4 here = plane(edge / 3);
     return Corners{here, plane(opposite_side(surface, {edge / 3, edge % 3}).triangle), here};
   };
-  Items items = items_of(edges, corners, threads);
+  Items items = items_of(edges, corners, threads, progress.part(0, 0.5));
+  progress.report(0.5);
   return DualTree(items.placed, std::move(items.always), threads);
 }
 
 }  // namespace
 
-DualSurface::DualSurface(const Surface& surface, int threads) {
+DualSurface::DualSurface(const Surface& surface, int threads, const Progress& progress) {
   const std::vector<Frame> frames = frames_of(surface);
   const std::vector<Vec4> duals = duals_of(
       surface.positions.size(),
@@ -149,15 +153,18 @@ DualSurface::DualSurface(const Surface& surface, int threads) {
         return frames[idx(surface.objects[idx(v)])].dual(surface.normals[idx(v)],
                                                          surface.positions[idx(v)]);
       },
-      threads);
+      threads, progress.part(0, 0.2));
   const std::vector<std::vector<int>> ids = ids_of(surface);
   while (surface.triangles.size() * 3 >> id_bits_) ++id_bits_;
+  const auto count = static_cast<double>(ids.size());
   for (std::size_t o = 0; o < ids.size(); ++o) {
     if (ids[o].empty()) continue;
     const bool is_smooth = surface.object_is_smooth[o];
+    const Progress part = progress.part(0.2 + 0.8 * static_cast<double>(o) / count,
+                                        0.2 + 0.8 * static_cast<double>(o + 1) / count);
     parts_.push_back({frames[o].origin, frames[o].unit, is_smooth,
-                      is_smooth ? tree_of_triangles(surface, ids[o], duals, threads)
-                                : tree_of_edges(surface, ids[o], frames[o], threads)});
+                      is_smooth ? tree_of_triangles(surface, ids[o], duals, threads, part)
+                                : tree_of_edges(surface, ids[o], frames[o], threads, part)});
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "contour/dual_tree.h"
 #include "contour/feature_edges.h"
+#include "core/progress.h"
 #include "view/camera.h"
 
 namespace illustrate {
@@ -15,8 +16,8 @@ namespace illustrate {
 // faces, with the duals of the faces' planes.
 class DualSurface {
  public:
-  // The same for any number of threads (0: all cores).
-  explicit DualSurface(const Surface& surface, int threads = 0);
+  // The same for any number of threads (0: all cores). Throws Cancelled through `progress`.
+  explicit DualSurface(const Surface& surface, int threads = 0, const Progress& progress = {});
 
   // Everything that carries a silhouette by the rules of `ContourFunctions` (triangles of smooth
   // objects) and `is_front_face` (edges of polygon objects, from the triangle of the lower number),

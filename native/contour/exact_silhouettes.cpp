@@ -23,8 +23,12 @@ struct ExactChains {
 
 class Drawer {
  public:
-  Drawer(LimitContour& contour, const Camera& camera, bool everywhere)
-      : contour_(contour), camera_(camera), segment_(contour, camera), everywhere_(everywhere) {}
+  Drawer(LimitContour& contour, const Camera& camera, bool everywhere, const Progress& progress)
+      : contour_(contour),
+        camera_(camera),
+        segment_(contour, camera),
+        everywhere_(everywhere),
+        progress_(progress) {}
 
   // Chains with troubled triangles stay empty, unless all are wanted.
   ExactChains draw(const Surface& surface, const ContourFunctions& functions,
@@ -32,6 +36,7 @@ class Drawer {
     ExactChain exact(surface, contour_, functions, solved);
     ExactChains result;
     for (std::size_t c = 0; c < linear.chains.size(); ++c) {
+      progress_.report(static_cast<double>(c) / static_cast<double>(linear.chains.size()));
       exact.solve(linear.chains[c], linear.closed[c], everywhere_);
       const std::vector<int> troubled = exact.troubled();
       result.troubled.insert(result.troubled.end(), troubled.begin(), troubled.end());
@@ -79,6 +84,7 @@ class Drawer {
   const Camera& camera_;
   ExactSegment segment_;
   bool everywhere_;
+  const Progress& progress_;
 };
 
 // Back from the patchwork to the whole surface.
@@ -169,9 +175,10 @@ class Finer {
 
 Silhouettes exact_silhouettes(const Surface& surface, const LimitSurface& limit,
                               const ContourFunctions& functions, const Camera& camera,
-                              const LinearSilhouettes& linear, bool everywhere, Counts& counts) {
+                              const LinearSilhouettes& linear, bool everywhere, Counts& counts,
+                              const Progress& progress) {
   LimitContour contour(limit, camera);
-  Drawer drawer(contour, camera, everywhere);
+  Drawer drawer(contour, camera, everywhere, progress);
   ExactChains drawn = drawer.draw(surface, functions, linear, nullptr, false);
   counts["troubled_triangles"] += static_cast<std::int64_t>(drawn.troubled.size());
   if (!drawn.troubled.empty()) Finer(surface, limit, linear).redraw(camera, drawer, drawn);

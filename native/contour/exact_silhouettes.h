@@ -6,6 +6,7 @@
 #pragma once
 
 #include "contour/silhouettes.h"
+#include "core/progress.h"
 #include "surface/limit_surface.h"
 
 namespace illustrate {
@@ -30,9 +31,11 @@ struct Silhouettes {
 // way to exact ones; points are added within triangles (edge none) where the curve turns, and taken
 // away nearer to a cusp than the image can show. Pairs of cusps less than a quarter pixel apart
 // that undo each other's turn (a swallowtail) become one plain point. `everywhere`: all points
-// become exact. Adds "evaluations", "swallowtails", "troubled_triangles" to `counts`.
+// become exact. Adds "evaluations", "swallowtails", "troubled_triangles" to `counts`. Throws
+// Cancelled through `progress`.
 Silhouettes exact_silhouettes(const Surface& surface, const LimitSurface& limit,
                               const ContourFunctions& functions, const Camera& camera,
-                              const LinearSilhouettes& linear, bool everywhere, Counts& counts);
+                              const LinearSilhouettes& linear, bool everywhere, Counts& counts,
+                              const Progress& progress = {});
 
 }  // namespace illustrate

@@ -39,8 +39,8 @@ CurveNetwork build_network(const ContourScene& scene, const Camera& camera,
   const std::vector<FeatureEdge> features = wanted_features(scene.features, options);
   const ContourFunctions functions(surface, camera);
   const LinearSilhouettes linear = linear_silhouettes(surface, functions, scene.dual);
-  const Silhouettes found =
-      exact_silhouettes(surface, scene.limit, functions, camera, linear, false, counts);
+  const Silhouettes found = exact_silhouettes(surface, scene.limit, functions, camera, linear,
+                                              false, counts, progress.part(0, 0.5));
   const PolygonSilhouettes folds = polygon_silhouettes(surface, camera, scene.dual);
   progress.report(0.5);
   CurvatureCurves lines;

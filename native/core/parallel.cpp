@@ -11,8 +11,8 @@ namespace {
 // Below this many elements a thread costs more than it saves.
 constexpr std::size_t smallest_share = 2048;
 
-// Elements between two reports of progress.
-constexpr std::size_t piece = 65536;
+// Elements of a thread between two reports of progress.
+constexpr std::size_t share_between_reports = 4096;
 
 std::size_t thread_count(std::size_t count, int threads) {
   const std::size_t asked = threads > 0 ? static_cast<std::size_t>(threads)
@@ -48,6 +48,7 @@ void parallel_for(std::size_t count, int threads,
 
 void parallel_for(std::size_t count, int threads, const Progress& progress,
                   const std::function<void(std::size_t, std::size_t)>& body) {
+  const std::size_t piece = share_between_reports * thread_count(count, threads);
   for (std::size_t done = 0; done < count; done += piece) {
     progress.report(static_cast<double>(done) / static_cast<double>(count));
     parallel_for(std::min(piece, count - done), threads,

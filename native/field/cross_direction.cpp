@@ -12,12 +12,13 @@ Vec3 carried(const Vec3& v, const Vec3& from, const Vec3& to) {
   return v - v.dot(to) / closeness * (from + to);
 }
 
-// The branch of the cross of `direction` about `normal` that is nearest to `towards`.
-Vec3 nearest_branch(const Vec3& direction, const Vec3& normal, const Vec3& towards) {
-  const Vec3 across = normal.cross(direction);
-  const double along = towards.dot(direction), aside = towards.dot(across);
+// The branch of the cross of `direction` about `normal` that is nearest to `towards`; `turned` is
+// towards x normal.
+Vec3 nearest_branch(const Vec3& direction, const Vec3& normal, const Vec3& towards,
+                    const Vec3& turned) {
+  const double along = towards.dot(direction), aside = turned.dot(direction);
   if (std::abs(along) >= std::abs(aside)) return along < 0 ? Vec3(-direction) : direction;
-  return aside < 0 ? Vec3(-across) : across;
+  return aside < 0 ? Vec3(direction.cross(normal)) : Vec3(normal.cross(direction));
 }
 
 }  // namespace
@@ -46,12 +47,17 @@ Vec3 cross_direction(const Surface& surface, const CrossField& field, const Surf
     corners[corner] = carried(field.directions[vertex], own, normal);
     if (weights[corner] > weights[static_cast<std::size_t>(heaviest)]) heaviest = k;
   }
-  const Vec3 base = nearest_branch(corners[static_cast<std::size_t>(heaviest)], normal, towards);
+  const Vec3 turned = towards.cross(normal);
+  const Vec3 base =
+      nearest_branch(corners[static_cast<std::size_t>(heaviest)], normal, towards, turned);
+  const Vec3 turned_base = base.cross(normal);
   Vec3 sum = Vec3::Zero();
-  for (std::size_t k = 0; k < 3; ++k) sum += weights[k] * nearest_branch(corners[k], normal, base);
+  for (std::size_t k = 0; k < 3; ++k) {
+    sum += weights[k] * nearest_branch(corners[k], normal, base, turned_base);
+  }
   const Vec3 tangent = sum - sum.dot(normal) * normal;
   const double length = tangent.norm();
-  return length > 0 ? nearest_branch(tangent / length, normal, towards) : base;
+  return length > 0 ? nearest_branch(tangent / length, normal, towards, turned) : base;
 }
 
 }  // namespace illustrate

@@ -11,6 +11,9 @@ namespace {
 
 constexpr double cell_px = 8;
 
+// Clearance is not told apart beyond so many cells.
+constexpr int most_clearance = 4;
+
 // Squared cosine between what runs along each other.
 constexpr double least_alignment = 0.75;
 
@@ -30,6 +33,7 @@ CriticalCurves::CriticalCurves(const LabelledGraph& graph, double width_px, doub
     if (graph.arcs[arc].invisibility == 0 && is_critical(graph.arcs[arc].kind)) add_arc(graph, arc);
   }
   fill_grid();
+  measure_clearance();
 }
 
 int CriticalCurves::column_of(double x) const {
@@ -82,9 +86,33 @@ void CriticalCurves::fill_grid() {
   }
 }
 
+// Two sweeps over the cells, each with the neighbours that it has passed.
+void CriticalCurves::measure_clearance() {
+  const int count = rows_ * columns_;
+  clearance_.assign(idx(count), most_clearance);
+  const auto lower = [&](int cell, int way) {
+    const int row = cell / columns_, column = cell % columns_;
+    int least = cells_[idx(cell)].empty() ? clearance_[idx(cell)] : 0;
+    const auto pass = [&](int i, int j) {
+      if (i < 0 || j < 0 || i >= columns_ || j >= rows_) return;
+      least = std::min(least, clearance_[idx(j * columns_ + i)] + 1);
+    };
+    pass(column - way, row);
+    for (int i = column - 1; i <= column + 1; ++i) pass(i, row - way);
+    clearance_[idx(cell)] = static_cast<std::uint8_t>(least);
+  };
+  for (int cell = 0; cell < count; ++cell) lower(cell, 1);
+  for (int cell = count - 1; cell >= 0; --cell) lower(cell, -1);
+}
+
+bool CriticalCurves::is_clear(const Vec2& p, double reach) const {
+  return reach < cell_px * (clearance_[row_of(p.y()) * columns_ + column_of(p.x())] - 1);
+}
+
 double CriticalCurves::first_crossing(const Vec2& a, const Vec2& b, bool with_silhouettes) const {
   double first = std::numeric_limits<double>::infinity();
   const Vec2 run = b - a;
+  if (is_clear(a, run.cwiseAbs().maxCoeff())) return first;
   const int row_end = row_of(std::max(a.y(), b.y())),
             column_end = column_of(std::max(a.x(), b.x()));
   for (int row = row_of(std::min(a.y(), b.y())); row <= row_end; ++row) {
@@ -104,6 +132,7 @@ double CriticalCurves::first_crossing(const Vec2& a, const Vec2& b, bool with_si
 }
 
 bool CriticalCurves::run_along(const Vec2& p, const Vec2& heading, double radius) const {
+  if (is_clear(p, radius)) return false;
   for (int row = row_of(p.y() - radius); row <= row_of(p.y() + radius); ++row) {
     for (int i = column_of(p.x() - radius); i <= column_of(p.x() + radius); ++i) {
       for (const int index : cells_[row * columns_ + i]) {

@@ -37,11 +37,15 @@ class CriticalCurves {
   void add_arc(const LabelledGraph& graph, int arc);
   void add_pieces(const Vec2& a, const Vec2& b, bool is_silhouette);
   void fill_grid();
+  void measure_clearance();
+  // Whether no piece is nearer to p than `reach`, as far as the cells tell.
+  bool is_clear(const Vec2& p, double reach) const;
 
   double width_, height_;
   int columns_, rows_;
   std::vector<Piece> pieces_;
-  Ragged<int> cells_;  // pieces that touch each cell's bounding box
+  Ragged<int> cells_;                    // pieces whose bounding boxes touch each cell
+  std::vector<std::uint8_t> clearance_;  // (cells) so many cells all around it hold no piece
 };
 
 }  // namespace illustrate

@@ -46,17 +46,19 @@ class CurveCells {
     }
   }
 
-  // Whether `test` accepts a node in the cells that the cube of half side `radius` round p touches.
+  // Whether `test` accepts a node in the cells that the cube of half side `radius` round p touches;
+  // that of p is the first to be searched.
   template <class Test>
   bool any_near(const Eigen::Vector3f& p, float radius, const Test& test) const {
     const Eigen::Vector3f reach = Eigen::Vector3f::Constant(radius);
-    const std::array<int, 3> from = cell_of(p - reach), to = cell_of(p + reach);
+    const std::array<int, 3> own = cell_of(p), from = cell_of(p - reach), to = cell_of(p + reach);
+    const std::size_t own_number = number(own[0], own[1], own[2]);
+    if (any_in(own_number, test)) return true;
     for (int k = from[2]; k <= to[2]; ++k) {
       for (int j = from[1]; j <= to[1]; ++j) {
-        for (int i = from[0]; i <= to[0]; ++i) {
-          for (int at = first_[number(i, j, k)]; at != none; at = nodes_[idx(at)].next) {
-            if (test(nodes_[idx(at)].node)) return true;
-          }
+        const std::size_t row = number(0, j, k);
+        for (std::size_t cell = row + idx(from[0]); cell <= row + idx(to[0]); ++cell) {
+          if (cell != own_number && any_in(cell, test)) return true;
         }
       }
     }
@@ -70,6 +72,13 @@ class CurveCells {
     int next;
   };
 
+  template <class Test>
+  bool any_in(std::size_t cell, const Test& test) const {
+    for (int at = first_[cell]; at != none; at = nodes_[idx(at)].next) {
+      if (test(nodes_[idx(at)].node)) return true;
+    }
+    return false;
+  }
   std::array<int, 3> cell_of(const Eigen::Vector3f& p) const {
     std::array<int, 3> cell;
     for (int axis = 0; axis < 3; ++axis) {

@@ -14,17 +14,8 @@
 
 namespace illustrate {
 
-// What a view is hatched on, with; `spacing_scale` and `unhatched` as for place_hatches.
-struct HatchScene {
-  const Surface& surface;
-  const CrossField& field;
-  const Camera& camera;
-  const VisibleImage& visible;
-  const ToneMap& tone;
-  const LabelledGraph& graph;
-  const std::vector<double>& spacing_scale;
-  const std::vector<std::uint8_t>& unhatched;
-};
+// How fine curves a view asks for: `curves` below are to be those down to this radius, world units.
+double wanted_radius(const HatchScene& scene, const HatchOptions& options);
 
 // `first`: strokes of the drawing before this one, as points on this surface; where there are any,
 // they are placed instead of the curves. The rules of HatchOptions hold for

@@ -49,7 +49,7 @@ Course FieldWalker::course(const SurfacePoint& on, const Vec3& direction) const 
 
 Course FieldWalker::course_along_cross(const SurfacePoint& on, const Vec3& tangent, int entry_edge,
                                        double reach) const {
-  const Course first = course(on, cross_direction(surface_, field_, on, tangent));
+  const Course first = course(on, tangent);
   if (first.exit_edge == none) return first;
   SurfacePoint middle = on;
   move(middle, first, 0.5 * std::min(first.exit, reach));

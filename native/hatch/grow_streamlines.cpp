@@ -22,6 +22,8 @@ constexpr double most_turn = 0.6;
 // No streamline needs more nodes.
 constexpr int most_steps = 20'000;
 
+constexpr std::size_t seeds_between_reports = 512;
+
 struct Pace {
   double step;  // px
   double test;  // px
@@ -143,8 +145,14 @@ std::vector<StreamlineNode> seed_nodes(const HatchView& view,
 }
 
 void fill_streamlines(StreamlineSet& set, const HatchView& view,
-                      const std::vector<StreamlineNode>& seeds, const GrowRules& rules) {
-  for (const StreamlineNode& seed : seeds) grow_new(set, view, seed, rules);
+                      const std::vector<StreamlineNode>& seeds, const GrowRules& rules,
+                      const Progress& progress) {
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    if (i % seeds_between_reports == 0) {
+      progress.report(static_cast<double>(i) / static_cast<double>(seeds.size()));
+    }
+    grow_new(set, view, seeds[i], rules);
+  }
 }
 
 void extend_streamlines(StreamlineSet& set, const HatchView& view, double test) {

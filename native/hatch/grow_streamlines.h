@@ -2,6 +2,7 @@
 // ones.
 #pragma once
 
+#include "core/progress.h"
 #include "hatch/streamline_set.h"
 
 namespace illustrate {
@@ -18,9 +19,10 @@ struct GrowRules {
 std::vector<StreamlineNode> seed_nodes(const HatchView& view,
                                        const std::vector<SurfacePoint>& seeds, std::size_t count);
 
-// New streamlines from the nodes, in their order.
+// New streamlines from the nodes, in their order. Throws Cancelled through `progress`.
 void fill_streamlines(StreamlineSet& set, const HatchView& view,
-                      const std::vector<StreamlineNode>& seeds, const GrowRules& rules);
+                      const std::vector<StreamlineNode>& seeds, const GrowRules& rules,
+                      const Progress& progress = {});
 
 // Both ends of all streamlines go on while they are clear by `test` spacings.
 void extend_streamlines(StreamlineSet& set, const HatchView& view, double test);

@@ -27,13 +27,13 @@ double length_of(const std::vector<StreamlineNode>& nodes) {
 StreamlineNode HatchView::node(const SurfacePoint& on, const Vec3& towards) const {
   StreamlineNode node;
   node.on = on;
-  node.position = position_at(surface_, on);
-  node.tangent = cross_direction(surface_, field_, on, towards);
-  const ImagePoint seen = camera_.project(node.position);
+  node.position = position_at(scene_.surface, on);
+  node.tangent = cross_direction(scene_.surface, scene_.field, on, towards);
+  const ImagePoint seen = scene_.camera.project(node.position);
   node.image = seen.xy;
   node.depth = seen.depth;
-  node.pixel = camera_.pixel_size(node.position);
-  const Vec3 across = normal_at(surface_, on).cross(node.tangent);
+  node.pixel = scene_.camera.pixel_size(node.position);
+  const Vec3 across = normal_at(scene_.surface, on).cross(node.tangent);
   const Vec2 a = walker.image_direction(node.position, node.tangent);
   const Vec2 b = walker.image_direction(node.position, across);
   const double length = a.norm(), determinant = cross(a, b);

@@ -16,19 +16,12 @@ constexpr double curve_clearance = 0.2;
 
 class HatchView {
  public:
-  HatchView(const Surface& surface, const CrossField& field, const Camera& camera,
-            const VisibleImage& visible, const ToneMap& tone, const LabelledGraph& graph,
-            const std::vector<double>& spacing_scale, const std::vector<std::uint8_t>& unhatched,
-            const HatchOptions& hatch_options)
-      : area(surface, camera, visible, tone),
-        walker(surface, field, camera),
-        curves(graph, camera.width_px(), camera.height_px()),
+  HatchView(const HatchScene& scene, const HatchOptions& hatch_options)
+      : area(scene.surface, scene.camera, scene.visible, scene.tone),
+        walker(scene.surface, scene.field, scene.camera),
+        curves(scene.graph, scene.camera.width_px(), scene.camera.height_px()),
         options(hatch_options),
-        surface_(surface),
-        field_(field),
-        camera_(camera),
-        spacing_scale_(spacing_scale),
-        unhatched_(unhatched) {}
+        scene_(scene) {}
 
   // The node at a place, along the branch of the cross nearest to `towards`.
   StreamlineNode node(const SurfacePoint& on, const Vec3& towards) const;
@@ -39,14 +32,14 @@ class HatchView {
     return area.may_pass({node.position, node.on, node.image}, Area::hatched) &&
            !curves.run_along(node.image, node.heading, curve_clearance * spacing);
   }
-  bool is_hatched(int object) const { return unhatched_.empty() || !unhatched_[idx(object)]; }
+  bool is_hatched(int object) const { return scene_.is_hatched(object); }
 
   double spacing_of(int object) const {  // px
-    return std::max(
-        1.0, options.spacing_px * (spacing_scale_.empty() ? 1 : spacing_scale_[idx(object)]));
+    return scene_.spacing_on(object, options.spacing_px);
   }
   StreamlineGrid empty_grid() const {
-    return {double(camera_.width_px()), double(camera_.height_px()), options.spacing_px};
+    return {double(scene_.camera.width_px()), double(scene_.camera.height_px()),
+            options.spacing_px};
   }
 
   // Image distance from a node to a piece of a streamline, infinite where the two are not parallel,
@@ -87,11 +80,7 @@ class HatchView {
   const HatchOptions& options;
 
  private:
-  const Surface& surface_;
-  const CrossField& field_;
-  const Camera& camera_;
-  const std::vector<double>& spacing_scale_;
-  const std::vector<std::uint8_t>& unhatched_;
+  HatchScene scene_;
 };
 
 }  // namespace illustrate

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/errors.h"
+#include "hatch/image_lattice.h"
 #include "hatch/trace_hatch.h"
 #include "tone/step_along.h"
 
@@ -43,23 +44,18 @@ void require(bool good, const char* message) {
 
 class Placer {
  public:
-  Placer(const Surface& surface, const CrossField& field, const Camera& camera,
-         const VisibleImage& visible, const ToneMap& tone, const LabelledGraph& graph,
-         const std::vector<double>& spacing_scale, const std::vector<std::uint8_t>& unhatched,
-         const HatchOptions& options, const Progress& progress)
-      : surface_(surface),
-        camera_(camera),
-        visible_(visible),
-        graph_(graph),
-        spacing_scale_(spacing_scale),
-        unhatched_(unhatched),
+  Placer(const HatchScene& scene, const HatchOptions& options, const Progress& progress)
+      : scene_(scene),
+        surface_(scene.surface),
+        camera_(scene.camera),
+        visible_(scene.visible),
         options_(options),
         progress_(progress),
-        area_(surface, camera, visible, tone),
-        walker_(surface, field, camera),
-        curves_(graph, camera.width_px(), camera.height_px()),
-        grid_(camera.width_px(), camera.height_px(), options.spacing_px),
-        tracer_(surface, walker_, area_, curves_, grid_, options) {}
+        area_(surface_, camera_, visible_, scene.tone),
+        walker_(surface_, scene.field, camera_),
+        curves_(scene.graph, camera_.width_px(), camera_.height_px()),
+        grid_(camera_.width_px(), camera_.height_px(), options.spacing_px),
+        tracer_(surface_, walker_, area_, curves_, grid_, options) {}
 
   // Undercut hatches between others.
   Hatches fill_between(Hatches hatches, Counts& counts) {
@@ -92,9 +88,8 @@ class Placer {
 
   Style style_of(int object, Area area) const {
     const bool dense = area == Area::undercut;
-    const double scale = spacing_scale_.empty() ? 1 : spacing_scale_[object];
-    const double base = dense ? options_.undercut_spacing_px : options_.spacing_px;
-    const double spacing = std::max(1.0, base * scale);
+    const double spacing =
+        scene_.spacing_on(object, dense ? options_.undercut_spacing_px : options_.spacing_px);
     const double step = std::min(options_.step_px, spacing / 4);
     return {spacing,
             dense ? options_.min_length_px / 2 : options_.min_length_px,
@@ -118,10 +113,8 @@ class Placer {
   SurfacePoint seed_at(const Vec2& image, Area area) const {
     const int cell = visible_.cell_of(image);
     if (cell == none || visible_.triangle[cell] == none || !area_.wanted(cell, area)) return {};
-    if (!unhatched_.empty() && unhatched_[surface_.triangle_objects[visible_.triangle[cell]]]) {
-      return {};
-    }
-    return area_.visible_point(image);
+    const int object = surface_.triangle_objects[visible_.triangle[cell]];
+    return scene_.is_hatched(object) ? area_.visible_point(image) : SurfacePoint{};
   }
 
   // A new hatch, where it is clear of parallel ones and long enough; whether there is one.
@@ -170,11 +163,12 @@ class Placer {
   void seed_along_curves() {
     const Vec2 size(camera_.width_px(), camera_.height_px());
     const double step = seed_step * options_.spacing_px;
-    for (int arc = 0; arc < static_cast<int>(graph_.arcs.size()); ++arc) {
-      if (graph_.arcs[arc].invisibility != 0 || !is_critical(graph_.arcs[arc].kind)) continue;
+    const LabelledGraph& graph = scene_.graph;
+    for (int arc = 0; arc < static_cast<int>(graph.arcs.size()); ++arc) {
+      if (graph.arcs[arc].invisibility != 0 || !is_critical(graph.arcs[arc].kind)) continue;
       progress_.report(0);
       std::array<double, 2> apart{infinite, infinite};  // from the last hatch on either side
-      step_along(graph_.image[arc], graph_.arcs[arc].start_node == none, step,
+      step_along(graph.image[arc], graph.arcs[arc].start_node == none, step,
                  Frame{Vec2::Zero(), size}, [&](const CurveSample& at) {
                    const Vec2 across(-at.heading.y(), at.heading.x());
                    seed_across(at.image + curve_offset_px * across, across, step, apart[0]);
@@ -235,24 +229,17 @@ class Placer {
     grow(from.on, across, queue_clearance, Area::hatched);
   }
 
-  // Points of a fine lattice over the image, in an order that spreads evenly: steps of the golden
-  // ratio round the list.
+  // From points of a fine lattice over the image.
   void fill(Area area) {
     const double base = area == Area::undercut ? options_.undercut_spacing_px : options_.spacing_px;
-    const double step = std::max(0.25, seed_step * base);
-    const auto columns = static_cast<std::int64_t>(camera_.width_px() / step);
-    const std::int64_t count = columns * static_cast<std::int64_t>(camera_.height_px() / step);
-    if (count < 1) return;
-    auto stride = static_cast<std::int64_t>(0.6180339887498949 * static_cast<double>(count)) | 1;
-    while (gcd(stride, count) != 1) ++stride;
-    for (std::int64_t i = 0, at = 0; i < count; ++i, at = (at + stride) % count) {
-      if (i % 4096 == 0) progress_.report(std::min(0.95, placed_px_ / expected_px_));
-      const std::int64_t column = at % columns, row = at / columns;
-      fill_at(Vec2(double(column) + 0.5, double(row) + 0.5) * step, area);
-    }
+    visit_lattice(camera_.width_px(), camera_.height_px(), std::max(0.25, seed_step * base),
+                  [&](std::int64_t i, const Vec2& image) {
+                    if (i % 4096 == 0) {
+                      progress_.report(std::min(0.95, placed_px_ / expected_px_));
+                    }
+                    fill_at(image, area);
+                  });
   }
-
-  static std::int64_t gcd(std::int64_t a, std::int64_t b) { return b == 0 ? a : gcd(b, a % b); }
 
   // Both families where none of their hatches is near; what grows here seeds its neighbours first.
   void fill_at(const Vec2& image, Area area) {
@@ -265,12 +252,10 @@ class Placer {
     if (area == Area::hatched) seed_along_hatches();
   }
 
+  const HatchScene& scene_;
   const Surface& surface_;
   const Camera& camera_;
   const VisibleImage& visible_;
-  const LabelledGraph& graph_;
-  const std::vector<double>& spacing_scale_;
-  const std::vector<std::uint8_t>& unhatched_;
   const HatchOptions& options_;
   const Progress& progress_;
   HatchArea area_;
@@ -301,41 +286,31 @@ void validate(const HatchOptions& options) {
   require(between(options.min_length_px, 0, 1e6), "min_length_px must be in [0, 1000000]");
 }
 
-void validate_objects(const Surface& surface, const std::vector<double>& spacing_scale,
-                      const std::vector<std::uint8_t>& unhatched) {
-  const std::size_t objects = surface.object_is_smooth.size();
-  require(spacing_scale.empty() || spacing_scale.size() == objects,
+void validate(const HatchScene& scene) {
+  const std::size_t objects = scene.surface.object_is_smooth.size();
+  require(scene.spacing_scale.empty() || scene.spacing_scale.size() == objects,
           "spacing_scale must have one entry per object");
-  for (const double scale : spacing_scale) {
+  for (const double scale : scene.spacing_scale) {
     require(scale > 0 && std::isfinite(scale), "spacing_scale must be finite and positive");
   }
-  require(unhatched.empty() || unhatched.size() == objects,
+  require(scene.unhatched.empty() || scene.unhatched.size() == objects,
           "unhatched must have one entry per object");
 }
 
-Hatches place_hatches(const Surface& surface, const CrossField& field, const Camera& camera,
-                      const VisibleImage& visible, const ToneMap& tone, const LabelledGraph& graph,
-                      const std::vector<double>& spacing_scale,
-                      const std::vector<std::uint8_t>& unhatched, const HatchOptions& options,
-                      Counts& counts, const Progress& progress) {
+Hatches place_hatches(const HatchScene& scene, const HatchOptions& options, Counts& counts,
+                      const Progress& progress) {
   validate(options);
-  validate_objects(surface, spacing_scale, unhatched);
-  Placer placer(surface, field, camera, visible, tone, graph, spacing_scale, unhatched, options,
-                progress);
-  Hatches hatches = placer.place(counts);
+  validate(scene);
+  Hatches hatches = Placer(scene, options, progress).place(counts);
   progress.report(1);
   return hatches;
 }
 
-void fill_undercuts(Hatches& hatches, const Surface& surface, const CrossField& field,
-                    const Camera& camera, const VisibleImage& visible, const ToneMap& tone,
-                    const LabelledGraph& graph, const std::vector<double>& spacing_scale,
-                    const std::vector<std::uint8_t>& unhatched, const HatchOptions& options,
+void fill_undercuts(Hatches& hatches, const HatchScene& scene, const HatchOptions& options,
                     Counts& counts, const Progress& progress) {
-  if (std::find(tone.band.begin(), tone.band.end(), Band::undercut) == tone.band.end()) return;
-  Placer placer(surface, field, camera, visible, tone, graph, spacing_scale, unhatched, options,
-                progress);
-  hatches = placer.fill_between(std::move(hatches), counts);
+  const std::vector<Band>& band = scene.tone.band;
+  if (std::find(band.begin(), band.end(), Band::undercut) == band.end()) return;
+  hatches = Placer(scene, options, progress).fill_between(std::move(hatches), counts);
 }
 
 }  // namespace illustrate

@@ -11,9 +11,8 @@
 
 #include "core/progress.h"
 #include "core/report.h"
-#include "field/cross_field.h"
+#include "hatch/hatch_scene.h"
 #include "hatch/hatches.h"
-#include "tone/tone_regions.h"
 
 namespace illustrate {
 
@@ -36,23 +35,13 @@ struct HatchOptions {
 };
 void validate(const HatchOptions& options);  // throws InvalidInput naming the field
 
-// `spacing_scale`: one factor per object, empty: 1; `unhatched`: objects without hatching, empty:
-// none. Adds "hatch_steps", "hatches" to `counts`.
-Hatches place_hatches(const Surface& surface, const CrossField& field, const Camera& camera,
-                      const VisibleImage& visible, const ToneMap& tone, const LabelledGraph& graph,
-                      const std::vector<double>& spacing_scale,
-                      const std::vector<std::uint8_t>& unhatched, const HatchOptions& options,
-                      Counts& counts, const Progress& progress = {});
+// Adds "hatch_steps", "hatches" to `counts`. Throws InvalidInput for a scene or options that are
+// not valid, and Cancelled through `progress`.
+Hatches place_hatches(const HatchScene& scene, const HatchOptions& options, Counts& counts,
+                      const Progress& progress = {});
 
 // Denser hatches of kind undercut between `hatches`, added to them: a fill pass over all undercuts.
-void fill_undercuts(Hatches& hatches, const Surface& surface, const CrossField& field,
-                    const Camera& camera, const VisibleImage& visible, const ToneMap& tone,
-                    const LabelledGraph& graph, const std::vector<double>& spacing_scale,
-                    const std::vector<std::uint8_t>& unhatched, const HatchOptions& options,
+void fill_undercuts(Hatches& hatches, const HatchScene& scene, const HatchOptions& options,
                     Counts& counts, const Progress& progress = {});
-
-// Throws InvalidInput where the two lists do not fit the surface's objects.
-void validate_objects(const Surface& surface, const std::vector<double>& spacing_scale,
-                      const std::vector<std::uint8_t>& unhatched);
 
 }  // namespace illustrate

@@ -42,23 +42,19 @@ constexpr double worth_of_length = 1e-6;
 
 class Reducer {
  public:
-  Reducer(const Hatches& hatches, const Surface& surface, const Camera& camera, const ToneMap& tone,
-          const LabelledGraph& graph, const HatchOptions& options,
-          const std::vector<double>& spacing_scale)
+  Reducer(const Hatches& hatches, const HatchScene& scene, const HatchOptions& options)
       : hatches_(hatches),
         points_(hatches.curves.values),
-        surface_(surface),
-        camera_(camera),
+        scene_(scene),
+        surface_(scene.surface),
         options_(options),
-        spacing_scale_(spacing_scale),
-        curves_(graph, tone.width * tone.cell_px, tone.height * tone.cell_px),
-        size_px_(Vec2(tone.width, tone.height) * tone.cell_px),
+        curves_(scene.graph, scene.camera.width_px(), scene.camera.height_px()),
         grid_(empty_grid()),
         owner_(points_.size()),
         region_(points_.size(), Region::neither),
         kept_(points_.size(), 1),
         piece_of_(points_.size(), none) {
-    for (int h = 0; h < count(); ++h) enter(h, tone);
+    for (int h = 0; h < count(); ++h) enter(h);
   }
 
   // The kept parts of all hatches, in their order.
@@ -80,8 +76,7 @@ class Reducer {
   bool is_undercut(int hatch) const { return hatches_.kinds[hatch] == Kind::undercut; }
 
   double spacing_of(int hatch) const {
-    const double scale = spacing_scale_.empty() ? 1 : spacing_scale_[hatches_.objects[hatch]];
-    return std::max(1.0, options_.spacing_px * scale);
+    return scene_.spacing_on(hatches_.objects[hatch], options_.spacing_px);
   }
 
   double length_of(const Run& run) const {
@@ -89,10 +84,10 @@ class Reducer {
   }
 
   // A hatch's regions, and its pieces: what is in single-hatch regions, deleted at first.
-  void enter(int hatch, const ToneMap& tone) {
+  void enter(int hatch) {
     for (int i = begin(hatch); i < end(hatch); ++i) {
       owner_[i] = hatch;
-      region_[i] = region_of(tone, points_[i].image);
+      region_[i] = region_of(scene_.tone, points_[i].image);
       if (region_[i] == Region::neither && i > begin(hatch)) region_[i] = region_[i - 1];
     }
     if (is_undercut(hatch)) return;
@@ -262,7 +257,10 @@ class Reducer {
   // How near hatches are neighbours.
   double reach(int point) const { return 2 * spacing_of(owner_[point]); }
 
-  NeighbourGrid empty_grid() const { return {size_px_.x(), size_px_.y(), options_.spacing_px}; }
+  NeighbourGrid empty_grid() const {
+    return {double(scene_.camera.width_px()), double(scene_.camera.height_px()),
+            options_.spacing_px};
+  }
 
   // Whether use(point, parallel) accepts a point of another hatch in `grid` within `radius`.
   template <class Use>
@@ -288,8 +286,8 @@ class Reducer {
     if (!curves_.separate(from, to)) return true;
     if (curves_.is_edge_between(from, to)) return false;
     const Vec3 &p = points_[a].position, &q = points_[b].position;
-    const double depth = std::abs(camera_.project(p).depth - camera_.project(q).depth);
-    return depth < most_step * spacing_of(owner_[a]) * camera_.pixel_size(p);
+    const double depth = std::abs(scene_.camera.project(p).depth - scene_.camera.project(q).depth);
+    return depth < most_step * spacing_of(owner_[a]) * scene_.camera.pixel_size(p);
   }
 
   // What is kept, without specks.
@@ -338,12 +336,10 @@ class Reducer {
 
   const Hatches& hatches_;
   const std::vector<HatchPoint>& points_;
+  const HatchScene& scene_;
   const Surface& surface_;
-  const Camera& camera_;
   const HatchOptions& options_;
-  const std::vector<double>& spacing_scale_;
   CriticalCurves curves_;
-  Vec2 size_px_;
   NeighbourGrid grid_;              // points of pieces
   std::vector<int> owner_;          // hatch of each point
   std::vector<Region> region_;      // of each point
@@ -354,11 +350,10 @@ class Reducer {
 
 }  // namespace
 
-Hatches reduce_hatches(const Hatches& hatches, const Surface& surface, const Camera& camera,
-                       const ToneMap& tone, const LabelledGraph& graph, const HatchOptions& options,
-                       Counts& counts, const std::vector<double>& spacing_scale) {
+Hatches reduce_hatches(const Hatches& hatches, const HatchScene& scene, const HatchOptions& options,
+                       Counts& counts) {
   validate(options);
-  Hatches result = Reducer(hatches, surface, camera, tone, graph, options, spacing_scale).reduce();
+  Hatches result = Reducer(hatches, scene, options).reduce();
   counts["hatches_after_reduction"] += static_cast<std::int64_t>(result.kinds.size());
   return result;
 }

@@ -21,9 +21,7 @@
 
 namespace illustrate {
 
-// `spacing_scale`: as for place_hatches.
-Hatches reduce_hatches(const Hatches& hatches, const Surface& surface, const Camera& camera,
-                       const ToneMap& tone, const LabelledGraph& graph, const HatchOptions& options,
-                       Counts& counts, const std::vector<double>& spacing_scale = {});
+Hatches reduce_hatches(const Hatches& hatches, const HatchScene& scene, const HatchOptions& options,
+                       Counts& counts);
 
 }  // namespace illustrate

@@ -72,11 +72,13 @@ class Relaxer {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     const StreamlineNode& node = streamline.nodes[idx(index)];
     const Vec2 left = node.left();
+    const double beside = 2 * band * streamline.spacing * node_step;
+    const Vec2 box = far * left.cwiseAbs() + beside * node.heading.cwiseAbs();
     std::array<double, 2> nearest{infinite, infinite};
-    set_.grid.any_near(node.image, far, [&](const GridNode& other) {
+    set_.grid.any_in_box(node.image, box, [&](const GridNode& other) {
       const Vec2 offset(double(other.x) - node.image.x(), double(other.y) - node.image.y());
       const double along = offset.dot(node.heading);
-      if (std::abs(along) > 2 * band * streamline.spacing * node_step) return false;
+      if (std::abs(along) > beside) return false;
       if (other.streamline == number && std::abs(other.index - index) <= own_nodes) return false;
       const Vec2 heading(double(other.ux), double(other.uy));
       const double cosine = heading.dot(node.heading);
@@ -211,8 +213,10 @@ class Relaxer {
 
 }  // namespace
 
-void relax_streamlines(StreamlineSet& set, const HatchView& view, int sweeps, int threads) {
+void relax_streamlines(StreamlineSet& set, const HatchView& view, int sweeps, int threads,
+                       const Progress& progress) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {
+    progress.report(static_cast<double>(sweep) / sweeps);
     std::vector<std::vector<StreamlineNode>> moved(set.streamlines.size());
     const Relaxer relaxer(set, view);
     parallel_for(moved.size(), threads, [&](std::size_t begin, std::size_t end) {

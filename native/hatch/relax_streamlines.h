@@ -1,6 +1,7 @@
 // Streamlines move sideways until neighbours are evenly spaced, drifting a little off the field.
 #pragma once
 
+#include "core/progress.h"
 #include "hatch/streamline_set.h"
 
 namespace illustrate {
@@ -9,6 +10,8 @@ namespace illustrate {
 // where it has only one, and whole streamlines answer as stiff lines that keep to the field (one
 // tridiagonal system for each streamline). Outlines and other critical curves count as neighbours.
 // The angle to the cross, in the tangent plane, stays small. The same for any number of threads.
-void relax_streamlines(StreamlineSet& set, const HatchView& view, int sweeps, int threads);
+// Throws Cancelled through `progress`.
+void relax_streamlines(StreamlineSet& set, const HatchView& view, int sweeps, int threads,
+                       const Progress& progress = {});
 
 }  // namespace illustrate

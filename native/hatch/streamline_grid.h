@@ -57,10 +57,15 @@ class StreamlineGrid {
   // Whether `test` accepts a node in the cells that the square of half side `radius` touches.
   template <class Test>
   bool any_near(const Vec2& p, double radius, const Test& test) const {
-    const int column_from = column_of(static_cast<float>(p.x() - radius));
-    const int column_to = column_of(static_cast<float>(p.x() + radius));
-    const int row_to = row_of(static_cast<float>(p.y() + radius));
-    for (int row = row_of(static_cast<float>(p.y() - radius)); row <= row_to; ++row) {
+    return any_in_box(p, Vec2(radius, radius), test);
+  }
+  // The same for a rectangle of half sides `reach`.
+  template <class Test>
+  bool any_in_box(const Vec2& p, const Vec2& reach, const Test& test) const {
+    const int column_from = column_of(static_cast<float>(p.x() - reach.x()));
+    const int column_to = column_of(static_cast<float>(p.x() + reach.x()));
+    const int row_to = row_of(static_cast<float>(p.y() + reach.y()));
+    for (int row = row_of(static_cast<float>(p.y() - reach.y())); row <= row_to; ++row) {
       for (int column = column_from; column <= column_to; ++column) {
         for (int at = first_[index(row, column)]; at != none; at = entries_[idx(at)].next) {
           if (test(entries_[idx(at)].node)) return true;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "hatch/curve_cells.h"
 #include "hatch/field_walk.h"
@@ -13,15 +14,15 @@ namespace {
 constexpr double finest_squares = 60'000;
 constexpr int levels = 9;
 
+// No curve needs more points.
+constexpr std::size_t most_points = 200'000;
+
 // In radii of the level: where a curve ends before another, and the shortest that is kept.
 constexpr double end_distance = 0.7;
 constexpr double least_length = 1.5;
 
 // In finest radii: between points of a curve.
 constexpr double point_step = 0.6;
-
-// All seeds there are.
-constexpr std::size_t seed_total = 150'000;
 
 // Seeds for each square of a level's radius.
 constexpr double seeds_per_square = 2.5;
@@ -36,6 +37,16 @@ struct CurvePlace {
   SurfacePoint on;
   CurveNode node;
 };
+using CurveLine = std::vector<CurvePlace>;
+
+// Where curves may start: along the cross and across it.
+struct CurveSeed {
+  SurfacePoint on;
+  Vec3 along, across;
+};
+
+// Of each seed, for both directions: a parallel curve is known to be so near.
+using SeedBounds = std::vector<std::array<float, 2>>;
 
 // Places spread evenly over the surface by area.
 class EvenPlaces {
@@ -68,127 +79,215 @@ class EvenPlaces {
   std::vector<double> area_to_;  // (t) of all triangles up to and with each one
 };
 
-class CurveBuilder {
+// The curves of one radius between those of all greater ones.
+class LevelBuilder {
  public:
-  CurveBuilder(const Surface& surface, const CrossField& field, const Progress& progress)
-      : surface_(surface), walker_(surface, field), progress_(progress) {
-    for (const Vec3& p : surface.positions) {
-      if (p.allFinite()) box_.extend(p);
+  LevelBuilder(const FieldWalker& walker, const Eigen::AlignedBox3d& box, double radius,
+               double step, const std::vector<CurveLine>& coarser)
+      : walker_(walker),
+        surface_(walker.surface()),
+        radius_(static_cast<float>(radius)),
+        step_(step),
+        stride_(std::max(1, static_cast<int>(radius / (3 * step)))),
+        count_(coarser.size()),
+        cells_(box, radius) {
+    for (const CurveLine& line : coarser) {
+      for (const CurvePlace& place : line) {
+        if (place.node.index % stride_ == 0) cells_.add(place.node);
+      }
     }
   }
 
-  SurfaceCurves build() {
-    const EvenPlaces places(surface_);
-    const double area = result_.area = places.area();
-    if (!(area > 0) || !std::isfinite(area)) return {};
-    for (std::size_t i = 0; i < seed_total; ++i) result_.seeds.push_back(places.place(i));
-    const double finest = std::sqrt(area / finest_squares);
-    result_.step = point_step * finest;
-    double done = 0;
-    for (int level = levels - 1; level >= 0; --level) {
-      const double radius = finest * std::pow(2, level / 2.0);
-      const double share = std::pow(0.5, level + 1);
-      const double seeds = seeds_per_square * area / (radius * radius);
-      add_level(radius, std::min(seed_total, static_cast<std::size_t>(seeds)),
-                progress_.part(done, done + share));
-      done += share;
+  void grow(const CurveSeed& seed, std::array<float, 2>& bounds) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (bounds[k] < radius_) continue;
+      const Vec3& tangent = k == 0 ? seed.along : seed.across;
+      const CurveNode first = node_at(seed.on, tangent, 0);
+      bounds[k] = distance(first, radius_);
+      if (bounds[k] < radius_) continue;
+      if (grow({seed.on, first}, tangent)) bounds[k] = 0;
     }
-    return std::move(result_);
   }
+
+  std::vector<CurveLine> take() { return std::move(lines_); }
 
  private:
-  void add_level(double radius, std::size_t seed_count, const Progress& progress) {
-    radius_ = static_cast<float>(radius);
-    stride_ = std::max(1, static_cast<int>(radius / (3 * result_.step)));
-    CurveCells cells(box_, radius);
-    for (const auto& line : lines_) add_to_cells(cells, line);
-    for (std::size_t i = 0; i < seed_count; ++i) {
-      if (i % 512 == 0) progress.report(static_cast<double>(i) / static_cast<double>(seed_count));
-      const SurfacePoint& seed = result_.seeds[i];
-      const Vec3 normal = normal_at(surface_, seed);
-      const Vec3 one = cross_direction(surface_, walker_.field(), seed, normal.unitOrthogonal());
-      for (const Vec3& towards : {one, Vec3(normal.cross(one))}) grow(cells, seed, towards);
-    }
-  }
-
   CurveNode node_at(const SurfacePoint& on, const Vec3& tangent, int index) const {
-    return {position_at(surface_, on).cast<float>(), tangent.cast<float>(),
-            normal_at(surface_, on).cast<float>(),   surface_.triangle_objects[idx(on.triangle)],
-            static_cast<int>(lines_.size()),         index};
+    return {position_at(surface_, on).cast<float>(),  tangent.cast<float>(),
+            normal_at(surface_, on).cast<float>(),    surface_.triangle_objects[idx(on.triangle)],
+            static_cast<int>(count_ + lines_.size()), index};
   }
 
-  // Whether a parallel curve, or a far part of the same one, passes nearer than `distance`.
-  bool is_near(const CurveCells& cells, const CurveNode& node, float distance) const {
-    const float half = 0.5F * static_cast<float>(stride_ * result_.step);
-    const int own_reach = 1 + static_cast<int>(2 * radius_ / result_.step);
-    return cells.any_near(node.position, distance + half, [&](const CurveNode& other) {
+  // To some parallel curve, or a far part of the same one, that is nearer than `reach`; infinite
+  // where none is.
+  float distance(const CurveNode& node, float reach) const {
+    const float half = 0.5F * static_cast<float>(stride_ * step_);
+    const int own_reach = 1 + static_cast<int>(2 * radius_ / step_);
+    float found = std::numeric_limits<float>::infinity();
+    cells_.any_near(node.position, reach + half, [&](const CurveNode& other) {
       const Eigen::Vector3f offset = node.position - other.position;
       const float along = offset.dot(other.tangent);
       const float beyond = std::max(std::abs(along) - half, 0.0F);
       const float square = offset.squaredNorm() - along * along + beyond * beyond;
-      if (!(square < distance * distance) || other.object != node.object) return false;
+      if (!(square < reach * reach) || other.object != node.object) return false;
       const float cosine = node.tangent.dot(other.tangent);
       if (2 * cosine * cosine < 1 || node.normal.dot(other.normal) < 0) return false;
-      return other.curve != node.curve || std::abs(other.index - node.index) > own_reach;
+      if (other.curve == node.curve && std::abs(other.index - node.index) <= own_reach) {
+        return false;
+      }
+      found = std::sqrt(std::max(square, 0.0F));
+      return true;
     });
+    return found;
   }
 
-  void grow(CurveCells& cells, const SurfacePoint& seed, const Vec3& tangent) {
-    const CurveNode first = node_at(seed, tangent, 0);
-    if (is_near(cells, first, radius_)) return;
-    const std::size_t before = cells.size();
-    cells.add(first);
-    std::vector<CurvePlace> line{{seed, first}};
-    extend(cells, line, tangent, 1);
+  bool grow(const CurvePlace& first, const Vec3& tangent) {
+    const std::size_t before = cells_.size();
+    cells_.add(first.node);
+    CurveLine line{first};
+    extend(line, tangent, 1);
     std::reverse(line.begin(), line.end());
-    extend(cells, line, -tangent, -1);
-    if (static_cast<double>(line.size() - 1) * result_.step < least_length * radius_) {
-      cells.shrink(before);
-      return;
+    extend(line, -tangent, -1);
+    if (static_cast<double>(line.size() - 1) * step_ < least_length * radius_) {
+      cells_.shrink(before);
+      return false;
     }
-    for (const CurvePlace& place : line) result_.curves.push(place.on);
-    result_.curves.close_list();
     lines_.push_back(std::move(line));
+    return true;
   }
 
-  void extend(CurveCells& cells, std::vector<CurvePlace>& line, Vec3 tangent, int way) {
+  void extend(CurveLine& line, Vec3 tangent, int way) {
     SurfacePoint on = line.back().on;
-    const std::size_t most = 200'000;
-    for (int index = way; line.size() < most; index += way) {
-      const double rest = walker_.advance(on, tangent, result_.step);
-      if (rest >= result_.step) return;
+    const float least = static_cast<float>(end_distance) * radius_;
+    for (int index = way; line.size() < most_points; index += way) {
+      const double rest = walker_.advance(on, tangent, step_);
+      if (rest >= step_) return;
       const CurveNode node = node_at(on, tangent, index);
-      if (is_near(cells, node, static_cast<float>(end_distance) * radius_)) return;
+      if (distance(node, least) < least) return;
       line.push_back({on, node});
-      if (index % stride_ == 0) cells.add(node);
+      if (index % stride_ == 0) cells_.add(node);
       if (rest > 0) return;
     }
   }
 
-  void add_to_cells(CurveCells& cells, const std::vector<CurvePlace>& line) const {
-    for (const CurvePlace& place : line) {
-      if (place.node.index % stride_ == 0) cells.add(place.node);
-    }
-  }
-
+  const FieldWalker& walker_;
   const Surface& surface_;
-  FieldWalker walker_;
-  const Progress& progress_;
-  Eigen::AlignedBox3d box_;
-  SurfaceCurves result_;
-  std::vector<std::vector<CurvePlace>> lines_;
-  float radius_ = 0;
-  int stride_ = 1;
+  float radius_;
+  double step_;
+  int stride_;
+  std::size_t count_;  // of coarser curves
+  CurveCells cells_;
+  std::vector<CurveLine> lines_;
 };
 
 }  // namespace
 
+class RankedCurves::Builder {
+ public:
+  Builder(const Surface& surface, const CrossField& field)
+      : surface_(surface), walker_(surface, field), places_(surface) {
+    for (const Vec3& p : surface.positions) {
+      if (p.allFinite()) box_.extend(p);
+    }
+    const double area = places_.area();
+    finest_ = area > 0 && std::isfinite(area) ? std::sqrt(area / finest_squares) : 0;
+  }
+
+  // Levels count from the coarsest.
+  int level_of(double radius) const {
+    int level = 0;
+    while (level + 1 < levels && radius_of(level) > radius) ++level;
+    return level;
+  }
+
+  SurfaceCurves curves_to(int level, const Progress& progress) {
+    if (!(finest_ > 0)) return {};
+    // Each level has about twice the work of the one before.
+    double work = 0, done = 0;
+    for (int k = made(); k <= level; ++k) work += std::ldexp(1, k);
+    for (int k = made(); k <= level; ++k) {
+      const double share = std::ldexp(1, k) / work;
+      make(k, progress.part(done, done + share));
+      done += share;
+    }
+    SurfaceCurves result;
+    result.area = places_.area();
+    result.step = step();
+    for (std::size_t c = 0; c < ends_[idx(level)]; ++c) {
+      for (const CurvePlace& place : lines_[c]) result.curves.push(place.on);
+      result.curves.close_list();
+    }
+    for (std::size_t i = 0; i < seed_count(level); ++i) result.seeds.push_back(seeds_[i].on);
+    return result;
+  }
+
+ private:
+  double step() const { return point_step * finest_; }
+  double radius_of(int level) const { return finest_ * std::pow(2, (levels - 1 - level) / 2.0); }
+  int made() const { return static_cast<int>(ends_.size()); }
+  std::size_t seed_count(int level) const {
+    const double radius = radius_of(level) / finest_;
+    return static_cast<std::size_t>(seeds_per_square * finest_squares / (radius * radius));
+  }
+
+  // Keeps nothing of a level that is not finished, or that was made meanwhile by a report's
+  // receiver.
+  void make(int level, const Progress& progress) {
+    LevelBuilder builder(walker_, box_, radius_of(level), step(), lines_);
+    SeedBounds bounds = bounds_;
+    const std::size_t count = seed_count(level);
+    bounds.resize(count, {infinite, infinite});
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i % 512 == 0) progress.report(static_cast<double>(i) / static_cast<double>(count));
+      if (i == seeds_.size()) seeds_.push_back(seed(i));
+      builder.grow(seeds_[i], bounds[i]);
+    }
+    if (made() != level) return;
+    bounds_ = std::move(bounds);
+    for (CurveLine& line : builder.take()) lines_.push_back(std::move(line));
+    ends_.push_back(lines_.size());
+  }
+
+  CurveSeed seed(std::size_t i) const {
+    const SurfacePoint on = places_.place(i);
+    const Vec3 normal = normal_at(surface_, on);
+    const Vec3 along = cross_direction(surface_, walker_.field(), on, normal.unitOrthogonal());
+    return {on, along, normal.cross(along)};
+  }
+
+  static constexpr float infinite = std::numeric_limits<float>::infinity();
+
+  const Surface& surface_;
+  FieldWalker walker_;
+  EvenPlaces places_;
+  Eigen::AlignedBox3d box_;
+  double finest_ = 0;
+  std::vector<CurveSeed> seeds_;
+  SeedBounds bounds_;
+  std::vector<CurveLine> lines_;   // of all levels that are made
+  std::vector<std::size_t> ends_;  // of each of them, in `lines_`
+};
+
+RankedCurves::RankedCurves(const Surface& surface, const CrossField& field)
+    : builder_(std::make_unique<Builder>(surface, field)), made_(levels) {}
+
+RankedCurves::~RankedCurves() = default;
+
+const SurfaceCurves& RankedCurves::down_to(double radius, const Progress& progress) {
+  const std::lock_guard<std::recursive_mutex> lock(mutex_);
+  progress.report(0);
+  const int level = builder_->level_of(radius);
+  if (!made_[idx(level)]) {
+    auto curves = std::make_unique<const SurfaceCurves>(builder_->curves_to(level, progress));
+    if (!made_[idx(level)]) made_[idx(level)] = std::move(curves);
+  }
+  progress.report(1);
+  return *made_[idx(level)];
+}
+
 SurfaceCurves surface_curves(const Surface& surface, const CrossField& field,
                              const Progress& progress) {
-  progress.report(0);
-  SurfaceCurves curves = CurveBuilder(surface, field, progress).build();
-  progress.report(1);
-  return curves;
+  return RankedCurves(surface, field).down_to(0, progress);
 }
 
 }  // namespace illustrate

@@ -8,6 +8,9 @@
 // view stay much the same from view to view.
 #pragma once
 
+#include <memory>
+#include <mutex>
+
 #include "core/progress.h"
 #include "core/ragged.h"
 #include "field/cross_field.h"
@@ -22,8 +25,27 @@ struct SurfaceCurves {
   double area = 0;  // of the surface
 };
 
-// One core; the finest radius is such that about 60,000 of its squares cover the surface. Throws
-// Cancelled through `progress`. Nothing for a surface without area.
+// All curves of a surface, made radius by radius, no further than anybody has asked.
+class RankedCurves {
+ public:
+  // Refers to both.
+  RankedCurves(const Surface& surface, const CrossField& field);
+  ~RankedCurves();
+
+  // The curves of all radii down to the first that is not above `radius` (world units), or to the
+  // finest, of whose squares about 60,000 cover the surface; with 2.5 seeds for each square. The
+  // same whatever was asked before. Stays where it is. May be called by several threads; the work
+  // is done on one core. Throws Cancelled through `progress` and can then be asked again.
+  const SurfaceCurves& down_to(double radius, const Progress& progress = {});
+
+ private:
+  class Builder;
+  std::recursive_mutex mutex_;
+  std::unique_ptr<Builder> builder_;
+  std::vector<std::unique_ptr<const SurfaceCurves>> made_;  // down to each radius, null until asked
+};
+
+// Down to the finest. Nothing for a surface without area.
 SurfaceCurves surface_curves(const Surface& surface, const CrossField& field,
                              const Progress& progress = {});
 

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "core/progress.h"
 #include "core/types.h"
 
 namespace illustrate {
@@ -18,7 +19,9 @@ class Bvh {
   Bvh() = default;
   // Keeps pointers to both arrays: they must outlive the tree. Triangles with a corner that is not
   // finite are left out. threads: 0 = all cores; the tree is the same for any number.
-  Bvh(const Points& positions, const std::vector<Triangle>& triangles, int threads = 0);
+  // Throws Cancelled through `progress`.
+  Bvh(const Points& positions, const std::vector<Triangle>& triangles, int threads = 0,
+      const Progress& progress = {});
 
   // Adds all hits with low < distance < high, in no particular but always the same order. A ray
   // through a shared edge hits exactly one of its triangles (watertight, Woop et al. 2013), or both

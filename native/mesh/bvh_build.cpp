@@ -156,18 +156,22 @@ double Bvh::half_area(const Box& box) {
 // number of threads; these are made in parallel, each with nodes of its own.
 class Bvh::Builder {
  public:
-  Builder(Bvh& tree, int threads) : tree_(tree), threads_(threads) {}
+  Builder(Bvh& tree, int threads, const Progress& progress)
+      : tree_(tree), threads_(threads), progress_(progress) {}
 
   void build() {
     gather();
     if (items_.empty()) return;
+    progress_.report(0.3);
     const int count = static_cast<int>(items_.size());
     const int grain = threads_ == 1 ? 0 : std::max(smallest_branch, count / branch_count);
     const Extent whole = extent_of(items_.data(), items_.data() + count);
     Nodes& nodes = tree_.nodes_;
     nodes.reserve(items_.size());
     std::vector<Branch> branches = divide_down_to(grain, {0, 0, count, 0, whole}, nodes);
+    progress_.report(0.5);
     build_branches(branches);
+    progress_.report(0.8);
     append(branches, nodes);
     copy_items();
   }
@@ -275,12 +279,14 @@ class Bvh::Builder {
 
   Bvh& tree_;
   int threads_;
+  const Progress& progress_;
   std::vector<Item> items_;
 };
 
-Bvh::Bvh(const Points& positions, const std::vector<Triangle>& triangles, int threads)
+Bvh::Bvh(const Points& positions, const std::vector<Triangle>& triangles, int threads,
+         const Progress& progress)
     : positions_(&positions), triangles_(&triangles) {
-  Builder(*this, threads).build();
+  Builder(*this, threads, progress).build();
 }
 
 }  // namespace illustrate

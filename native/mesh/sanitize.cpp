@@ -83,16 +83,20 @@ std::int64_t count_split(const SoundMesh& sound) {
 
 }  // namespace
 
-SoundMesh sanitize(const PolygonMesh& mesh, Counts& report) {
+SoundMesh sanitize(const PolygonMesh& mesh, Counts& report, const Progress& progress) {
   validate(mesh);
   name_counts(report);
   report["input_faces"] += static_cast<std::int64_t>(mesh.face_sizes.size());
+  progress.report(0);
   Faces faces = clean_faces(mesh, report);
   const std::vector<int> numbers = weld_open_edges(faces, mesh.positions, report);
+  progress.report(0.25);
   Joints joints = join_faces(faces, mesh.positions, report);
+  progress.report(0.5);
   const std::vector<std::uint8_t> is_covered = orient(faces, joints, mesh.positions, report);
   std::vector<int> twins = add_double_cover(faces, joints, is_covered);
 
+  progress.report(0.75);
   SoundMesh sound;
   set_vertices(mesh, split_vertices(faces, joints, mesh.positions.size()), sound);
   set_faces(mesh, faces, sound);

@@ -14,6 +14,7 @@
 // double cover.
 #pragma once
 
+#include "core/progress.h"
 #include "mesh/polygon_mesh.h"
 
 namespace illustrate {
@@ -54,7 +55,7 @@ struct SoundMesh {
 //   number or of no edge), ignored_marks (of no edge), empty_meshes (without a face left).
 // Found, not mended: parts, polygons (faces of more than four corners), open_edges (boundaries,
 //   not seams). Made on request: angle_creases (edges that became sharp).
-// Throws InvalidInput as `validate` does.
-SoundMesh sanitize(const PolygonMesh& mesh, Counts& report);
+// Throws InvalidInput as `validate` does, and Cancelled through `progress`.
+SoundMesh sanitize(const PolygonMesh& mesh, Counts& report, const Progress& progress = {});
 
 }  // namespace illustrate

@@ -94,22 +94,24 @@ class View {
     const StrokeOptions& stroke = options_.stroke;
     const NetworkOptions network_options{stroke.marks, stroke.materials, stroke.flat_outlines,
                                          options_.curvature_curves};
+    const Progress search = progress.part(0, 0.2, "contour");
     const ContourScene contour_scene{
         scene_.surface(),
         scene_.limit_surface(),
         scene_.features(),
         scene_.intersections(),
-        options_.scan_silhouettes ? nullptr : &scene_.dual_surface(),
-        options_.curvature_curves.any() ? &scene_.curvature_derivative() : nullptr};
+        options_.scan_silhouettes ? nullptr : &scene_.dual_surface(search),
+        options_.curvature_curves.any() ? &scene_.curvature_derivative(progress.part(0.2, 0.3))
+                                        : nullptr};
     const CurveNetwork network = timed(result_.timings["contour"], [&] {
       return build_network(contour_scene, camera_, network_options, result_.counts,
-                           progress.part(0, 0.5, "contour"));
+                           progress.part(0.3, 0.6, "contour"));
     });
     result_.graph = timed(result_.timings["visibility"], [&] {
       const bool by_vote = options_.visibility == VisibilityMethod::vote;
       return (by_vote ? vote_network : label_network)(network, scene_.surface(), scene_.bvh(),
                                                       camera_, result_.counts,
-                                                      progress.part(0.5, 1, "visibility"));
+                                                      progress.part(0.6, 1, "visibility"));
     });
   }
 
@@ -126,16 +128,24 @@ class View {
     });
     ToneOptions tone_options = options_.tone;
     tone_options.threads = options_.threads;
+    const Mask unhatched = unhatched_objects(options_.styles);
     result_.tone = timed(result_.timings["tone"], [&] {
       return tone_regions(surface, visible, result_.graph, camera_, lights, tone_options,
-                          &scene_.bvh(), unhatched_objects(options_.styles), tone_progress);
+                          &scene_.bvh(), unhatched, tone_progress);
     });
-    const Progress hatch_progress = progress.part(0.3, 1, "hatch");
+    const std::vector<double> spacing_scale = spacing_scales(options_.styles);
+    const HatchScene hatch_scene{surface,      field,         camera_,       visible,
+                                 result_.tone, result_.graph, spacing_scale, unhatched};
+    const Progress hatch_progress = progress.part(0.4, 1, "hatch");
+    if (options_.hatch.seeding == HatchSeeding::surface_curves) {
+      curves_ =
+          &scene_.hatch_curves(wanted_radius(hatch_scene, options_.hatch), progress.part(0.3, 0.4));
+    }
     hatches_ = timed(result_.timings["hatch"], [&] {
       const bool has_extra = options_.tone.extra_levels > 0;
       Hatches made =
-          reduced(place(field, visible, hatch_progress.part(0, has_extra ? 0.6 : 1)), result_.tone);
-      if (has_extra) add_extra(made, field, visible, hatch_progress.part(0.6, 1));
+          reduced(place(hatch_scene, hatch_progress.part(0, has_extra ? 0.6 : 1)), hatch_scene);
+      if (has_extra) add_extra(made, hatch_scene, hatch_progress.part(0.6, 1));
       return made;
     });
   }
@@ -155,38 +165,27 @@ class View {
 
  private:
   // Hatches of the cross.
-  Hatches place(const CrossField& field, const VisibleImage& visible, const Progress& progress) {
+  Hatches place(const HatchScene& scene, const Progress& progress) {
     if (options_.hatch.seeding == HatchSeeding::critical_curves) {
-      return place_from_critical_curves(field, visible, result_.tone, progress);
+      return place_hatches(scene, options_.hatch, result_.counts, progress);
     }
-    const std::vector<double> spacing_scale = spacing_scales(options_.styles);
-    const Mask unhatched = unhatched_objects(options_.styles);
-    const HatchScene hatch_scene{scene_.surface(), field,         camera_,       visible,
-                                 result_.tone,     result_.graph, spacing_scale, unhatched};
-    return even_hatches(hatch_scene, scene_.hatch_curves(), previous_, options_.hatch,
-                        options_.threads, result_.counts, progress);
+    return even_hatches(scene, *curves_, previous_, options_.hatch, options_.threads,
+                        result_.counts, progress);
   }
 
-  // By the paper's own seeding, which needs no curves of the field's.
-  Hatches place_from_critical_curves(const CrossField& field, const VisibleImage& visible,
-                                     const ToneMap& tone, const Progress& progress) {
-    return place_hatches(scene_.surface(), field, camera_, visible, tone, result_.graph,
-                         spacing_scales(options_.styles), unhatched_objects(options_.styles),
-                         options_.hatch, result_.counts, progress);
+  Hatches reduced(const Hatches& placed, const HatchScene& scene) {
+    return reduce_hatches(placed, scene, options_.hatch, result_.counts);
   }
 
-  Hatches reduced(const Hatches& placed, const ToneMap& tone) {
-    return reduce_hatches(placed, scene_.surface(), camera_, tone, result_.graph, options_.hatch,
-                          result_.counts, spacing_scales(options_.styles));
-  }
-
-  // The deeper levels of shadow are hatched once more, along the diagonals of the cross.
-  void add_extra(Hatches& made, const CrossField& field, const VisibleImage& visible,
-                 const Progress& progress) {
-    const CrossField turned = diagonals(scene_.surface(), field);
-    const ToneMap tone = extra_tones(result_.tone);
+  // The deeper levels of shadow are hatched once more, along the diagonals of the cross; by the
+  // paper's own seeding, which needs no curves of the field's.
+  void add_extra(Hatches& made, const HatchScene& scene, const Progress& progress) {
+    const CrossField turned = diagonals(scene.surface, scene.field);
+    const ToneMap tone = extra_tones(scene.tone);
+    const HatchScene deep{scene.surface, turned,      scene.camera,        scene.visible,
+                          tone,          scene.graph, scene.spacing_scale, scene.unhatched};
     const Hatches extra =
-        reduced(place_from_critical_curves(turned, visible, tone, progress), tone);
+        reduced(place_hatches(deep, options_.hatch, result_.counts, progress), deep);
     for (std::size_t i = 0; i < extra.kinds.size(); ++i) {
       made.curves.add(extra.curves[i]);
       made.kinds.push_back(Kind::cross_hatch);
@@ -198,6 +197,7 @@ class View {
   const Camera& camera_;
   const DrawOptions& options_;
   Ragged<SurfacePoint> previous_;
+  const SurfaceCurves* curves_ = nullptr;
   Hatches hatches_;
   DrawResult result_;
 };
@@ -210,15 +210,13 @@ DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOption
   validate(options, prepared.object_count());
   for (std::size_t i = 0; i < lights.size(); ++i) validate(lights[i], i);
   const bool hatching = anything_is_hatched(options);
-  const SeenScene scene(prepared, options.styles, options.threads, progress.part(0, 0.1));
-  const CrossField* field = hatching ? &prepared.field(progress.part(0.1, 0.3)) : nullptr;
+  const SeenScene scene(prepared, options.styles, options.threads);
+  const CrossField* field = hatching ? &prepared.field(progress.part(0, 0.3)) : nullptr;
   View view(scene, camera, options);
   if (hatching && previous) view.follow(*previous, prepared.surface());
   view.label_curves(progress.part(0.3, hatching ? 0.5 : 0.95));
   if (hatching) {
-    const bool along_curves = options.hatch.seeding == HatchSeeding::surface_curves;
-    if (along_curves) prepared.hatch_curves(progress.part(0.5, 0.55));
-    view.hatch(*field, lights, progress.part(0.55, 0.95));
+    view.hatch(*field, lights, progress.part(0.5, 0.95));
   }
   return std::move(view).strokes(progress.part(0.95, 1, "stroke"));
 }

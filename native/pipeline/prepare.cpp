@@ -19,11 +19,17 @@ void add(Counts& sum, const Counts& counts) {
 
 template <class Make>
 auto Prepared::timed(const char* stage, Make&& make) const {
-  const Stopwatch watch;
-  auto made = make();
-  const std::lock_guard<std::mutex> lock(timings_mutex_);
-  timings_[stage] += watch.seconds();
-  return made;
+  struct Addition {
+    const Prepared& prepared;
+    const char* stage;
+    const Stopwatch watch{};
+    ~Addition() {
+      const std::lock_guard<std::mutex> lock(prepared.timings_mutex_);
+      prepared.timings_[stage] += watch.seconds();
+    }
+  };
+  const Addition addition{*this, stage};
+  return make();
 }
 
 Prepared::Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions& options,
@@ -31,20 +37,19 @@ Prepared::Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions&
     : options_(with_threads(options)),
       curvature_(std::make_shared<Lazy<Curvature>>()),
       field_(std::make_shared<Lazy<CrossField>>()),
-      hatch_curves_(std::make_shared<Lazy<SurfaceCurves>>()),
+      hatch_curves_(std::make_shared<Lazy<std::unique_ptr<RankedCurves>>>()),
       derivative_(std::make_shared<Lazy<CurvatureDerivative>>()) {
   timings_ = {{"sanitize", 0}, {"surface", 0},       {"curvature", 0},
               {"field", 0},    {"intersections", 0}, {"hatch_curves", 0}};
   if (previous && previous->has_surface_of(meshes, options)) {
     take_over(*previous);
   } else {
-    make_geometry(meshes, progress.part(0, options.field ? 0.4 : 1.0));
+    make_geometry(meshes, progress.part(0, options.field ? 0.6 : 1));
   }
   if (previous && previous->field_ != field_ && previous->field_->peek()) {
     last_field_ = {previous->geometry_, previous->field_};
   }
   if (options.field) {
-    intersections(progress.part(0.4, 0.6));
     hatch_curvature(progress.part(0.6, 0.7));
     field(progress.part(0.7, 1));
   }
@@ -71,12 +76,11 @@ void Prepared::take_over(const Prepared& previous) {
 
 std::vector<SoundMesh> Prepared::sanitize_all(Geometry& geometry, const Progress& progress) const {
   std::vector<SoundMesh> sound;
+  const auto count = static_cast<double>(geometry.meshes.size());
   for (const MeshPointer& mesh : geometry.meshes) {
-    progress.report(static_cast<double>(sound.size()) /
-                    static_cast<double>(geometry.meshes.size()));
-    validate(*mesh);
+    const auto done = static_cast<double>(sound.size());
     Counts counts;
-    sound.push_back(sanitize(*mesh, counts));
+    sound.push_back(sanitize(*mesh, counts, progress.part(done / count, (done + 1) / count)));
     add(geometry.counts, counts);
     geometry.mesh_reports.push_back({mesh->name, std::move(counts)});
   }
@@ -87,44 +91,27 @@ void Prepared::make_geometry(const std::vector<MeshPointer>& meshes, const Progr
   auto geometry = std::make_shared<Geometry>();
   geometry->meshes = meshes;
   std::vector<SoundMesh> sound =
-      timed("sanitize", [&] { return sanitize_all(*geometry, progress.part(0, 0.2, "sanitize")); });
-  const Progress surface_progress = progress.part(0.2, 0.9, "surface");
+      timed("sanitize", [&] { return sanitize_all(*geometry, progress.part(0, 0.1, "sanitize")); });
+  const Progress surface_progress = progress.part(0.1, 0.6, "surface");
   geometry->surface = timed("surface", [&] {
-    return refine(std::move(sound), options_.surface, geometry->counts, surface_progress);
+    return refine(std::move(sound), options_.surface, geometry->counts,
+                  surface_progress.part(0, 0.6));
   });
-  surface_progress.report(1);
-  const Surface& surface = geometry->surface;
-  geometry->limit_surface = std::make_unique<const LimitSurface>(surface);
-  geometry->features = timed("surface", [&] { return feature_edges(surface); });
+  timed("surface", [&] { make_search(*geometry, surface_progress.part(0.6, 1)); });
+  geometry->intersections = timed("intersections", [&] {
+    return illustrate::intersections(geometry->surface, *geometry->bvh, geometry->counts,
+                                     progress.part(0.6, 1, "intersections"));
+  });
   geometry_ = std::move(geometry);
 }
 
-const Bvh& Prepared::bvh() const {
-  return geometry_->bvh.get([&] {
-    return timed("surface",
-                 [&] { return Bvh(surface().positions, surface().triangles, options_.threads); });
-  });
-}
-
-const DualSurface& Prepared::dual_surface() const {
-  return geometry_->dual_surface.get(
-      [&] { return timed("surface", [&] { return DualSurface(surface(), options_.threads); }); });
-}
-
-const std::pair<IntersectionCurves, Counts>& Prepared::found_intersections(
-    const Progress& progress) const {
-  return geometry_->intersections.get([&] {
-    return timed("intersections", [&] {
-      Counts counts;
-      IntersectionCurves curves =
-          illustrate::intersections(surface(), bvh(), counts, progress.part(0, 1, "intersections"));
-      return std::make_pair(std::move(curves), std::move(counts));
-    });
-  });
-}
-
-const IntersectionCurves& Prepared::intersections(const Progress& progress) const {
-  return found_intersections(progress).first;
+void Prepared::make_search(Geometry& geometry, const Progress& progress) const {
+  const Surface& surface = geometry.surface;
+  geometry.limit_surface.emplace(surface);
+  geometry.features = feature_edges(surface);
+  geometry.bvh.emplace(surface.positions, surface.triangles, options_.threads,
+                       progress.part(0, 0.5));
+  geometry.dual_surface.emplace(surface, options_.threads, progress.part(0.5, 1));
 }
 
 const Curvature& Prepared::hatch_curvature(const Progress& progress) const {
@@ -155,13 +142,13 @@ CrossField Prepared::solve_field(const Progress& progress) const {
   return solved;
 }
 
-const SurfaceCurves& Prepared::hatch_curves(const Progress& progress) const {
-  return hatch_curves_->get([&] {
+const SurfaceCurves& Prepared::hatch_curves(const Progress& progress, double radius) const {
+  const auto& curves = hatch_curves_->get([&] {
     const CrossField& cross_field = field(progress.part(0, 0.5));
-    return timed("hatch_curves", [&] {
-      return surface_curves(surface(), cross_field, progress.part(0.5, 1, "hatch curves"));
-    });
+    return std::make_unique<RankedCurves>(surface(), cross_field);
   });
+  const Progress curve_progress = progress.part(0.5, 1, "hatch curves");
+  return *timed("hatch_curves", [&] { return &curves->down_to(radius, curve_progress); });
 }
 
 const CurvatureDerivative& Prepared::curvature_derivative(const Progress& progress) const {
@@ -172,12 +159,6 @@ const CurvatureDerivative& Prepared::curvature_derivative(const Progress& progre
                                               progress.part(0.7, 1, "curvature"));
     });
   });
-}
-
-Counts Prepared::report() const {
-  Counts report = geometry_->counts;
-  add(report, found_intersections({}).second);
-  return report;
 }
 
 Timings Prepared::timings() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "contour/dual_surface.h"
 #include "contour/feature_edges.h"
@@ -23,7 +24,8 @@ struct MeshReport {
   Counts counts;
 };
 
-// Immutable as seen from outside: what is not there yet is made when it is first asked for, once.
+// Immutable as seen from outside: what not every drawing needs is made when it is first asked for,
+// once.
 class Prepared {
  public:
   Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions& options,
@@ -32,37 +34,38 @@ class Prepared {
   std::size_t object_count() const { return geometry_->meshes.size(); }
   const Surface& surface() const { return geometry_->surface; }
   const LimitSurface& limit_surface() const { return *geometry_->limit_surface; }
-  const Bvh& bvh() const;
-  const DualSurface& dual_surface() const;
+  const Bvh& bvh() const { return *geometry_->bvh; }
+  const DualSurface& dual_surface() const { return *geometry_->dual_surface; }
   const std::vector<FeatureEdge>& features() const { return geometry_->features; }
-  const IntersectionCurves& intersections(const Progress& progress = {}) const;
+  const IntersectionCurves& intersections() const { return geometry_->intersections; }
   const Curvature& hatch_curvature(const Progress& progress = {}) const;
   const CrossField& field(const Progress& progress = {}) const;
-  const SurfaceCurves& hatch_curves(const Progress& progress = {}) const;
+  // Down to the finest, or to a radius (hatch/surface_curves.h).
+  const SurfaceCurves& hatch_curves(const Progress& progress = {}, double radius = 0) const;
   const CurvatureDerivative& curvature_derivative(const Progress& progress = {}) const;
 
   const std::vector<MeshReport>& mesh_reports() const { return geometry_->mesh_reports; }
-  Counts report() const;    // summed over all meshes
+  const Counts& report() const { return geometry_->counts; }  // summed over all meshes
   Timings timings() const;  // seconds; only of what was made here, not of what was taken over
 
  private:
-  // Shared by all that were prepared from the same meshes with the same options; the tree points
+  // Shared by all that were prepared from the same meshes with the same options; the trees point
   // into the surface.
   struct Geometry {
     std::vector<MeshPointer> meshes;
     std::vector<MeshReport> mesh_reports;
     Counts counts;
     Surface surface;
-    std::unique_ptr<const LimitSurface> limit_surface;
-    Lazy<Bvh> bvh;
-    Lazy<DualSurface> dual_surface;
+    std::optional<const LimitSurface> limit_surface;
     std::vector<FeatureEdge> features;
-    Lazy<std::pair<IntersectionCurves, Counts>> intersections;
+    std::optional<const Bvh> bvh;
+    std::optional<const DualSurface> dual_surface;
+    IntersectionCurves intersections;
   };
 
   void make_geometry(const std::vector<MeshPointer>& meshes, const Progress& progress);
   std::vector<SoundMesh> sanitize_all(Geometry& geometry, const Progress& progress) const;
-  const std::pair<IntersectionCurves, Counts>& found_intersections(const Progress& progress) const;
+  void make_search(Geometry& geometry, const Progress& progress) const;
   bool has_surface_of(const std::vector<MeshPointer>& meshes, const PrepareOptions& options) const;
   void take_over(const Prepared& previous);
   CrossField solve_field(const Progress& progress) const;
@@ -80,17 +83,17 @@ class Prepared {
   std::shared_ptr<Lazy<Curvature>> curvature_;
   std::shared_ptr<Lazy<CrossField>> field_;
   mutable LastField last_field_;  // until this field is solved
-  std::shared_ptr<Lazy<SurfaceCurves>> hatch_curves_;
+  std::shared_ptr<Lazy<std::unique_ptr<RankedCurves>>> hatch_curves_;
   std::shared_ptr<Lazy<CurvatureDerivative>> derivative_;
   mutable std::mutex timings_mutex_;
   mutable Timings timings_;
 };
 
-// Meshes to a surface, with options.field also hatching curvature, cross field and
-// self-intersections. A mesh without faces contributes nothing but stays an object. `previous`:
-// what was made from the same bytes with the same options is taken over; a field of the same
-// triangles is where the search for this one starts. Throws InvalidInput for arrays that do not fit
-// together and for wrong options.
+// Meshes to a surface with its search trees and intersections, with options.field also hatching
+// curvature and cross field. A mesh without faces contributes nothing but stays an object.
+// `previous`: what was made from the same bytes with the same options is taken over; a field of the
+// same triangles is where the search for this one starts. Throws InvalidInput for arrays that do
+// not fit together and for wrong options.
 std::shared_ptr<const Prepared> prepare(const std::vector<MeshPointer>& meshes,
                                         const PrepareOptions& options,
                                         const Prepared* previous = nullptr,

@@ -9,15 +9,14 @@ namespace illustrate {
 // keep their numbers, so field and curvature still fit).
 class SeenScene {
  public:
-  SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& styles, int threads,
-            const Progress& progress);
+  SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& styles, int threads);
 
   const Surface& surface() const { return part_ ? part_->surface : prepared_.surface(); }
   const LimitSurface& limit_surface() const { return prepared_.limit_surface(); }
   const Bvh& bvh() const { return part_ ? part_->bvh : prepared_.bvh(); }
-  const DualSurface& dual_surface() const {
+  const DualSurface& dual_surface(const Progress& progress) const {
     if (!part_) return prepared_.dual_surface();
-    return part_->dual_surface.get([&] { return DualSurface(part_->surface, threads_); });
+    return part_->dual_surface.get([&] { return DualSurface(part_->surface, threads_, progress); });
   }
   const std::vector<FeatureEdge>& features() const {
     return part_ ? part_->features : prepared_.features();
@@ -26,16 +25,18 @@ class SeenScene {
     return part_ ? part_->intersections : prepared_.intersections();
   }
   // Of vertices, which keep their numbers.
-  const CurvatureDerivative& curvature_derivative() const {
-    return prepared_.curvature_derivative();
+  const CurvatureDerivative& curvature_derivative(const Progress& progress) const {
+    return prepared_.curvature_derivative(progress);
   }
 
   // Curves on the whole surface, as far as their triangles are in this scene, with their numbers in
   // it.
   Ragged<SurfacePoint> seen_parts(const Ragged<SurfacePoint>& curves) const;
-  const SurfaceCurves& hatch_curves() const {
-    if (!part_) return prepared_.hatch_curves();
-    return part_->hatch_curves.get([&] { return seen_curves(prepared_.hatch_curves()); });
+  // Down to a radius, world units.
+  const SurfaceCurves& hatch_curves(double radius, const Progress& progress) const {
+    const SurfaceCurves& whole = prepared_.hatch_curves(progress, radius);
+    if (!part_) return whole;
+    return part_->hatch_curves.get([&] { return seen_curves(whole); });
   }
 
   // From triangles of this scene to those of `prepared`.

@@ -22,17 +22,6 @@ constexpr std::size_t most_gathered = 1024, most_links = 48;
 constexpr double least_cosine = .5;
 // Points at the rim come and go from one node to the next: they weigh little.
 constexpr double falloff = .9;
-constexpr std::size_t between_reports = 10000;
-
-// Calls body(begin, end) for [0, count) in parallel parts, with reports between them.
-template <class Body>
-void in_parts(std::size_t count, int threads, const Progress& progress, const Body& body) {
-  for (std::size_t from = 0; from < count; from += between_reports) {
-    progress.report(static_cast<double>(from) / static_cast<double>(count));
-    parallel_for(std::min(between_reports, count - from), threads,
-                 [&](std::size_t begin, std::size_t end) { body(from + begin, from + end); });
-  }
-}
 
 std::vector<std::uint8_t> border_vertices(const Surface& surface) {
   std::vector<std::uint8_t> result(surface.positions.size(), 0);
@@ -116,7 +105,7 @@ std::vector<PrincipalCurvature> jets_at_nodes(const Surface& surface, const Cont
                                               const JetOptions& options, const Progress& progress) {
   const std::vector<std::uint8_t> at_border = border_vertices(surface);
   std::vector<PrincipalCurvature> jets(nodes.vertices().size());
-  in_parts(jets.size(), options.threads, progress, [&](std::size_t begin, std::size_t end) {
+  parallel_for(jets.size(), options.threads, progress, [&](std::size_t begin, std::size_t end) {
     Gatherer gatherer(surface, nodes, at_border);
     LocalJet jet;
     for (std::size_t i = begin; i < end; ++i) {
@@ -171,7 +160,7 @@ std::vector<int> control_jets(const Surface& surface, const JetOptions& options,
   const auto jets = jets_at_nodes(surface, nodes, options, progress.part(0, .9));
   const std::size_t n = surface.positions.size();
   std::vector<std::uint8_t> is_left(n, 0);
-  in_parts(n, options.threads, progress.part(.9, 1), [&](std::size_t begin, std::size_t end) {
+  parallel_for(n, options.threads, progress.part(.9, 1), [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       const ControlNodes::Place place = nodes.place(static_cast<int>(v));
       is_left[v] = std::all_of(place.begin(), place.end(),

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "core/radix_sort.h"
 #include "core/ragged.h"
 
 namespace illustrate {
@@ -45,28 +46,54 @@ Vec3 turned(const Vec3& t, const Vec3& n, const Vec3& m) {
   return cosine < -0.99 ? t : Vec3(t - t.dot(m) / (1 + cosine) * (n + m));
 }
 
+// A vertex, its neighbour, and whether they are on one sheet, as they are sorted.
+class Links {
+ public:
+  explicit Links(const Surface& surface) {
+    while (surface.positions.size() >> vertex_bits_) ++vertex_bits_;
+    keys_.reserve(6 * surface.triangles.size());
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+      for (int k = 0; k < 3; ++k) {
+        const int triangle = static_cast<int>(t), next = next_corner(k);
+        const int a = surface.triangles[t][idx(k)], b = surface.triangles[t][idx(next)];
+        const bool same = surface.corner_sign(triangle, k) == surface.corner_sign(triangle, next);
+        add(a, b, same);
+        add(b, a, same);
+      }
+    }
+    radix_sort(keys_, 2 * vertex_bits_ + 1, [](std::uint64_t key) { return key; });
+    keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
+  }
+
+  std::size_t size() const { return keys_.size(); }
+  std::size_t vertex(std::size_t i) const { return keys_[i] >> (vertex_bits_ + 1); }
+  int neighbour(std::size_t i) const {
+    return static_cast<int>(keys_[i] >> 1 & ((std::uint64_t{1} << vertex_bits_) - 1));
+  }
+  double sign(std::size_t i) const { return (keys_[i] & 1) != 0 ? 1 : -1; }
+
+ private:
+  void add(int vertex, int neighbour, bool same) {
+    const auto v = static_cast<std::uint64_t>(vertex), n = static_cast<std::uint64_t>(neighbour);
+    keys_.push_back((v << vertex_bits_ | n) << 1 | static_cast<std::uint64_t>(same));
+  }
+
+  int vertex_bits_ = 0;
+  std::vector<std::uint64_t> keys_;
+};
+
 // The neighbours of all vertices; frames are w1 and the normal times w1.
 Ragged<Neighbour> find_neighbours(const Surface& surface, const Points& w1) {
-  std::vector<std::array<int, 3>> pairs;  // vertex, neighbour, sign
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      const int triangle = static_cast<int>(t), next = next_corner(k);
-      const int a = surface.triangles[t][idx(k)], b = surface.triangles[t][idx(next)];
-      const bool same = surface.corner_sign(triangle, k) == surface.corner_sign(triangle, next);
-      pairs.push_back({a, b, same ? 1 : -1});
-      pairs.push_back({b, a, same ? 1 : -1});
-    }
-  }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  const Links links(surface);
   Ragged<Neighbour> result;
   std::size_t next = 0;
   for (std::size_t v = 0; v < surface.positions.size(); ++v) {
-    for (; next < pairs.size() && pairs[next][0] == static_cast<int>(v); ++next) {
-      const std::size_t j = idx(pairs[next][1]);
-      const double sign = pairs[next][2];
+    for (; next < links.size() && links.vertex(next) == v; ++next) {
+      const std::size_t j = idx(links.neighbour(next));
+      const double sign = links.sign(next);
       const Vec3 x = turned(w1[v], surface.normals[v], sign * surface.normals[j]);
-      result.push({pairs[next][1], sign, x.dot(w1[j]), x.dot(surface.normals[j].cross(w1[j]))});
+      result.push(
+          {links.neighbour(next), sign, x.dot(w1[j]), x.dot(surface.normals[j].cross(w1[j]))});
     }
     result.close_list();
   }
@@ -190,13 +217,14 @@ void run_stage(const Ragged<Neighbour>& neighbours, const std::vector<double>& t
 // Runge-Kutta-Legendre steps (Meyer, Balsara, Aslam 2012), whose s stages go as far as
 // (s^2 + s) / 2 explicit ones; a few of them, since one hardly damps what is finest.
 void diffuse(const Ragged<Neighbour>& neighbours, const std::vector<double>& times, int threads,
-             std::vector<Form>& forms) {
+             const Progress& progress, std::vector<Form>& forms) {
   constexpr int steps = 4;
   const double longest = *std::max_element(times.begin(), times.end()) / steps;
   const int stages = std::max(2, static_cast<int>(std::ceil(std::sqrt(2 * longest))));
   std::vector<Form> before = forms;
   for (int step = 0; step < steps; ++step) {
     for (int j = 1; j <= stages; ++j) {
+      progress.report((step + double(j) / stages) / steps);
       const double now = (2.0 * j - 1) / j;
       const Stage stage{now, 1 - now, 2 * now / (stages * (stages + 1.0)) / steps};
       run_stage(neighbours, times, stage, threads, forms, before);
@@ -206,9 +234,10 @@ void diffuse(const Ragged<Neighbour>& neighbours, const std::vector<double>& tim
 
 // The curvature of smoothed forms, which are brought into its frames.
 Curvature smoothed(const Surface& surface, const Curvature& rough, int threads,
-                   std::vector<Form>& forms) {
+                   const Progress& progress, std::vector<Form>& forms) {
+  progress.report(0);
   const Ragged<Neighbour> neighbours = find_neighbours(surface, rough.w1);
-  diffuse(neighbours, diffusion_times(surface, neighbours), threads, forms);
+  diffuse(neighbours, diffusion_times(surface, neighbours), threads, progress, forms);
   Curvature result = rough;
   for (std::size_t v = 0; v < forms.size(); ++v) {
     const Vec3& n = surface.normals[v];
@@ -233,17 +262,14 @@ CurvatureDerivative curvature_derivative(const Surface& surface, const Curvature
   if (count == 0) return result;
   std::vector<Form> forms;
   for (std::size_t v = 0; v < count; ++v) forms.emplace_back(curvature.k1[v], 0, curvature.k2[v]);
-  progress.report(0);
-  result.curvature = smoothed(surface, curvature, threads, forms);
-  progress.report(0.6);
+  result.curvature = smoothed(surface, curvature, threads, progress.part(0, 0.6), forms);
   const Ragged<Neighbour> neighbours = find_neighbours(surface, result.curvature.w1);
-  parallel_for(count, threads, [&](std::size_t begin, std::size_t end) {
+  parallel_for(count, threads, progress.part(0.6, 0.9), [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       result.cubics[v] = fit(surface, neighbours[v], forms, result.curvature.w1, v);
     }
   });
-  progress.report(0.9);
-  parallel_for(count, threads, [&](std::size_t begin, std::size_t end) {
+  parallel_for(count, threads, progress.part(0.9, 1), [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       result.second[v] = second_derivative(surface, neighbours[v], result, v);
     }

@@ -86,23 +86,17 @@ void fit_jets(const Surface& surface, const std::vector<int>& vertices, const Je
   progress.report(0);
   if (vertices.empty()) return;
   const JetFitter fitter(surface, options.rings);
-  constexpr std::size_t between_reports = 20000;
-  const std::size_t n = vertices.size();
-  for (std::size_t from = 0; from < n; from += between_reports) {
-    progress.report(static_cast<double>(from) / static_cast<double>(n));
-    parallel_for(std::min(between_reports, n - from), options.threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   JetFitter::Workspace work;
-                   for (std::size_t i = from + begin; i < from + end; ++i) {
-                     const std::size_t v = idx(vertices[i]);
-                     const PrincipalCurvature k = fitter.fit(vertices[i], work);
-                     result.k1[v] = k.k1;
-                     result.k2[v] = k.k2;
-                     result.w1[v] = k.w1;
-                     result.w2[v] = k.w2;
-                   }
-                 });
-  }
+  parallel_for(vertices.size(), options.threads, progress, [&](std::size_t begin, std::size_t end) {
+    JetFitter::Workspace work;
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t v = idx(vertices[i]);
+      const PrincipalCurvature k = fitter.fit(vertices[i], work);
+      result.k1[v] = k.k1;
+      result.k2[v] = k.k2;
+      result.w1[v] = k.w1;
+      result.w2[v] = k.w2;
+    }
+  });
 }
 
 Curvature jet_curvature(const Surface& surface, const JetOptions& options,

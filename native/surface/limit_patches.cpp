@@ -8,6 +8,7 @@
 #include <atomic>
 #include <mutex>
 
+#include "surface/leaf_polynomials.h"
 #include "surface/level_topology.h"
 #include "surface/polynomial_patch.h"
 #include "surface/topology.h"
@@ -27,6 +28,9 @@ constexpr int most_edges = 100;
 // irregular faces would take five times as much.
 constexpr std::size_t most_kept_bytes = std::size_t{160} << 20;
 constexpr int recent_faces = 256;
+// Whether leaves are kept as polynomials is decided by the mesh alone, and so the last bits of what
+// is evaluated: a face of them may come to 28 kB.
+constexpr std::size_t most_faces_with_leaves = 4096;
 // Of trees that wait for other faces of the same kind. Where every edge is semi-sharp in its own
 // way each face has one of its own, of about a megabyte.
 constexpr std::size_t most_tree_bytes = std::size_t{128} << 20;
@@ -43,14 +47,28 @@ class PatchTrees : public Bfr::SurfaceFactoryCache {
  public:
   std::size_t bytes() const { return bytes_; }
 
+  // The tree handed out since the last call, if one was.
+  LeafPolynomials::Tree take_last() { return std::move(last_); }
+
  protected:
+  DataType Find(const KeyType& key) const override { return last_ = find(key); }
+
   DataType Add(const KeyType& key, const DataType& tree) override {
     bytes_ += bytes_of(*tree);
-    return add(key, tree);
+    return last_ = add(key, tree);
   }
 
  private:
   std::size_t bytes_ = 0;
+  mutable LeafPolynomials::Tree last_;
+};
+
+// What OpenSubdiv makes for one face: its surface, the tree that is shared with faces of its kind,
+// if there is one, and the bytes of what was made for it first.
+struct FaceSurface {
+  Bfr::Surface<double> surface;
+  LeafPolynomials::Tree tree;
+  std::size_t shared_bytes = 0;
 };
 
 // Makes the surfaces of faces; what they share is forgotten when it is too much.
@@ -58,12 +76,15 @@ class SurfaceMaker {
  public:
   explicit SurfaceMaker(const Far::TopologyRefiner& refiner) : refiner_(refiner) { start(); }
 
-  // Adds to `bytes` what was made for this face and may be shared.
-  void make(int face, Bfr::Surface<double>& surface, std::size_t& bytes) {
+  FaceSurface make(int face) {
     if (trees_->bytes() > most_tree_bytes) start();
     const std::size_t before = trees_->bytes();
-    factory_->InitVertexSurface(face, &surface);
-    bytes += trees_->bytes() - before;
+    FaceSurface made;
+    trees_->take_last();
+    factory_->InitVertexSurface(face, &made.surface);
+    made.tree = trees_->take_last();
+    made.shared_bytes = trees_->bytes() - before;
+    return made;
   }
 
  private:
@@ -84,9 +105,8 @@ class SurfaceMaker {
 class FacePatches {
  public:
   // Points are taken from the first of them, so that nothing is lost far from the world's origin.
-  // shared_bytes: of what was made for this surface first.
-  FacePatches(const Bfr::Surface<double>& surface, std::size_t shared_bytes, const Points& points)
-      : surface_(surface), shared_bytes_(shared_bytes) {
+  FacePatches(FaceSurface made, bool with_leaves, const Points& points)
+      : surface_(made.surface), shared_bytes_(made.shared_bytes) {
     if (!surface_.IsValid()) return;
     std::vector<int> controls(static_cast<std::size_t>(surface_.GetNumControlPoints()));
     surface_.GetControlPointIndices(controls.data());
@@ -96,22 +116,33 @@ class FacePatches {
       Eigen::Map<Vec3>(patch_points_.data() + 3 * i) = points[idx(controls[i])] - origin_;
     }
     surface_.ComputePatchPoints(patch_points_.data(), 3);
-    if (surface_.IsRegular()) simplify();
+    if (surface_.IsRegular()) {
+      simplify();
+    } else if (with_leaves && made.tree) {
+      leaves_ = std::make_unique<const LeafPolynomials>(std::move(made.tree), patch_points_);
+    }
   }
 
   bool is_valid() const { return polynomial_ || surface_.IsValid(); }
 
   std::size_t bytes() const {
-    return sizeof(*this) + shared_bytes_ + sizeof(double) * patch_points_.size();
+    return sizeof(*this) + shared_bytes_ + sizeof(double) * patch_points_.size() +
+           (leaves_ ? leaves_->bytes() : 0);
   }
 
   LimitPoint evaluate(int sub_face, const Vec2& uv) const {
-    LimitPoint p = polynomial_ ? polynomial_->evaluate(uv) : evaluate_patches(sub_face, uv);
+    LimitPoint p = polynomial_ ? polynomial_->evaluate(uv) : evaluate_leaf(sub_face, uv);
     p.position += origin_;
     return p;
   }
 
  private:
+  LimitPoint evaluate_leaf(int sub_face, const Vec2& uv) const {
+    if (!leaves_) return evaluate_patches(sub_face, uv);
+    const std::optional<LimitPoint> p = leaves_->evaluate(sub_face, uv);
+    return p ? *p : evaluate_patches(sub_face, uv);
+  }
+
   LimitPoint evaluate_patches(int sub_face, const Vec2& uv) const {
     std::array<double, 2> at{uv.x(), uv.y()};
     const Bfr::Parameterization parameters = surface_.GetParameterization();
@@ -152,6 +183,7 @@ class FacePatches {
   Bfr::Surface<double> surface_;
   std::size_t shared_bytes_;
   std::vector<double> patch_points_;
+  std::unique_ptr<const LeafPolynomials> leaves_;
 };
 
 Vec2 clamped(const Vec2& uv, bool triangular) {
@@ -226,11 +258,11 @@ struct LimitPatches::Data {
 
   // Under lock.
   std::unique_ptr<const FacePatches> make(int f) {
-    Bfr::Surface<double> surface;
-    std::size_t shared_bytes = 0;
-    if (is_small_enough(f)) maker->make(f, surface, shared_bytes);
-    return std::make_unique<const FacePatches>(surface, shared_bytes, points);
+    FaceSurface made = is_small_enough(f) ? maker->make(f) : FaceSurface{};
+    return std::make_unique<const FacePatches>(std::move(made), with_leaves(), points);
   }
+
+  bool with_leaves() const { return faces.size() <= most_faces_with_leaves; }
 
   // What the patches of a face need grows with the square of the edges round its corners.
   bool is_small_enough(int f) const {

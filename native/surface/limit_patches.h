@@ -2,10 +2,11 @@
 // are made when it is first asked for, and kept, up to 160 MB. What faces of the same kind share is
 // kept with them, and up to 128 MB more of it for faces to come.
 //
-// Regular faces without creases are one polynomial. Others are OpenSubdiv's adaptive patches (Bfr),
-// which go 7 levels deep: beyond, within 1/64 of an extraordinary vertex, second derivatives are
-// those of a filling patch and have no meaning. Third derivatives jump between its patches. Faces
-// with more than 100 corners, or with more than 100 edges at one of them, have no patches here.
+// Regular faces without creases are one polynomial. Others are OpenSubdiv's adaptive patches (Bfr);
+// in meshes of up to 4,096 faces those that are asked for become polynomials too. They go 7 levels
+// deep: beyond, within 1/64 of an extraordinary vertex, second derivatives are those of a filling
+// patch and have no meaning. Third derivatives jump between its patches. Faces with more than 100
+// corners, or with more than 100 edges at one of them, have no patches here.
 #pragma once
 
 #include <memory>

@@ -7,23 +7,23 @@ namespace illustrate {
 LimitSurface::LimitSurface(const Surface& surface) {
   for (const std::shared_ptr<const ControlMesh>& control : surface.controls) {
     if (control->scheme == Scheme::polygons || control->ptex_faces == 0) continue;
-    objects_.push_back(std::make_unique<Object>());
-    objects_.back()->control = control;
+    objects_.push_back(
+        {control, std::make_unique<const LimitPatches>(control->mesh, control->scheme)});
   }
 }
 
 int LimitSurface::ptex_faces() const {
   if (objects_.empty()) return 0;
-  const ControlMesh& last = *objects_.back()->control;
+  const ControlMesh& last = *objects_.back().control;
   return last.first_ptex_face + last.ptex_faces;
 }
 
-LimitSurface::Object* LimitSurface::object_of(int ptex_face) const {
+const LimitSurface::Object* LimitSurface::object_of(int ptex_face) const {
   if (ptex_face < 0 || ptex_face >= ptex_faces()) return nullptr;
   const auto after = std::upper_bound(
       objects_.begin(), objects_.end(), ptex_face,
-      [](int face, const auto& object) { return face < object->control->first_ptex_face; });
-  return (after - 1)->get();
+      [](int face, const Object& object) { return face < object.control->first_ptex_face; });
+  return &*(after - 1);
 }
 
 bool LimitSurface::is_triangle(int ptex_face) const {
@@ -32,13 +32,9 @@ bool LimitSurface::is_triangle(int ptex_face) const {
 }
 
 std::optional<LimitPoint> LimitSurface::evaluate(const BasePlace& place) const {
-  Object* object = object_of(place.ptex_face);
+  const Object* object = object_of(place.ptex_face);
   if (!object) return {};
-  const ControlMesh& control = *object->control;
-  std::call_once(object->once, [&] {
-    object->patches = std::make_unique<const LimitPatches>(control.mesh, control.scheme);
-  });
-  return object->patches->evaluate({place.ptex_face - control.first_ptex_face, place.uv});
+  return object->patches->evaluate({place.ptex_face - object->control->first_ptex_face, place.uv});
 }
 
 }  // namespace illustrate

@@ -2,8 +2,6 @@
 // (paper section 3).
 #pragma once
 
-#include <mutex>
-
 #include "surface/limit_patches.h"
 #include "surface/surface.h"
 
@@ -11,7 +9,7 @@ namespace illustrate {
 
 class LimitSurface {
  public:
-  // Keeps the control meshes of `surface` alive. What a mesh needs is made when it is first asked.
+  // Keeps the control meshes of `surface` alive.
   explicit LimitSurface(const Surface& surface);
 
   // One past the last ptex face; 0 where no mesh is subdivided.
@@ -29,13 +27,12 @@ class LimitSurface {
  private:
   struct Object {
     std::shared_ptr<const ControlMesh> control;
-    std::once_flag once;
     std::unique_ptr<const LimitPatches> patches;
   };
 
-  Object* object_of(int ptex_face) const;
+  const Object* object_of(int ptex_face) const;
 
-  std::vector<std::unique_ptr<Object>> objects_;  // those that are subdivided, by ptex face
+  std::vector<Object> objects_;  // those that are subdivided, by ptex face
 };
 
 }  // namespace illustrate

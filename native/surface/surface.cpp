@@ -1,7 +1,5 @@
 #include "surface/surface.h"
 
-#include "surface/polygons.h"
-
 namespace illustrate {
 namespace {
 
@@ -36,8 +34,8 @@ Vec3 normal_at(const Surface& surface, const SurfacePoint& point) {
     sum += w[k] * surface.corner_sign(point.triangle, k) *
            surface.normals[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])];
   }
-  const Vec3 normal = unit_or_zero(sum);
-  if (!normal.isZero()) return normal;
+  const double length = sum.norm();
+  if (length > 0) return sum / length;
   return surface.corner_sign(point.triangle, 0) * surface.normals[static_cast<std::size_t>(t[0])];
 }
 

@@ -144,11 +144,12 @@ ToneMap tone_regions(const Surface& surface, const VisibleImage& visible,
   const Illumination illumination(surface, visible, camera, lights,
                                   options.cast_shadows ? casters : nullptr);
   std::vector<double> light(visible.triangle.size(), 0);
-  parallel_for(light.size(), options.threads, [&](std::size_t begin, std::size_t end) {
+  const auto light_cells = [&](std::size_t begin, std::size_t end) {
     for (std::size_t cell = begin; cell < end; ++cell) {
       if (visible.triangle[cell] != none) light[cell] = illumination.at(cell);
     }
-  });
+  };
+  parallel_for(light.size(), options.threads, progress.part(0, 0.7), light_cells);
   progress.report(0.7);
   const bool by_share = options.highlight_share || options.shadow_share;
   const Thresholds thresholds =

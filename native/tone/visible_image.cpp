@@ -33,15 +33,24 @@ struct Projector {
   double cell_px;
 };
 
-// Twice the signed area of (a, b, point). Both triangles at an edge get the same number but for its
-// sign, so no cell centre falls between them.
-double edge_function(const GridVertex& a, const GridVertex& b, double x, double y) {
-  const bool swapped = b.x < a.x || (b.x == a.x && b.y < a.y);
-  const GridVertex& low = swapped ? b : a;
-  const GridVertex& high = swapped ? a : b;
-  const double value = (high.x - low.x) * (y - low.y) - (high.y - low.y) * (x - low.x);
-  return swapped ? -value : value;
-}
+// Twice the signed area of (a, b, point), times `side`. Both triangles at an edge get the same
+// number but for its sign, so no cell centre falls between them.
+struct EdgeFunction {
+  EdgeFunction(const GridVertex& a, const GridVertex& b, double side) {
+    const bool swapped = b.x < a.x || (b.x == a.x && b.y < a.y);
+    const GridVertex& low = swapped ? b : a;
+    const GridVertex& high = swapped ? a : b;
+    sign = swapped ? -side : side;
+    x0 = low.x, y0 = low.y;
+    run_x = high.x - low.x, run_y = high.y - low.y;
+  }
+
+  double operator()(double x, double y) const {
+    return sign * (run_x * (y - y0) - run_y * (x - x0));
+  }
+
+  double sign, x0, y0, run_x, run_y;
+};
 
 // The first and one past the last cell whose centre lies in [low, high], within [begin, end).
 std::pair<int, int> cells_between(double low, double high, int begin, int end) {
@@ -64,26 +73,24 @@ class RowPainter {
     const auto [low_x, high_x] = std::minmax({a.x, b.x, c.x});
     const auto [column, column_end] = cells_between(low_x, high_x, 0, image_.width);
     if (!(column < column_end)) return;
-    const double area = edge_function(a, b, c.x, c.y);
+    const double area = EdgeFunction(a, b, 1)(c.x, c.y);
     if (area == 0 || !std::isfinite(area)) return;
+    const double side = area > 0 ? 1 : -1;
+    const EdgeFunction bc(b, c, side), ca(c, a, side), ab(a, b, side);
+    const auto [nearest, farthest] = std::minmax({a.depth, b.depth, c.depth});
     for (int j = row; j < row_end; ++j) {
-      for (int i = column; i < column_end; ++i)
-        draw_cell(triangle, a, b, c, area > 0 ? 1 : -1, i, j);
+      for (int i = column; i < column_end; ++i) {
+        const double wa = bc(i + 0.5, j + 0.5), wb = ca(i + 0.5, j + 0.5),
+                     wc = ab(i + 0.5, j + 0.5);
+        if (!(wa >= 0 && wb >= 0 && wc >= 0)) continue;
+        const double depth = (wa * a.p + wb * b.p + wc * c.p) / (wa * a.q + wb * b.q + wc * c.q);
+        draw_cell(triangle, std::clamp(depth, nearest, farthest), image_.index(i, j));
+      }
     }
   }
 
  private:
-  void draw_cell(int triangle, const GridVertex& a, const GridVertex& b, const GridVertex& c,
-                 double side, int column, int row) {
-    const double x = column + 0.5, y = row + 0.5;
-    const double wa = side * edge_function(b, c, x, y);
-    const double wb = side * edge_function(c, a, x, y);
-    const double wc = side * edge_function(a, b, x, y);
-    if (!(wa >= 0 && wb >= 0 && wc >= 0)) return;
-    const auto [nearest, farthest] = std::minmax({a.depth, b.depth, c.depth});
-    const double depth = std::clamp(
-        (wa * a.p + wb * b.p + wc * c.p) / (wa * a.q + wb * b.q + wc * c.q), nearest, farthest);
-    const int cell = image_.index(column, row);
+  void draw_cell(int triangle, double depth, int cell) {
     if (!(depth < image_.depth[cell])) return;
     image_.depth[cell] = depth;
     image_.triangle[cell] = triangle;
@@ -131,7 +138,7 @@ void draw_all(RowPainter& painter, const Projector& project, const Surface& surf
 }  // namespace
 
 int VisibleImage::cell_of(const Vec2& image) const {
-  const double column = std::floor(image.x() / cell_px), row = std::floor(image.y() / cell_px);
+  const double column = image.x() / cell_px, row = image.y() / cell_px;
   if (!(column >= 0 && row >= 0 && column < width && row < height)) return none;
   return index(static_cast<int>(column), static_cast<int>(row));
 }

@@ -153,19 +153,7 @@ TEST(EvenHatches, StayWhereTheDrawingBeforeHadThem) {
 
 TEST(EvenHatches, LengthAndTurnAreLimited) {
   Scene scene = torus_scene();
-  scene.options.max_length_px = 60;
-  const Hatches shorter = scene.even();
-  for (std::size_t h = 0; h < shorter.curves.size(); ++h) {
-    EXPECT_LT(length_px(shorter.curves[h]), 65);
-  }
-  scene.options = {};
-  scene.options.max_turn_deg = 30;
-  const Hatches hatches = scene.even();
-  for (std::size_t h = 0; h < hatches.curves.size(); ++h) {
-    const auto curve = hatches.curves[h];
-    const double turn = tangent_at(curve, 0).dot(tangent_at(curve, curve.size() - 1));
-    EXPECT_GT(turn, std::cos(66 * shapes::pi / 180)) << "30 degrees each way, and a bend";
-  }
+  check_limits(scene, 65, [&] { return scene.even(); });
 }
 
 TEST(EvenHatches, AreTheSameOnAllThreadsAndCanBeCancelled) {
@@ -178,16 +166,7 @@ TEST(EvenHatches, AreTheSameOnAllThreadsAndCanBeCancelled) {
   int calls = 0;
   const Progress progress([&](double, const std::string&) { return ++calls < 3; }, "hatch");
   const SurfaceCurves curves = surface_curves(scene.surface, scene.field);
-  EXPECT_THROW(even_hatches({scene.surface,
-                             scene.field,
-                             scene.camera,
-                             scene.visible,
-                             scene.tone,
-                             scene.graph,
-                             {},
-                             {}},
-                            curves, {}, {}, 1, scene.counts, progress),
-               Cancelled);
+  EXPECT_THROW(even_hatches(scene.view(), curves, {}, {}, 1, scene.counts, progress), Cancelled);
 }
 
 TEST(EvenHatches, NothingSeenGivesNothing) {

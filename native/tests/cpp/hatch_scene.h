@@ -49,16 +49,15 @@ struct Scene {
   std::vector<std::uint8_t> unhatched;
   Counts counts;
 
-  Hatches place() {
-    return place_hatches(surface, field, camera, visible, tone, graph, spacing_scale, unhatched,
-                         options, counts);
+  HatchScene view() const {
+    return {surface, field, camera, visible, tone, graph, spacing_scale, unhatched};
   }
+  Hatches place() { return place_hatches(view(), options, counts); }
   Hatches even(const Ragged<SurfacePoint>& first = {}, int threads = 1) {
-    return even_hatches({surface, field, camera, visible, tone, graph, spacing_scale, unhatched},
-                        surface_curves(surface, field), first, options, threads, counts);
+    return even_hatches(view(), surface_curves(surface, field), first, options, threads, counts);
   }
   Hatches reduce(const Hatches& hatches) {
-    return reduce_hatches(hatches, surface, camera, tone, graph, options, counts, spacing_scale);
+    return reduce_hatches(hatches, view(), options, counts);
   }
   int cell(const HatchPoint& point) const { return visible.cell_of(point.image); }
   // A visible arc through world points.
@@ -151,6 +150,25 @@ inline double least_distance(const Hatches& hatches, const Pair& pair) {
     }
   }
   return least;
+}
+
+// No hatch is longer than `most_px` where max_length_px is 60, none turns more than max_turn_deg
+// each way. `place` hatches the scene with the options it finds there.
+template <class Place>
+inline void check_limits(Scene& scene, double most_px, const Place& place) {
+  scene.options.max_length_px = 60;
+  const Hatches shorter = place();
+  for (std::size_t h = 0; h < shorter.curves.size(); ++h) {
+    EXPECT_LT(length_px(shorter.curves[h]), most_px);
+  }
+  scene.options = {};
+  scene.options.max_turn_deg = 30;
+  const Hatches hatches = place();
+  for (std::size_t h = 0; h < hatches.curves.size(); ++h) {
+    const auto curve = hatches.curves[h];
+    const double turn = tangent_at(curve, 0).dot(tangent_at(curve, curve.size() - 1));
+    EXPECT_GT(turn, std::cos(66 * shapes::pi / 180)) << "30 degrees each way, and a bend";
+  }
 }
 
 inline bool parallel(const Vec3& a, const Vec3& b) { return std::abs(a.dot(b)) > 0.75; }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "hatch/critical_curves.h"
+#include "hatch/image_lattice.h"
 #include "hatch/neighbour_grid.h"
 #include "hatch/walk.h"
 #include "tests/cpp/hatch_scene.h"
@@ -142,6 +143,28 @@ TEST(NeighbourGrid, FindsAllWithinTheRadius) {
   });
   EXPECT_EQ(found, expected);
   EXPECT_GT(expected, 40);
+}
+
+// --- the lattice of the image
+
+TEST(VisitLattice, VisitsEachSquareOnceAndSpreadsEvenly) {
+  std::vector<Vec2> points;
+  visit_lattice(50, 30, 2.5, [&](std::int64_t i, const Vec2& p) {
+    EXPECT_EQ(i, static_cast<std::int64_t>(points.size()));
+    points.push_back(p);
+  });
+  ASSERT_EQ(points.size(), 20U * 12U);
+  std::array<int, 4> quarters{0, 0, 0, 0};
+  for (std::size_t i = 0; i < 60; ++i) {
+    ++quarters[(points[i].x() > 25 ? 1 : 0) + (points[i].y() > 15 ? 2 : 0)];
+  }
+  for (const int count : quarters) EXPECT_NEAR(count, 15, 3);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_EQ(std::fmod(points[i].x(), 2.5), 1.25);
+    EXPECT_TRUE(points[i].x() < 50 && points[i].y() < 30);
+    for (std::size_t j = 0; j < i; ++j) EXPECT_GT((points[i] - points[j]).norm(), 2);
+  }
+  visit_lattice(1, 30, 2.5, [](std::int64_t, const Vec2&) { ADD_FAILURE(); });
 }
 
 }  // namespace

@@ -154,6 +154,36 @@ TEST(LimitSurface, CornersOfTrianglesLieWhereTheirPatchesSay) {
   }
 }
 
+// In a small mesh leaves of irregular faces are polynomials, in a large one OpenSubdiv's patches.
+TEST(LimitSurface, LeavesAreThePatchesThemselves) {
+  const PolygonMesh quads = shapes::moved(shapes::plane(64, 65), Vec3(100, 0, 0));
+  const PolygonMesh triangles = shapes::split_the_same_way(quads);
+  int otherwise_rounded = 0;
+  for (const Case& c : cases()) {
+    const PolygonMesh& filling = c.scheme == Scheme::loop ? triangles : quads;
+    Counts report;
+    const SoundMesh small = sanitize(c.mesh, report);
+    const SoundMesh large = sanitize(shapes::joined(c.mesh, filling), report);
+    if (report["covered_parts"] > 0) continue;  // the faces of its cover come after the filling
+    const LimitPatches leaves(small, c.scheme), patches(large, c.scheme);
+    const Surface surface = refined(c.mesh, at_level(0, c.scheme));
+    const LimitSurface limit(surface);
+    for (int face = 0; face < limit.ptex_faces(); ++face) {
+      for (const Vec2& uv : inner_places(limit.is_triangle(face), 100)) {
+        const LimitPoint p = *leaves.evaluate({face, uv}), q = *patches.evaluate({face, uv});
+        const double scale = surface.diagonal;
+        EXPECT_LT((p.position - q.position).norm(), 1e-14 * scale) << c.name;
+        EXPECT_LT((p.du - q.du).norm() + (p.dv - q.dv).norm(), 1e-12 * scale) << c.name;
+        EXPECT_LT((p.duu - q.duu).norm() + (p.duv - q.duv).norm() + (p.dvv - q.dvv).norm(),
+                  1e-10 * scale)
+            << c.name << " " << uv.transpose();
+        otherwise_rounded += p.duu != q.duu;
+      }
+    }
+  }
+  EXPECT_GT(otherwise_rounded, 0);
+}
+
 TEST(LimitSurface, KnowsTheFacesOfSeveralMeshes) {
   PolygonMesh polygons = shapes::cube();
   polygons.scheme = Scheme::polygons;

@@ -147,19 +147,7 @@ TEST(PlaceHatches, UndercutsAreDenseAlsoInHighlights) {
 
 TEST(PlaceHatches, LengthAndTurnAreLimited) {
   Scene scene = torus_scene();
-  scene.options.max_length_px = 60;
-  const Hatches shorter = scene.place();
-  for (std::size_t h = 0; h < shorter.curves.size(); ++h) {
-    EXPECT_LT(length_px(shorter.curves[h]), 60.01);
-  }
-  scene.options = {};
-  scene.options.max_turn_deg = 30;
-  const Hatches hatches = scene.place();
-  for (std::size_t h = 0; h < hatches.curves.size(); ++h) {
-    const auto curve = hatches.curves[h];
-    const double turn = tangent_at(curve, 0).dot(tangent_at(curve, curve.size() - 1));
-    EXPECT_GT(turn, std::cos(66 * shapes::pi / 180)) << "30 degrees each way, and a bend";
-  }
+  check_limits(scene, 60.01, [&] { return scene.place(); });
 }
 
 TEST(PlaceHatches, ObjectsHaveTheirOwnSpacingOrNone) {
@@ -196,9 +184,7 @@ TEST(PlaceHatches, IsDeterministicAndCanBeCancelled) {
   }
   int calls = 0;
   const Progress progress([&](double, const std::string&) { return ++calls < 3; }, "hatch");
-  EXPECT_THROW(place_hatches(scene.surface, scene.field, scene.camera, scene.visible, scene.tone,
-                             scene.graph, {}, {}, {}, scene.counts, progress),
-               Cancelled);
+  EXPECT_THROW(place_hatches(scene.view(), {}, scene.counts, progress), Cancelled);
 }
 
 TEST(PlaceHatches, NothingSeenGivesNothing) {

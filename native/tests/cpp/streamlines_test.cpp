@@ -18,10 +18,7 @@ struct Sheet {
   Scene scene = scene_of(shapes::plain_surface(shapes::plane(13, 11)),
                          cameras::orthographic(Vec3::UnitZ(), 1.2, 240),
                          [](const Vec3&) { return Vec3::UnitX(); });
-  HatchView view() const {
-    return {scene.surface, scene.field,         scene.camera,    scene.visible, scene.tone,
-            scene.graph,   scene.spacing_scale, scene.unhatched, scene.options};
-  }
+  HatchView view() const { return {scene.view(), scene.options}; }
 
   SurfacePoint under(double column, double row) const {
     const Vec3 place((column - 120) / 100, (120 - row) / 100, 0);

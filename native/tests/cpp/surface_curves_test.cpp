@@ -119,6 +119,57 @@ TEST(SurfaceCurves, SeedsSpreadEvenlyByArea) {
   for (const int count : quarters) EXPECT_NEAR(count, 1000, 40);
 }
 
+bool is_start_of(const SurfaceCurves& some, const SurfaceCurves& all) {
+  const auto is_same = [](const SurfacePoint& a, const SurfacePoint& b) {
+    return a.triangle == b.triangle && a.b1 == b.b1 && a.b2 == b.b2;
+  };
+  return some.curves.size() <= all.curves.size() && some.seeds.size() <= all.seeds.size() &&
+         std::equal(some.curves.offsets.begin(), some.curves.offsets.end(),
+                    all.curves.offsets.begin()) &&
+         std::equal(some.curves.values.begin(), some.curves.values.end(), all.curves.values.begin(),
+                    is_same) &&
+         std::equal(some.seeds.begin(), some.seeds.end(), all.seeds.begin(), is_same);
+}
+
+TEST(RankedCurves, AreMadeNoFurtherThanAskedAndTheSameInAnyOrder) {
+  const Surface torus = shapes::torus_surface(1, 0.4, 40, 20);
+  const CrossField field = field_of(torus, round_z);
+  RankedCurves zooming_in(torus, field), zooming_out(torus, field);
+  const double infinite = std::numeric_limits<double>::infinity();
+  const std::vector<double> radii{infinite, 0.1, 0.05, 0.0};
+  for (auto radius = radii.rbegin(); radius != radii.rend(); ++radius) zooming_out.down_to(*radius);
+  std::size_t last = 0;
+  for (const double radius : radii) {
+    const SurfaceCurves& in = zooming_in.down_to(radius);
+    const SurfaceCurves& out = zooming_out.down_to(radius);
+    EXPECT_TRUE(is_start_of(in, out) && is_start_of(out, in));
+    EXPECT_TRUE(is_start_of(in, zooming_out.down_to(0)));
+    EXPECT_GT(in.curves.size(), last) << radius;
+    if (radius > 0 && std::isfinite(radius)) {
+      EXPECT_GE(static_cast<double>(in.seeds.size()) * radius * radius, 2.4 * in.area);
+    }
+    last = in.curves.size();
+  }
+}
+
+TEST(RankedCurves, CanBeAskedAgainAfterCancellingAndWhileReporting) {
+  const Surface torus = shapes::torus_surface(1, 0.4, 40, 20);
+  const CrossField field = field_of(torus, round_z);
+  RankedCurves curves(torus, field);
+  int calls = 0;
+  const auto cancel = [&](double, const std::string&) { return ++calls < 12; };
+  EXPECT_THROW(curves.down_to(0.03, Progress(cancel, "hatch curves")), Cancelled);
+  const auto ask = [&](double, const std::string&) {
+    if (++calls == 20) curves.down_to(0.1);
+    return true;
+  };
+  const SurfaceCurves& asked = curves.down_to(0.03, Progress(ask, "hatch curves"));
+  EXPECT_GT(calls, 20);
+  const SurfaceCurves all = surface_curves(torus, field);
+  EXPECT_TRUE(is_start_of(asked, all));
+  EXPECT_TRUE(is_start_of(curves.down_to(0.1), all));
+}
+
 TEST(SurfaceCurves, AreDeterministicAndCanBeCancelled) {
   const Surface torus = shapes::torus_surface(1, 0.4, 40, 20);
   const CrossField field = field_of(torus, round_z);

@@ -7,6 +7,9 @@ from typing import Any
 import illustrate_native as ill
 import numpy as np
 from numpy.typing import NDArray
+from shapes import Shape
+
+LEVEL = 2
 
 # An arc ends at its node: far above the image grid of 2^-16 px, far below anything visible.
 MEET_PX = 0.05
@@ -52,6 +55,11 @@ def check_drawing(drawing: ill.Drawing, camera: ill.Camera) -> None:
     check_incidence(drawing.graph)
     check_labels(drawing.graph)
     check_line_ends(drawing, camera)
+
+
+def prepared_of(*shapes: Shape, **options: Any) -> ill.Prepared:
+    """`ill.prepare` of shapes at LEVEL."""
+    return ill.prepare([s.mesh() for s in shapes], ill.PrepareOptions(level=LEVEL, **options))
 
 
 def draw(prepared: ill.Prepared, camera: ill.Camera, *more: Any, **named: Any) -> ill.Drawing:

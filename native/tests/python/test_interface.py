@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-import threading
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
@@ -11,14 +10,8 @@ from typing import Any
 import illustrate_native as ill
 import numpy as np
 import pytest
-from checker import arrays_of, digest, draw
+from checker import LEVEL, arrays_of, digest, draw, prepared_of
 from shapes import SIZE_PX, Shape, cube, drape, klein_bottle, look_at, sphere, torus
-
-LEVEL = 2
-
-
-def prepared_of(*shapes: Shape, **options: Any) -> ill.Prepared:
-    return ill.prepare([s.mesh() for s in shapes], ill.PrepareOptions(level=LEVEL, **options))
 
 
 @pytest.fixture(scope="module")
@@ -196,75 +189,6 @@ def test_layout_of_arrays_does_not_matter(arrays: tuple[Any, Any, Any]) -> None:
     plain = draw(ill.prepare([cube().mesh()], options), look_at())
     same = draw(ill.prepare([ill.PolygonMesh(*arrays)], options), look_at())
     assert digest(plain) == digest(same)
-
-
-def test_progress_tells_every_stage_and_rises() -> None:
-    told: list[tuple[float, str]] = []
-
-    def progress(fraction: float, stage: str) -> bool:
-        told.append((fraction, stage))
-        return True
-
-    found = ill.prepare([torus().mesh()], ill.PrepareOptions(level=LEVEL), progress=progress)
-    draw(found, look_at(), progress=progress)
-    assert {"sanitize", "surface", "curvature", "field", "contour", "visibility", "tone", "hatch",
-            "stroke"} <= {stage for _, stage in told}  # fmt: skip
-    assert all(0 <= fraction <= 1 for fraction, _ in told)
-    start_of_draw = next(i for i, (_, stage) in enumerate(told) if stage == "contour")
-    for part in (told[:start_of_draw], told[start_of_draw:]):
-        assert (np.diff([fraction for fraction, _ in part]) >= -1e-12).all()
-
-
-def test_progress_cancels_at_any_call() -> None:
-    shape = torus()
-    plain = digest(draw(prepared_of(shape), look_at()))
-    for stop_after in (0, 1, 3, 10):
-        calls = iter(range(stop_after))
-        with pytest.raises(ill.Cancelled):
-            draw(prepared_of(shape, field=False), look_at(),
-                     progress=lambda *_, calls=calls: next(calls, None) is not None)  # fmt: skip
-    half = prepared_of(shape, field=False)
-    with pytest.raises(ill.Cancelled):
-        draw(half, look_at(), progress=lambda _, stage: stage != "field")
-    assert digest(draw(half, look_at())) == plain
-
-
-def test_exception_in_progress_passes_through() -> None:
-    class OwnError(Exception):
-        pass
-
-    def progress(*_: object) -> bool:
-        raise OwnError
-
-    with pytest.raises(OwnError):
-        ill.prepare([cube().mesh()], progress=progress)
-    with pytest.raises(OwnError):
-        draw(prepared_of(cube()), look_at(), progress=progress)
-
-
-@pytest.mark.parametrize("shape", [torus(), klein_bottle(), drape()])
-def test_threads_do_not_change_a_byte(shape: Shape) -> None:
-    found = {
-        b"".join(digest(draw(prepared_of(shape, threads=n), look_at(radius=3.2),
-                                 ill.DrawOptions(threads=n))))
-        for n in (1, 2, 5)
-    }  # fmt: skip
-    assert len(found) == 1
-
-
-def test_threads_may_share_a_prepared() -> None:
-    shared = prepared_of(torus(), field=False)
-    drawn: list[list[bytes]] = []
-    workers = [
-        threading.Thread(target=lambda: drawn.append(digest(draw(shared, look_at()))))
-        for _ in range(4)
-    ]
-    for worker in workers:
-        worker.start()
-    for worker in workers:
-        worker.join()
-    assert len(drawn) == 4
-    assert all(d == drawn[0] for d in drawn)
 
 
 def test_previous_is_taken_over_only_where_nothing_changed() -> None:

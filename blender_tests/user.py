@@ -1,0 +1,65 @@
+"""What a new user does with a package, in a Blender of its own: install, use, disable, remove.
+
+    run.py's Blender --python user.py -- PACKAGE [draw]
+
+Prints what happened as lines; test_install.py reads them.
+"""
+
+import os
+import pathlib
+import sys
+import traceback
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+
+import bpy
+import installed
+
+import tools
+
+
+def classes() -> set[str]:
+    return {name for name in dir(bpy.types) if name.startswith("ILLUSTRATE_")}
+
+
+def draw() -> None:
+    tools.new_file()
+    tools.cube_scene(bpy.context.scene)
+    print("drew:", *bpy.ops.illustrate.illustrate())
+    print("module:", sys.modules["illustrate_native"].__file__)
+
+
+def switch_and_remove(archive: str, package: str) -> None:
+    """Disable, enable twice, install once more, disable; what is registered at each step."""
+    first = classes()
+    bpy.ops.preferences.addon_disable(module=package)
+    print("left after disabling:", *classes())
+    for _ in range(2):
+        bpy.ops.preferences.addon_enable(module=package)
+    print("same after enabling:", classes() == first)
+    installed.install(archive)
+    print("same after another install:", classes() == first)
+    draw()
+    if bpy.app.version >= (4, 2, 0):
+        repos = [repo.module for repo in bpy.context.preferences.extensions.repos]
+        index = repos.index("user_default")
+        bpy.ops.extensions.package_uninstall(repo_index=index, pkg_id=installed.NAME)
+    else:
+        bpy.ops.preferences.addon_remove(module=package)
+    print("left after removing:", *classes())
+
+
+def main(archive: str) -> None:
+    try:
+        package = installed.install(archive)
+        draw()
+        switch_and_remove(archive, package)
+    except Exception:
+        traceback.print_exc()
+    sys.stdout.flush()
+    sys.stderr.flush()
+    os._exit(0)
+
+
+if __name__ == "__main__":
+    main(sys.argv[-1])

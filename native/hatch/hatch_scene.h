@@ -1,0 +1,30 @@
+// What a view is hatched on, and with.
+#pragma once
+
+#include "field/cross_field.h"
+#include "tone/tone_regions.h"
+
+namespace illustrate {
+
+// References: what they name must outlive the scene and all that is made with it.
+struct HatchScene {
+  const Surface& surface;
+  const CrossField& field;
+  const Camera& camera;
+  const VisibleImage& visible;
+  const ToneMap& tone;
+  const LabelledGraph& graph;
+  const std::vector<double>& spacing_scale;    // one factor per object, empty: 1
+  const std::vector<std::uint8_t>& unhatched;  // one flag per object, empty: all are hatched
+
+  bool is_hatched(int object) const { return unhatched.empty() || !unhatched[idx(object)]; }
+  // `spacing_px` on one object; never less than a pixel.
+  double spacing_on(int object, double spacing_px) const {
+    return std::max(1.0, spacing_px * (spacing_scale.empty() ? 1 : spacing_scale[idx(object)]));
+  }
+};
+
+// Throws InvalidInput where the two lists do not fit the surface's objects.
+void validate(const HatchScene& scene);
+
+}  // namespace illustrate

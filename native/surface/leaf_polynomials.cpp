@@ -1,0 +1,110 @@
+#include "surface/leaf_polynomials.h"
+
+#include <opensubdiv/bfr/patchTree.h>
+
+#include <algorithm>
+
+namespace illustrate {
+namespace {
+
+namespace Far = OpenSubdiv::Far;
+
+constexpr int most_leaves = 64;
+
+// Of a triangle's box spline; a bicubic has 16.
+constexpr int triangle_points = 12;
+
+// at: the tree's point at coordinates of the leaf.
+template <typename At>
+PolynomialPatch quartic(const At& at) {
+  std::array<Vec3, 15> values;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = at(PolynomialPatch::quartic_places()[i]).position;
+  }
+  return PolynomialPatch::quartic(values);
+}
+
+// OpenSubdiv's derivatives are by the coordinates of a quad, of which a sub-face is a half.
+template <typename At>
+PolynomialPatch bicubic(const At& at, const Far::PatchParam& place) {
+  std::array<LimitPoint, 4> corners{at({0, 0}), at({1, 0}), at({0, 1}), at({1, 1})};
+  const double side = 1. / (1 << place.GetDepth());
+  for (LimitPoint& p : corners) {
+    p.du *= side;
+    p.dv *= side;
+    p.duv *= side * side;
+  }
+  return PolynomialPatch::bicubic(corners);
+}
+
+}  // namespace
+
+LeafPolynomials::LeafPolynomials(Tree tree, const std::vector<double>& patch_points)
+    : tree_(std::move(tree)),
+      patch_points_(patch_points),
+      triangular_(false),
+      leaves_(idx(std::min(tree_->GetNumPatches(), most_leaves))) {
+  for (int i = 0; i < tree_->GetNumPatches(); ++i) {
+    triangular_ |= tree_->GetSubPatchParam(i).IsRegular() &&
+                   tree_->GetSubPatchPoints(i).size() == triangle_points;
+  }
+}
+
+LeafPolynomials::~LeafPolynomials() {
+  for (const auto& slot : leaves_) delete slot.load();
+}
+
+std::optional<LimitPoint> LeafPolynomials::evaluate(int sub_face, const Vec2& uv) const {
+  const int index = tree_->FindSubPatch(uv.x(), uv.y(), sub_face);
+  const bool kept = index >= 0 && idx(index) < leaves_.size();
+  if (!kept || !tree_->GetSubPatchParam(index).IsRegular()) return {};
+  return leaf(index).evaluate(uv);
+}
+
+LimitPoint LeafPolynomials::Leaf::evaluate(const Vec2& uv) const {
+  LimitPoint p = polynomial.evaluate((uv - first) / side);
+  for (Vec3* slope : {&p.du, &p.dv}) *slope /= side;
+  for (Vec3* second : {&p.duu, &p.duv, &p.dvv}) *second /= side * side;
+  return p;
+}
+
+const LeafPolynomials::Leaf& LeafPolynomials::leaf(int index) const {
+  std::atomic<const Leaf*>& slot = leaves_[idx(index)];
+  const Leaf* found = slot.load(std::memory_order_acquire);
+  if (found) return *found;
+  std::unique_ptr<const Leaf> made = make(index);
+  if (slot.compare_exchange_strong(found, made.get())) found = made.release();
+  return *found;
+}
+
+std::unique_ptr<const LeafPolynomials::Leaf> LeafPolynomials::make(int index) const {
+  const Far::PatchParam place = tree_->GetSubPatchParam(index);
+  const auto face_uv = [&](Vec2 uv) {
+    triangular_ ? place.UnnormalizeTriangle(uv.x(), uv.y()) : place.Unnormalize(uv.x(), uv.y());
+    return uv;
+  };
+  const auto at = [&](const Vec2& uv) { return evaluate_tree(index, face_uv(uv)); };
+  const Vec2 first = face_uv({0, 0});
+  return std::make_unique<const Leaf>(
+      Leaf{first, face_uv({1, 0}).x() - first.x(), triangular_ ? quartic(at) : bicubic(at, place)});
+}
+
+LimitPoint LeafPolynomials::evaluate_tree(int index, const Vec2& uv) const {
+  std::array<std::array<double, 16>, 6> weights;
+  tree_->EvalSubPatchBasis(index, uv.x(), uv.y(), weights[0].data(), weights[1].data(),
+                           weights[2].data(), weights[3].data(), weights[4].data(),
+                           weights[5].data());
+  LimitPoint p;
+  const std::array<Vec3*, 6> sums{&p.position, &p.du, &p.dv, &p.duu, &p.duv, &p.dvv};
+  const auto points = tree_->GetSubPatchPoints(index);
+  for (std::size_t d = 0; d < sums.size(); ++d) {
+    *sums[d] = Vec3::Zero();
+    for (int i = 0; i < points.size(); ++i) {
+      *sums[d] +=
+          weights[d][idx(i)] * Eigen::Map<const Vec3>(patch_points_.data() + 3 * idx(points[i]));
+    }
+  }
+  return p;
+}
+
+}  // namespace illustrate

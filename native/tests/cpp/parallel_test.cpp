@@ -1,0 +1,58 @@
+#include "core/parallel.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+
+#include "core/errors.h"
+
+namespace illustrate {
+namespace {
+
+class ParallelTest : public testing::TestWithParam<int> {};
+
+TEST_P(ParallelTest, EveryElementOnceAndReportsBeforeEachPiece) {
+  for (const std::size_t count : {0, 1, 4096, 4097, 300'001}) {
+    std::vector<std::atomic<int>> visits(count);
+    std::atomic<std::size_t> between = 0, most = 0;
+    std::vector<double> reports;
+    const Progress progress(
+        [&](double fraction, const std::string&) {
+          reports.push_back(fraction);
+          most = std::max(most.load(), between.exchange(0));
+          return true;
+        },
+        "");
+    parallel_for(count, GetParam(), progress, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) ++visits[i];
+      between += end - begin;
+    });
+    for (const auto& visit : visits) ASSERT_EQ(visit, 1);
+    EXPECT_LE(std::max(most.load(), between.load()), 4096U * static_cast<std::size_t>(GetParam()));
+    EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
+    EXPECT_EQ(reports.empty(), count == 0);
+  }
+}
+
+TEST_P(ParallelTest, StopsBeforeTheNextPiece) {
+  std::atomic<std::size_t> done = 0;
+  int reports = 0;
+  const Progress progress([&](double, const std::string&) { return ++reports < 3; }, "");
+  const auto body = [&](std::size_t begin, std::size_t end) { done += end - begin; };
+  EXPECT_THROW(parallel_for(1'000'000, GetParam(), progress, body), Cancelled);
+  EXPECT_EQ(done, 2U * 4096U * static_cast<std::size_t>(GetParam()));
+}
+
+TEST_P(ParallelTest, ExceptionsComeThrough) {
+  const auto body = [](std::size_t begin, std::size_t end) {
+    if (begin <= 77'777 && 77'777 < end) throw InvalidInput("element 77777");
+  };
+  EXPECT_THROW(parallel_for(100'000, GetParam(), body), InvalidInput);
+  EXPECT_THROW(parallel_for(100'000, GetParam(), {}, body), InvalidInput);
+}
+
+INSTANTIATE_TEST_SUITE_P(Threads, ParallelTest, testing::Values(1, 2, 5));
+
+}  // namespace
+}  // namespace illustrate

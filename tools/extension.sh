@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# Packages of the add-on in dist: for Blender 4.2 and later, and for 3.4 to 4.1. In dist/wheels the
+# module alone, for each Python; the one for Python 3.11 in dist as well.
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+PATH=$VENV/bin:$PATH
+PYTHONS=(3.10 3.13 3.14) # besides 3.11, that of .venv
+INSTALLED=$ROOT/build/package/illustrate_native
+
+# The low floor of the packages comes from this compiler and the C library that it links with.
+check_compiler() {
+    local release
+    release=$(. /etc/os-release 2>/dev/null && echo "${ID:-}-${VERSION_ID:-}")
+    [ "$release" = debian-12 ] ||
+        say "warning: built on $release, not on Debian 12: the package may ask for newer systems"
+}
+
+# The licences of all that is compiled into the module; CMake has put those of its libraries there.
+add_licenses() {
+    local folder=$INSTALLED/licenses pybind11
+    cp /usr/share/doc/libeigen3-dev/copyright "$folder/eigen.txt"
+    pybind11=$(python -c 'import importlib.metadata as m, pathlib
+print(next(f.locate() for f in m.files("pybind11") if pathlib.PurePath(f).name == "LICENSE"))')
+    cp "$pybind11" "$folder/pybind11.txt"
+}
+
+"$ROOT/tools/build.sh"
+check_compiler
+exec 9>"$ROOT/build/build.lock"
+flock 9
+compile_for_pythons "${PYTHONS[@]}"
+rm -rf "$ROOT/build/package" "$ROOT"/dist
+cmake --install "$ROOT/build/native" --component module --prefix "$ROOT/build/package" >/dev/null
+cp "$ROOT/build/native/pythons/"*.so "$INSTALLED/"
+strip --strip-unneeded "$INSTALLED"/*.so
+add_licenses
+python "$ROOT/tools/package.py" --installed "$INSTALLED"
+cp "$ROOT"/dist/wheels/*-cp311-*.whl "$ROOT/dist/"

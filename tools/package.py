@@ -1,0 +1,174 @@
+"""Makes what is handed to people: wheels of the module, and the add-on as a zip for Blender.
+
+Two runs on the same files make the same bytes.
+"""
+
+from __future__ import annotations
+
+import argparse
+import base64
+import hashlib
+import re
+import tomllib
+import zipfile
+from collections.abc import Iterator
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+PLATFORM_OF_BLENDER = "linux-x64"
+PLATFORM_OF_WHEEL = "manylinux_2_28_x86_64"  # a test holds the module's symbols against it
+LEGACY = ("310", "311")  # Blender 3.4 to 4.1, which take no wheels
+EXTENSION = ("311", "313", "314")  # Blender 4.2 and later
+LEFT_OUT = ("__pycache__", ".pyc")
+
+Files = dict[str, bytes]
+"""What is in an archive: contents by path."""
+
+
+def manifest() -> str:
+    """The text of the add-on's manifest, which says the version of all."""
+    return (ROOT / "addon" / "blender_manifest.toml").read_text(encoding="utf-8")
+
+
+def version() -> str:
+    """Such as '0.1.0'."""
+    return str(tomllib.loads(manifest())["version"])
+
+
+def files_below(folder: Path, prefix: str = "") -> Files:
+    """All files of a folder by their paths in it, after `prefix`."""
+    return {
+        prefix + path.relative_to(folder).as_posix(): path.read_bytes()
+        for path in sorted(folder.rglob("*"))
+        if path.is_file() and not any(mark in path.as_posix() for mark in LEFT_OUT)
+    }
+
+
+def write_zip(path: Path, files: Files) -> Path:
+    """Writes an archive whose bytes depend on `files` alone."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with zipfile.ZipFile(path, "w") as archive:
+        for name, data in files.items():
+            entry = zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0))
+            entry.external_attr = 0o644 << 16
+            is_packed = name.endswith(".whl")
+            entry.compress_type = zipfile.ZIP_STORED if is_packed else zipfile.ZIP_DEFLATED
+            archive.writestr(entry, data, compresslevel=9)
+    return path
+
+
+def module_files(installed: Path, pythons: tuple[str, ...]) -> Files:
+    """The package illustrate_native with its binaries for these Pythons.
+
+    Raises FileNotFoundError, naming the Python, where a binary is missing.
+    """
+    files = files_below(installed, "illustrate_native/")
+    binaries = {name: _python_of(name) for name in files if name.endswith(".so")}
+    for python in pythons:
+        if python not in binaries.values():
+            raise FileNotFoundError(f"{installed} has no module for Python {dotted(python)}")
+    return {name: data for name, data in files.items() if binaries.get(name, "") in ("", *pythons)}
+
+
+def _python_of(name: str) -> str:
+    found = re.search(r"\.cpython-(\d+)-", name)
+    return found[1] if found else ""
+
+
+def dotted(python: str) -> str:
+    """'313' as '3.13'."""
+    return f"{python[0]}.{python[1:]}"
+
+
+def metadata() -> str:
+    """The wheel's METADATA, from pyproject.toml."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    lines = [
+        "Metadata-Version: 2.4",
+        f"Name: {project['name']}",
+        f"Version: {version()}",
+        f"Summary: {project['description']}",
+        f"License-Expression: {project['license']}",
+        "License-File: LICENSE",
+        *(f"Classifier: {name}" for name in project["classifiers"]),
+        f"Requires-Python: {project['requires-python']}",
+        *(f"Requires-Dist: {name}" for name in project["dependencies"]),
+        "Description-Content-Type: text/markdown",
+    ]
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    return "\n".join([*lines, "", readme])
+
+
+def _record(files: Files, name: str) -> Iterator[str]:
+    for path, data in files.items():
+        digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()
+        yield f"{path},sha256={digest},{len(data)}"
+    yield f"{name},,"
+
+
+def make_wheel(installed: Path, python: str, folder: Path) -> Path:
+    """Writes the wheel for one Python, such as '313'; its path."""
+    tag = f"cp{python}-cp{python}-{PLATFORM_OF_WHEEL}"
+    info = f"illustrate_native-{version()}.dist-info"
+    wheel = f"Wheel-Version: 1.0\nGenerator: illustrate\nRoot-Is-Purelib: false\nTag: {tag}\n"
+    files = module_files(installed, (python,)) | {
+        f"{info}/METADATA": metadata().encode(),
+        f"{info}/WHEEL": wheel.encode(),
+        f"{info}/licenses/LICENSE": (ROOT / "LICENSE").read_bytes(),
+    }
+    record = "\n".join([*_record(files, f"{info}/RECORD"), ""])
+    files[f"{info}/RECORD"] = record.encode()
+    return write_zip(folder / f"illustrate_native-{version()}-{tag}.whl", files)
+
+
+def manifest_with(wheels: list[Path]) -> str:
+    """The manifest as it ships: with the platform and the wheels."""
+    listed = "".join(f'  "./wheels/{wheel.name}",\n' for wheel in wheels)
+    added = f'platforms = ["{PLATFORM_OF_BLENDER}"]\nwheels = [\n{listed}]\n\n'
+    head, table, tail = manifest().partition("[permissions]")
+    return head + added + table + tail
+
+
+def make_extension(wheels: list[Path], folder: Path) -> Path:
+    """Writes the extension for Blender 4.2 and later; its path."""
+    files = files_below(ROOT / "addon") | {
+        "blender_manifest.toml": manifest_with(wheels).encode(),
+        "LICENSE": (ROOT / "LICENSE").read_bytes(),
+    }
+    files |= {f"wheels/{wheel.name}": wheel.read_bytes() for wheel in wheels}
+    return write_zip(folder / f"illustrate-{version()}-{PLATFORM_OF_BLENDER}.zip", files)
+
+
+def make_legacy(installed: Path, pythons: tuple[str, ...], folder: Path) -> Path:
+    """Writes the add-on for Blender 3.4 to 4.1, with the module inside; its path."""
+    files = files_below(ROOT / "addon") | module_files(installed, pythons)
+    files["LICENSE"] = (ROOT / "LICENSE").read_bytes()
+    del files["blender_manifest.toml"]
+    name = f"illustrate-{version()}-legacy-{PLATFORM_OF_BLENDER}.zip"
+    return write_zip(
+        folder / name, {f"illustrate/{path}": data for path, data in sorted(files.items())}
+    )
+
+
+def main() -> None:
+    """Makes all of them and says how large they are."""
+    parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
+    parser.add_argument("--installed", type=Path, required=True, help="illustrate_native, built")
+    parser.add_argument("--out", type=Path, default=ROOT / "dist")
+    arguments = parser.parse_args()
+    installed, out = arguments.installed, arguments.out
+    wheels = {
+        python: make_wheel(installed, python, out / "wheels")
+        for python in sorted({*LEGACY, *EXTENSION})
+    }
+    made = [
+        make_extension([wheels[python] for python in EXTENSION], out),
+        make_legacy(installed, LEGACY, out),
+        *wheels.values(),
+    ]
+    for path in made:
+        print(f"{path.relative_to(out)}: {path.stat().st_size / 1e6:.2f} MB")
+
+
+if __name__ == "__main__":
+    main()

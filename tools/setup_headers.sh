@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# setup_headers.sh VERSION: the headers of that Python. Prints their folders, with commas between:
+# those of a Python on the path or of pyenv, else of the package of a newer Debian, in the cache.
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+version=$1
+if python=$(find_python "$version"); then
+    "$python" -c 'import sysconfig; print(sysconfig.get_paths()["include"])'
+    exit
+fi
+case $version in
+    3.13) suite=trixie ;;
+    3.14) suite=sid ;;
+    *) fail "no headers of Python $version: install it with them, or with 'pyenv install $version'" ;;
+esac
+
+# A private copy of the machine's package list that names the other Debian.
+fetch() {
+    local work=$1 archive
+    local keyring=/usr/share/keyrings/debian-archive-keyring.gpg
+    mkdir -p "$work/lists/partial" "$work/parts"
+    echo "deb [signed-by=$keyring check-valid-until=no] $(debian_mirror | sed 1q) $suite main" \
+        >"$work/sources.list"
+    local apt=(apt-get -qq -o APT::Sandbox::User= -o "Dir::Etc::sourcelist=$work/sources.list"
+        -o "Dir::Etc::sourceparts=$work/parts" -o "Dir::State::lists=$work/lists"
+        -o Dir::Cache::srcpkgcache= -o Dir::Cache::pkgcache=)
+    "${apt[@]}" update
+    (cd "$work" && "${apt[@]}" download "libpython$version-dev")
+    for archive in "$work"/*.deb; do dpkg-deb --extract "$archive" "$work/files"; done
+}
+
+folder=$CACHE/python$version-headers
+mkdir -p "$CACHE"
+exec 9>"$folder.lock"
+flock 9
+if [ ! -d "$folder" ]; then
+    work=$(mktemp -d "$CACHE/headers.XXXXXX")
+    trap 'rm -rf "$work"' EXIT
+    say "fetching the headers of Python $version from Debian $suite" >&2
+    fetch "$work" >"$folder.log" 2>&1 || fail "that failed: see $folder.log"
+    mv "$work/files/usr/include" "$folder"
+fi
+# pyconfig.h is in a folder of the machine's architecture, beside it.
+printf '%s,%s\n' "$folder/python$version" "$folder"
