@@ -91,6 +91,13 @@ DrawOptions drawing_of(const CurvatureCurveOptions& curves) {
   return options;
 }
 
+// Every drawing of this file obeys the rules.
+DrawResult drawn(const Prepared& scene, const Camera& camera, const DrawOptions& options) {
+  DrawResult result = draw(scene, camera, options);
+  check_graph(result.graph);
+  return result;
+}
+
 double visible_length(const Drawing& drawing, Kind kind) {
   double length = 0;
   for (std::size_t s = 0; s < drawing.kinds.size(); ++s) {
@@ -108,9 +115,8 @@ TEST(CurvatureLines, ChangeNothingElseAndObeyTheRules) {
   const auto sphere = prepared({bumpy_sphere()});
   for (const Vec3& eye : {Vec3(4, 1, 2), Vec3(-1, 3, -3), Vec3(0.5, -4, 1)}) {
     const Camera camera = cameras::perspective(eye, Vec3::Zero());
-    const DrawResult without = draw(*sphere, camera, drawing_of({}));
-    const DrawResult with = draw(*sphere, camera, drawing_of(everything(8)));
-    check_graph(with.graph);
+    const DrawResult without = drawn(*sphere, camera, drawing_of({}));
+    const DrawResult with = drawn(*sphere, camera, drawing_of(everything(8)));
     EXPECT_NEAR(visible_length(with.drawing, Kind::silhouette),
                 visible_length(without.drawing, Kind::silhouette), 1);
     for (const Kind kind : {Kind::suggestive, Kind::ridge, Kind::valley}) {
@@ -129,8 +135,7 @@ TEST(CurvatureLines, ObeyTheRulesOnSurfacesWithoutAnOutside) {
       {shapes::klein_mesh(24, 16), shapes::moved(wavy_moebius(64, 20), Vec3(0.3, 0.2, 0.4))});
   for (const Vec3& eye : {Vec3(6, 5, 4), Vec3(-4, 3, -6)}) {
     const Camera camera = cameras::perspective(eye, Vec3::Zero());
-    const DrawResult result = draw(*scene, camera, drawing_of(everything(2)));
-    check_graph(result.graph);
+    const DrawResult result = drawn(*scene, camera, drawing_of(everything(2)));
     EXPECT_GT(visible_length(result.drawing, Kind::ridge), 20);
     EXPECT_GT(visible_length(result.drawing, Kind::valley), 20);
   }
@@ -143,7 +148,7 @@ TEST(CurvatureLines, ShowOnBacksThatCanBeSeen) {
     DrawOptions options = drawing_of(everything(8));
     options.stroke.hidden_lines = {{1, 100}};
     const Camera camera = cameras::perspective(Vec3(4, 1, 2), Vec3::Zero());
-    const DrawResult result = draw(*scene, camera, options);
+    const DrawResult result = drawn(*scene, camera, options);
     std::array<int, 2> facing{0, 0};
     for (std::size_t a = 0; a < result.graph.arcs.size(); ++a) {
       if (!is_curvature_line(result.graph.arcs[a].kind)) continue;
@@ -168,7 +173,7 @@ TEST(CurvatureLines, KindsAreDrawnOnlyWhenAskedFor) {
   const Camera camera = cameras::perspective(Vec3(4, 1, 2), Vec3::Zero());
   CurvatureCurveOptions options = everything(8);
   options.suggestive_contours = options.valleys = false;
-  const DrawResult ridges = draw(*sphere, camera, drawing_of(options));
+  const DrawResult ridges = drawn(*sphere, camera, drawing_of(options));
   EXPECT_GT(visible_length(ridges.drawing, Kind::ridge), 20);
   EXPECT_EQ(visible_length(ridges.drawing, Kind::valley), 0);
   EXPECT_EQ(visible_length(ridges.drawing, Kind::suggestive), 0);
@@ -198,8 +203,7 @@ TEST(CurvatureLines, AreCutByBoundariesAndIntersections) {
   CurvatureCurveOptions options;
   options.ridges = true;
   options.ridge_threshold = 4;
-  const DrawResult result = draw(*scene, camera, drawing_of(options));
-  check_graph(result.graph);
+  const DrawResult result = drawn(*scene, camera, drawing_of(options));
   const std::vector<int> ends = joints_of(result.graph, Kind::ridge);
   EXPECT_EQ(std::count(ends.begin(), ends.end(), 2), 1) << "runs on behind the wall";
   EXPECT_EQ(std::count(ends.begin(), ends.end(), 1), 2) << "ends on the boundary, twice";
@@ -211,8 +215,7 @@ TEST(CurvatureLines, AreCutBySilhouettes) {
   const auto scene = prepared(
       {shapes::height_field(40, 40, [](double x, double y) { return 2 * wave(x) - 0.8 * y * y; })});
   const Camera camera = cameras::orthographic(Vec3(0.1, 1, 0.6), 2);
-  const DrawResult result = draw(*scene, camera, drawing_of(ridges_and_valleys(4)));
-  check_graph(result.graph);
+  const DrawResult result = drawn(*scene, camera, drawing_of(ridges_and_valleys(4)));
   const std::vector<int> silhouettes = joints_of(result.graph, Kind::silhouette);
   const std::vector<int> ridges = joints_of(result.graph, Kind::ridge);
   const std::vector<int> valleys = joints_of(result.graph, Kind::valley);

@@ -6,6 +6,7 @@
 #include "pipeline/draw.h"
 #include "surface/refine.h"
 #include "tests/cpp/cameras.h"
+#include "tests/cpp/check_graph.h"
 #include "tests/cpp/check_sound.h"
 #include "tests/cpp/check_surface.h"
 #include "tests/fuzz/nasty_mesh.h"
@@ -53,18 +54,6 @@ void check_strokes(const Drawing& drawing) {
   }
 }
 
-void check_arcs(const LabelledGraph& graph) {
-  const int nodes = static_cast<int>(graph.nodes.size());
-  ASSERT_EQ(graph.arcs.size(), graph.points.size());
-  ASSERT_EQ(graph.arcs.size(), graph.image.size());
-  for (const GraphArc& arc : graph.arcs) {
-    EXPECT_EQ(arc.start_node == none, arc.end_node == none);
-    EXPECT_TRUE(arc.start_node < nodes && arc.end_node < nodes);
-    EXPECT_GE(arc.invisibility, 0);
-  }
-  for (const Vec2& p : graph.image.values) EXPECT_TRUE(p.allFinite());
-}
-
 void draw_case(const PolygonMesh& mesh, const SurfaceOptions& surface_options, Random& random) {
   PrepareOptions options;
   options.surface = surface_options;
@@ -77,7 +66,8 @@ void draw_case(const PolygonMesh& mesh, const SurfaceOptions& surface_options, R
     draw_options.threads = 1;
     const DrawResult result = draw(*prepared, camera, draw_options);
     check_strokes(result.drawing);
-    check_arcs(result.graph);
+    check_graph(result.graph);
+    for (const Vec2& p : result.graph.image.values) EXPECT_TRUE(p.allFinite());
   } catch (const InvalidInput& error) {  // a scene too large or too small for any camera
     EXPECT_NE(std::string(error.what()).find("camera"), std::string::npos) << error.what();
   }
