@@ -82,7 +82,7 @@ OWN: dict[str, Any] = {
         name="Tones", items=TONES, default="LIGHT", description="What divides light from shadow"
     ),
     "highlight_share": FloatProperty(
-        name="Highlight Share",
+        name="Highlight",
         default=0.3,
         min=0.0,
         max=1.0,
@@ -90,7 +90,7 @@ OWN: dict[str, Any] = {
         description="Share of what is seen that has no hatches",
     ),
     "shadow_share": FloatProperty(
-        name="Shadow Share",
+        name="Shadow",
         default=0.35,
         min=0.0,
         max=1.0,
@@ -101,7 +101,7 @@ OWN: dict[str, Any] = {
         name="Unit", items=UNITS, default="PIXEL", description="What widths and distances count in"
     ),
     "page_width_mm": FloatProperty(
-        name="Page Width (mm)",
+        name="Page Width",
         default=200.0,
         min=1.0,
         max=100_000.0,
@@ -114,7 +114,7 @@ OWN: dict[str, Any] = {
         description="Draw lines that lie behind other surfaces too, on a layer of their own",
     ),
     "hidden_layers": IntProperty(
-        name="Hidden Layers",
+        name="Layers",
         default=1,
         min=1,
         max=64,
@@ -127,7 +127,7 @@ OWN: dict[str, Any] = {
         "drawn on the surfaces or near them; its objects are not drawn",
     ),
     "guide_weight": FloatProperty(
-        name="Guide Weight",
+        name="Weight",
         default=10.0,
         min=0.0,
         soft_max=100.0,
@@ -144,7 +144,7 @@ OWN: dict[str, Any] = {
         update=_restyle,
     ),
     "keep_frames": BoolProperty(
-        name="Keep Other Frames",
+        name="Keep Frames",
         default=False,
         description="Leave drawings on other frames instead of replacing them all",
     ),

@@ -39,9 +39,10 @@ UNUSED_WITH_TONES = {
 """Settings that are not shown."""
 
 
-def fields_of(panel: str) -> tuple[str, ...]:
-    """The native options that belong to a panel, by the names of their properties."""
-    return tuple(key for key, option in OPTIONS.items() if option.panel == panel)
+def fields_of(panel: str, *first: str) -> tuple[str, ...]:
+    """Properties that belong to a panel: `first`, and those of its native options."""
+    own = (key for key, option in OPTIONS.items() if option.panel == panel)
+    return tuple(dict.fromkeys((*first, *own)))
 
 
 class _SidePanel:
@@ -114,7 +115,9 @@ class ILLUSTRATE_PT_main(_SidePanel, bpy.types.Panel):
         row.operator(ILLUSTRATE_OT_illustrate.bl_idname, icon="GREASEPENCIL")
         _show_problem(self.layout, context)
         show(self.layout, context.scene.illustrate, self.fields)
-        self.layout.prop(context.window_manager, "illustrate_live", toggle=True, icon="HIDE_OFF")
+        row = self.layout.row()
+        row.use_property_split = False
+        row.prop(context.window_manager, "illustrate_live", toggle=True, icon="HIDE_OFF")
 
 
 class ILLUSTRATE_PT_lines(_Fields, bpy.types.Panel):
@@ -122,7 +125,7 @@ class ILLUSTRATE_PT_lines(_Fields, bpy.types.Panel):
 
     bl_idname = "ILLUSTRATE_PT_lines"
     bl_label = "Lines"
-    fields = (*fields_of("lines"), "hidden_layers")
+    fields = fields_of("lines", "feature_width_px", "hidden_width_scale", "hidden_layers")
 
 
 class ILLUSTRATE_PT_hatching(_Fields, bpy.types.Panel):
@@ -138,13 +141,8 @@ class ILLUSTRATE_PT_light(_Fields, bpy.types.Panel):
 
     bl_idname = "ILLUSTRATE_PT_light"
     bl_label = "Light"
-    fields = (
-        "lighting",
-        "auto_exposure",
-        "tones",
-        "highlight_share",
-        "shadow_share",
-        *fields_of("light"),
+    fields = fields_of(
+        "light", "lighting", "auto_exposure", "tones", "highlight_share", "shadow_share"
     )
 
 
@@ -153,7 +151,7 @@ class ILLUSTRATE_PT_surface(_Fields, bpy.types.Panel):
 
     bl_idname = "ILLUSTRATE_PT_surface"
     bl_label = "Surface and Field"
-    fields = ("guides", "guide_weight", *fields_of("surface"))
+    fields = fields_of("surface", "guides", "guide_weight", "guide_radius")
 
     def draw(self, context: Any) -> None:
         """Shows the fields and what can be looked at."""
