@@ -14,6 +14,7 @@ from ..operators import (
     ILLUSTRATE_OT_show_field,
 )
 from ..problems import slowing_problem, stopping_problem
+from ..viewport.live import LIVE
 from .presets import ILLUSTRATE_PT_presets
 
 PIXELS_PER_LETTER = 7.0  # of the interface's font at scale 1
@@ -89,12 +90,20 @@ def show_text(layout: Any, text: str, width_px: float, icon: str) -> None:
         column.label(text=line, icon="BLANK1" if number else icon)
 
 
-def _show_problem(layout: Any, context: Any) -> None:
-    scene, layer = context.scene, context.view_layer
-    problem = stopping_problem(scene, layer) or slowing_problem(scene, layer)
+def _show_problem(layout: Any, context: Any, problem: str) -> None:
     if problem:
         scale = context.preferences.system.ui_scale
         show_text(layout, problem, context.region.width / scale - 50, "ERROR")
+
+
+def _show_live(layout: Any, context: Any) -> None:
+    """The switch of live lines; while they are on, whose they are and what is in their way."""
+    row = layout.row(align=True)
+    row.use_property_split = False
+    row.prop(context.window_manager, "illustrate_live", toggle=True, icon="HIDE_OFF")
+    if LIVE.is_on:
+        row.prop(context.window_manager, "illustrate_live_eye", text="")
+        _show_problem(layout, context, LIVE.problem)
 
 
 class ILLUSTRATE_PT_main(_SidePanel, bpy.types.Panel):
@@ -113,11 +122,11 @@ class ILLUSTRATE_PT_main(_SidePanel, bpy.types.Panel):
         row = self.layout.row()
         row.scale_y = 2.0
         row.operator(ILLUSTRATE_OT_illustrate.bl_idname, icon="GREASEPENCIL")
-        _show_problem(self.layout, context)
+        scene, layer = context.scene, context.view_layer
+        problem = stopping_problem(scene, layer) or slowing_problem(scene, layer)
+        _show_problem(self.layout, context, problem)
         show(self.layout, context.scene.illustrate, self.fields)
-        row = self.layout.row()
-        row.use_property_split = False
-        row.prop(context.window_manager, "illustrate_live", toggle=True, icon="HIDE_OFF")
+        _show_live(self.layout, context)
 
 
 class ILLUSTRATE_PT_lines(_Fields, bpy.types.Panel):
