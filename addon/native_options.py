@@ -196,7 +196,7 @@ STYLE_DEFAULTS = {
 FROM_ELSEWHERE = {
     "field": "hatching",
     "guides": "the collection of guides",
-    "singularities": "scripts that use illustrate_native",
+    "singularities": "the empties in the collection of guides",
     "hidden_lines": "hidden, hidden_layers",
     "highlight_share": "tones, highlight_share",
     "shadow_share": "tones, shadow_share",

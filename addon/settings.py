@@ -15,6 +15,7 @@ from bpy.props import (
 )
 
 from . import native, native_options
+from .guide_arrays import GuideArrays
 from .option_kinds import typed
 from .output import restyle
 
@@ -124,7 +125,7 @@ OWN: dict[str, Any] = {
         type=bpy.types.Collection,
         name="Guides",
         description="Hatches follow the curves and Grease Pencil strokes of this collection, "
-        "drawn on the surfaces or near them; its objects are not drawn",
+        "drawn on the surfaces or near them, and turn round its empties; its objects are not drawn",
     ),
     "guide_weight": FloatProperty(
         name="Weight",
@@ -209,11 +210,14 @@ def draw_values(settings: Any, width_px: int) -> dict[str, Any]:
     return values
 
 
-def prepare_options(values: dict[str, Any], guides: list[Any], guide_weight: float) -> Any:
-    """`illustrate_native.PrepareOptions`. guides: polylines (k, 3) in world space."""
+def prepare_options(values: dict[str, Any], guides: GuideArrays, guide_weight: float) -> Any:
+    """`illustrate_native.PrepareOptions`. guide_weight: of strokes that weigh 1."""
     ill = native.load()
+    strokes = zip(guides.strokes, guides.weights, strict=True)
     return ill.PrepareOptions(
-        **values, guides=[ill.Guide(points, guide_weight) for points in guides]
+        **values,
+        guides=[ill.Guide(points, guide_weight * weight) for points, weight in strokes],
+        singularities=(guides.turn_places, guides.turns) if guides.turns else None,
     )
 
 
