@@ -1,6 +1,7 @@
-"""Strokes that guide the hatching as arrays: curves and Grease Pencil, of whatever version."""
+"""Guides of the hatching as arrays: curves, Grease Pencil of whatever version, and empties."""
 
 from collections.abc import Iterator
+from dataclasses import dataclass, field
 from typing import Any
 
 import bpy
@@ -9,8 +10,21 @@ import numpy as np
 from .ownership import is_ours
 
 
-def read_guides(collection: Any, frame: int) -> list[Any]:
-    """Polylines (k, 3) in world space of all curve and Grease Pencil objects of a collection.
+@dataclass
+class GuideArrays:
+    """What the field of directions is to follow; world space."""
+
+    strokes: list[Any] = field(default_factory=list)  # (k, 3) polylines
+    weights: list[float] = field(default_factory=list)  # of the strokes, shares of the scene's
+    turn_places: list[Any] = field(default_factory=list)  # (3,) where hatches turn round a point
+    turns: list[int] = field(default_factory=list)  # right angles
+
+    def __bool__(self) -> bool:
+        return bool(self.strokes or self.turns)
+
+
+def read_guides(collection: Any, frame: int) -> GuideArrays:
+    """Strokes of all curve and Grease Pencil objects of a collection, and its empties.
 
     Those of its child collections count, hidden objects too; closed strokes end where they began.
     frame: that of the Grease Pencil drawings.
@@ -21,14 +35,18 @@ def read_guides(collection: Any, frame: int) -> list[Any]:
         "GPENCIL": _strokes_v2,
         "GREASEPENCIL": _strokes_v3,
     }
-    guides = []
+    guides = GuideArrays()
     for thing in list(collection.all_objects):  # reading curves makes and removes objects
+        matrix, said = np.array(thing.matrix_world), thing.illustrate_guide
+        if thing.type == "EMPTY" and said.turns:
+            guides.turn_places.append(matrix[:3, 3])
+            guides.turns.append(said.turns)
         if thing.type not in readers or is_ours(thing):
             continue
         for points in readers[thing.type](thing, frame):
-            matrix = np.array(thing.matrix_world)
             if len(points) > 1:
-                guides.append(points @ matrix[:3, :3].T + matrix[:3, 3])
+                guides.strokes.append(points @ matrix[:3, :3].T + matrix[:3, 3])
+                guides.weights.append(said.weight)
     return guides
 
 

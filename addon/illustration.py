@@ -37,6 +37,9 @@ REPAIRS = {
 }
 
 
+TURNS_WAY_OUT = ". Change the Turns of the empties among the guides, in their object properties"
+
+
 @dataclass
 class Request:
     """All that a drawing is made from, as plain data."""
@@ -209,7 +212,10 @@ def _explained(request: Request) -> Iterator[None]:
     try:
         yield
     except native.load().InvalidInput as error:
-        raise IllustrateError(f'Scene "{request.scene_name}" cannot be drawn: {error}') from error
+        way_out = TURNS_WAY_OUT if request.arrays.guides.turns and "singular" in str(error) else ""
+        raise IllustrateError(
+            f'Scene "{request.scene_name}" cannot be drawn: {error}{way_out}'
+        ) from error
 
 
 def _nothing_is_left(request: Request, reports: list[dict[str, Any]]) -> IllustrateError:
@@ -227,8 +233,8 @@ def _guide_warnings(scene: Any, arrays: SceneArrays) -> list[str]:
     if collection is None or arrays.guides:
         return []
     return [
-        f'Collection "{collection.name}" guides nothing: it has no curve or Grease Pencil stroke '
-        f"at frame {scene.frame_current}"
+        f'Collection "{collection.name}" guides nothing: it has no curve, Grease Pencil stroke '
+        f"at frame {scene.frame_current}, or empty that turns hatches"
     ]
 
 

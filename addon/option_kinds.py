@@ -90,7 +90,7 @@ def paper(
         description=f"{text}, pixels of the render",
     )
     millimetres = FloatProperty(
-        name=f"{label} (mm)",
+        name=label,
         default=default_mm or default * MM_PER_PX,
         min=least * 0.001,
         max=most,
@@ -110,11 +110,11 @@ def pixels(
     return real(native, panel, label, default, text, subtype="PIXEL", **limits)
 
 
-def threshold(native: str, label: str, lines: str, default: float) -> NativeOption:
+def threshold(native: str, lines: str, default: float) -> NativeOption:
     """The least strength of optional lines."""
     text = f"Leave out weaker {lines}, measured against the size of the object"
     limits = {"min": 0.01, "max": 100_000.0, "soft_min": 1.0, "soft_max": 100.0}
-    return real(native, "lines", f"{label} Threshold", default, text, **limits)
+    return real(native, "lines", "Threshold", default, text, **limits)
 
 
 def value_of(option: NativeOption, settings: Any, px_per_mm: float) -> Any:

@@ -13,7 +13,7 @@ from typing import Any
 import bpy
 import numpy as np
 
-from .guide_arrays import read_guides
+from .guide_arrays import GuideArrays, read_guides
 from .light_arrays import LightArrays, exposed, read_light
 from .mesh_arrays import MeshArrays, read_mesh
 from .messages import IllustrateError, quoted
@@ -56,7 +56,7 @@ class SceneArrays:
     meshes: list[MeshArrays] = field(default_factory=list)
     styles: list[dict[str, Any]] = field(default_factory=list)  # of the meshes; empty: the scene's
     lights: list[LightArrays] = field(default_factory=list)
-    guides: list[Any] = field(default_factory=list)  # (k, 3) world, polylines
+    guides: GuideArrays = field(default_factory=GuideArrays)
     without_faces: list[str] = field(default_factory=list)  # objects that were left out
 
 
@@ -83,8 +83,8 @@ def read_scene(
 
     A Subdivision modifier that ends an object's stack is taken out: its cage is read, to be
     subdivided to the limit. Left out are objects hidden from viewport or render, illustrations,
-    objects whose style says so, and the objects of the collection `guides`, whose strokes are read
-    as guides. camera: another one than the scene's. auto_exposure: lights are scaled so that the
+    objects whose style says so, and the objects of the collection `guides`, which are read
+    as such. camera: another one than the scene's. auto_exposure: lights are scaled so that the
     strongest is white in the middle of the meshes; without, they are as strong as in a render of
     white surfaces.
     Raises IllustrateError for a scene without a usable camera or without anything to draw.

@@ -15,6 +15,7 @@ from bpy.props import (
 )
 
 from . import native, native_options
+from .guide_arrays import GuideArrays
 from .option_kinds import typed
 from .output import restyle
 
@@ -82,7 +83,7 @@ OWN: dict[str, Any] = {
         name="Tones", items=TONES, default="LIGHT", description="What divides light from shadow"
     ),
     "highlight_share": FloatProperty(
-        name="Highlight Share",
+        name="Highlight",
         default=0.3,
         min=0.0,
         max=1.0,
@@ -90,7 +91,7 @@ OWN: dict[str, Any] = {
         description="Share of what is seen that has no hatches",
     ),
     "shadow_share": FloatProperty(
-        name="Shadow Share",
+        name="Shadow",
         default=0.35,
         min=0.0,
         max=1.0,
@@ -101,7 +102,7 @@ OWN: dict[str, Any] = {
         name="Unit", items=UNITS, default="PIXEL", description="What widths and distances count in"
     ),
     "page_width_mm": FloatProperty(
-        name="Page Width (mm)",
+        name="Page Width",
         default=200.0,
         min=1.0,
         max=100_000.0,
@@ -114,7 +115,7 @@ OWN: dict[str, Any] = {
         description="Draw lines that lie behind other surfaces too, on a layer of their own",
     ),
     "hidden_layers": IntProperty(
-        name="Hidden Layers",
+        name="Layers",
         default=1,
         min=1,
         max=64,
@@ -124,10 +125,10 @@ OWN: dict[str, Any] = {
         type=bpy.types.Collection,
         name="Guides",
         description="Hatches follow the curves and Grease Pencil strokes of this collection, "
-        "drawn on the surfaces or near them; its objects are not drawn",
+        "drawn on the surfaces or near them, and turn round its empties; its objects are not drawn",
     ),
     "guide_weight": FloatProperty(
-        name="Guide Weight",
+        name="Weight",
         default=10.0,
         min=0.0,
         soft_max=100.0,
@@ -144,7 +145,7 @@ OWN: dict[str, Any] = {
         update=_restyle,
     ),
     "keep_frames": BoolProperty(
-        name="Keep Other Frames",
+        name="Keep Frames",
         default=False,
         description="Leave drawings on other frames instead of replacing them all",
     ),
@@ -209,11 +210,14 @@ def draw_values(settings: Any, width_px: int) -> dict[str, Any]:
     return values
 
 
-def prepare_options(values: dict[str, Any], guides: list[Any], guide_weight: float) -> Any:
-    """`illustrate_native.PrepareOptions`. guides: polylines (k, 3) in world space."""
+def prepare_options(values: dict[str, Any], guides: GuideArrays, guide_weight: float) -> Any:
+    """`illustrate_native.PrepareOptions`. guide_weight: of strokes that weigh 1."""
     ill = native.load()
+    strokes = zip(guides.strokes, guides.weights, strict=True)
     return ill.PrepareOptions(
-        **values, guides=[ill.Guide(points, guide_weight) for points in guides]
+        **values,
+        guides=[ill.Guide(points, guide_weight * weight) for points, weight in strokes],
+        singularities=(guides.turn_places, guides.turns) if guides.turns else None,
     )
 
 

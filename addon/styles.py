@@ -17,14 +17,14 @@ OPTIONS: dict[str, Any] = {
         description="Leave it out entirely: neither drawn nor in front of anything",
     ),
     "occlude_only": BoolProperty(
-        name="Occlude Only",
+        name="Occluder",
         default=False,
         description="Hide what is behind it, but do not draw it",
     ),
     "lines": BoolProperty(name="Lines", default=True, description="Draw its lines"),
     "hatching": BoolProperty(name="Hatching", default=True, description="Hatch it"),
     "spacing_scale": FloatProperty(
-        name="Spacing Scale",
+        name="Spacing",
         default=1.0,
         min=0.01,
         max=100.0,
@@ -33,7 +33,7 @@ OPTIONS: dict[str, Any] = {
         description="Its hatches are so many times as far apart as those of the scene",
     ),
     "width_scale": FloatProperty(
-        name="Width Scale",
+        name="Width",
         default=1.0,
         min=0.0,
         max=100.0,

@@ -1,13 +1,16 @@
 """Guides that are read from a collection, and the field shown as an object."""
 
 import math
+from types import SimpleNamespace
 from typing import Any
 
 import bpy
 import numpy as np
 import pytest
+from illustrate import guides
 from illustrate.illustration import prepare_scene
 from illustrate.scene import read_scene
+from illustrate.ui import style_panel
 
 import tools
 
@@ -69,8 +72,7 @@ def add_pencil(collection: Any, points: Any, closed: bool = False) -> Any:
 
 
 def guides_of(scene: Any) -> list[Any]:
-    guides: list[Any] = read_scene(scene, depsgraph(), guides=scene.illustrate.guides).guides
-    return guides
+    return list(read_scene(scene, depsgraph(), guides=scene.illustrate.guides).guides.strokes)
 
 
 CORNERS = [(0, 0, 0), (1, 0, 0), (1, 1, 0)]
@@ -111,7 +113,7 @@ def test_guides_are_not_drawn_and_child_collections_count(scene: Any) -> None:
     add_pencil(child, CORNERS)
     arrays = read_scene(scene, depsgraph(), guides=collection)
     assert [mesh.name for mesh in arrays.meshes] == ["Box"]
-    assert len(arrays.guides) == 3
+    assert len(arrays.guides.strokes) == 3
 
 
 def test_drawings_of_the_frame_in_force_are_read(scene: Any) -> None:
@@ -156,10 +158,52 @@ def test_hatches_follow_guides(scene: Any, kind: str) -> None:
     assert off_tilt(scene) == pytest.approx(20, abs=1)
     collection = guide_collection(scene)
     ends = [(s * 0.6 * math.cos(TILT), s * 0.6 * math.sin(TILT), 1.02) for s in (-1, 1)]
-    (add_pencil if kind == "PENCIL" else lambda c, p: add_curve(c, "POLY", p))(collection, ends)
+    add: Any = add_pencil if kind == "PENCIL" else lambda c, p: add_curve(c, "POLY", p)
+    guide = add(collection, ends)
     assert off_tilt(scene) < 3
+    guide.illustrate_guide.weight = 0
+    assert off_tilt(scene) == pytest.approx(20, abs=1)
+    guide.illustrate_guide.weight = 1
     scene.illustrate.guide_weight = 0
     assert off_tilt(scene) == pytest.approx(20, abs=1)
+
+
+def add_empty(collection: Any, place: Any, turns: int) -> Any:
+    empty = bpy.data.objects.new("Turn", None)
+    empty.location = place
+    empty.illustrate_guide.turns = turns
+    collection.objects.link(empty)
+    return empty
+
+
+def test_hatches_turn_round_empties(scene: Any) -> None:
+    tools.add_camera(scene)
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=32, ring_count=16)
+    bpy.ops.object.shade_smooth()
+    collection = guide_collection(scene)
+    poles = [add_empty(collection, (0, 0, z), 4) for z in (-1, 1)]
+    add_empty(collection, (1, 0, 0), 0)  # says nothing
+    bpy.context.view_layer.update()
+    found = prepare_scene(scene, depsgraph()).field
+    assert sorted(found.singular_indices) == [1] * 8
+    assert np.abs(np.asarray(found.singular_positions)[:, 2]).min() > 0.9
+    before = tools.snapshot()
+    poles[0].illustrate_guide.turns = 3
+    with pytest.raises(RuntimeError, match=r"4 chi.*Change the Turns of the empties"):
+        bpy.ops.illustrate.illustrate()
+    assert tools.snapshot() == before
+
+
+def test_guides_have_a_panel(scene: Any) -> None:
+    cube, collection = tools.cube_scene(scene), guide_collection(scene)
+    panel = style_panel.ILLUSTRATE_PT_guide
+    for thing, name in (
+        (cube, ""),
+        (add_curve(collection, "POLY", CORNERS), "weight"),
+        (add_empty(collection, (0, 0, 1), 1), "turns"),
+    ):
+        assert panel.poll(SimpleNamespace(object=thing, scene=scene)) == bool(name)
+        assert guides.shown_of(thing) == name
 
 
 def shown(scene: Any) -> Any:

@@ -97,14 +97,18 @@ def test_millimetres_are_the_same_on_paper_at_any_resolution(scene: Any) -> None
     assert large.drawing.widths.max() == pytest.approx(2 * small.drawing.widths.max())
 
 
+LETTERS = {False: 12, True: 13}
+"""That fit beside the values of a side panel as wide as it is at first, and behind switches."""
+
+
 def test_settings_have_tidy_texts_and_each_is_in_one_panel(scene: Any) -> None:
     properties = scene.illustrate.bl_rna.properties
     fields = set(properties.keys()) - {"rna_type", "name"}
     for name in fields:
         prop = properties[name]
         assert prop.description and not prop.description.endswith(".")
-        plain = prop.name.replace(" (mm)", "").replace(" by ", " By ")
-        assert plain == plain.title()
+        assert prop.name == prop.name.title()
+        assert len(prop.name) <= LETTERS[prop.type == "BOOLEAN"]
         if prop.type == "ENUM":
             assert [item.value for item in prop.enum_items] == list(range(len(prop.enum_items)))
     for owner in (bpy.types.Object, bpy.types.Collection):

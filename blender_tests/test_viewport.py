@@ -131,6 +131,13 @@ def test_live_lines_need_no_camera(_live: Any) -> None:
     assert LIVE.lines is not None
 
 
+def test_live_lines_keep_to_their_triangles(scene: Any, _live: Any) -> None:
+    tools.subdivide(tools.cube_scene(scene))
+    scene.illustrate.level = 7
+    wait_for_lines()
+    assert LIVE.lines is not None and 100 < LIVE.lines.triangle_count <= 100_000
+
+
 def test_live_lines_leave_nothing(scene: Any) -> None:
     tools.cube_scene(scene)
     before = handlers()

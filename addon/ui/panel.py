@@ -14,6 +14,7 @@ from ..operators import (
     ILLUSTRATE_OT_show_field,
 )
 from ..problems import slowing_problem, stopping_problem
+from ..viewport.live import LIVE
 from .presets import ILLUSTRATE_PT_presets
 
 PIXELS_PER_LETTER = 7.0  # of the interface's font at scale 1
@@ -39,9 +40,10 @@ UNUSED_WITH_TONES = {
 """Settings that are not shown."""
 
 
-def fields_of(panel: str) -> tuple[str, ...]:
-    """The native options that belong to a panel, by the names of their properties."""
-    return tuple(key for key, option in OPTIONS.items() if option.panel == panel)
+def fields_of(panel: str, *first: str) -> tuple[str, ...]:
+    """Properties that belong to a panel: `first`, and those of its native options."""
+    own = (key for key, option in OPTIONS.items() if option.panel == panel)
+    return tuple(dict.fromkeys((*first, *own)))
 
 
 class _SidePanel:
@@ -88,12 +90,20 @@ def show_text(layout: Any, text: str, width_px: float, icon: str) -> None:
         column.label(text=line, icon="BLANK1" if number else icon)
 
 
-def _show_problem(layout: Any, context: Any) -> None:
-    scene, layer = context.scene, context.view_layer
-    problem = stopping_problem(scene, layer) or slowing_problem(scene, layer)
+def _show_problem(layout: Any, context: Any, problem: str) -> None:
     if problem:
         scale = context.preferences.system.ui_scale
         show_text(layout, problem, context.region.width / scale - 50, "ERROR")
+
+
+def _show_live(layout: Any, context: Any) -> None:
+    """The switch of live lines; while they are on, whose they are and what is in their way."""
+    row = layout.row(align=True)
+    row.use_property_split = False
+    row.prop(context.window_manager, "illustrate_live", toggle=True, icon="HIDE_OFF")
+    if LIVE.is_on:
+        row.prop(context.window_manager, "illustrate_live_eye", text="")
+        _show_problem(layout, context, LIVE.problem)
 
 
 class ILLUSTRATE_PT_main(_SidePanel, bpy.types.Panel):
@@ -112,9 +122,11 @@ class ILLUSTRATE_PT_main(_SidePanel, bpy.types.Panel):
         row = self.layout.row()
         row.scale_y = 2.0
         row.operator(ILLUSTRATE_OT_illustrate.bl_idname, icon="GREASEPENCIL")
-        _show_problem(self.layout, context)
+        scene, layer = context.scene, context.view_layer
+        problem = stopping_problem(scene, layer) or slowing_problem(scene, layer)
+        _show_problem(self.layout, context, problem)
         show(self.layout, context.scene.illustrate, self.fields)
-        self.layout.prop(context.window_manager, "illustrate_live", toggle=True, icon="HIDE_OFF")
+        _show_live(self.layout, context)
 
 
 class ILLUSTRATE_PT_lines(_Fields, bpy.types.Panel):
@@ -122,7 +134,7 @@ class ILLUSTRATE_PT_lines(_Fields, bpy.types.Panel):
 
     bl_idname = "ILLUSTRATE_PT_lines"
     bl_label = "Lines"
-    fields = (*fields_of("lines"), "hidden_layers")
+    fields = fields_of("lines", "feature_width_px", "hidden_width_scale", "hidden_layers")
 
 
 class ILLUSTRATE_PT_hatching(_Fields, bpy.types.Panel):
@@ -138,13 +150,8 @@ class ILLUSTRATE_PT_light(_Fields, bpy.types.Panel):
 
     bl_idname = "ILLUSTRATE_PT_light"
     bl_label = "Light"
-    fields = (
-        "lighting",
-        "auto_exposure",
-        "tones",
-        "highlight_share",
-        "shadow_share",
-        *fields_of("light"),
+    fields = fields_of(
+        "light", "lighting", "auto_exposure", "tones", "highlight_share", "shadow_share"
     )
 
 
@@ -153,7 +160,7 @@ class ILLUSTRATE_PT_surface(_Fields, bpy.types.Panel):
 
     bl_idname = "ILLUSTRATE_PT_surface"
     bl_label = "Surface and Field"
-    fields = ("guides", "guide_weight", *fields_of("surface"))
+    fields = fields_of("surface", "guides", "guide_weight", "guide_radius")
 
     def draw(self, context: Any) -> None:
         """Shows the fields and what can be looked at."""

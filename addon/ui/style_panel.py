@@ -1,9 +1,10 @@
-"""Panels "Illustrate" in the properties of objects and collections: their own styles."""
+"""Panels in the properties of objects and collections: their own styles, and guides."""
 
 from typing import Any
 
 import bpy
 
+from ..guides import is_guide, shown_of
 from ..styles import OPTIONS
 
 
@@ -66,6 +67,26 @@ class ILLUSTRATE_PT_collection_style(_StylePanel, bpy.types.Panel):
         return context.collection
 
 
-CLASSES = (ILLUSTRATE_PT_object_style, ILLUSTRATE_PT_collection_style)
+class ILLUSTRATE_PT_guide(bpy.types.Panel):
+    """What an object of the collection of guides says."""
+
+    bl_idname = "ILLUSTRATE_PT_guide"
+    bl_space_type = "PROPERTIES"
+    bl_region_type = "WINDOW"
+    bl_context = "object"
+    bl_label = "Illustrate Guide"
+
+    @classmethod
+    def poll(cls, context: Any) -> bool:
+        """The object is a guide."""
+        return context.object is not None and is_guide(context.object, context.scene)
+
+    def draw(self, context: Any) -> None:
+        """Shows what counts for its type."""
+        self.layout.use_property_split = True
+        self.layout.prop(context.object.illustrate_guide, shown_of(context.object))
+
+
+CLASSES = (ILLUSTRATE_PT_object_style, ILLUSTRATE_PT_collection_style, ILLUSTRATE_PT_guide)
 
 register, unregister = bpy.utils.register_classes_factory(CLASSES)

@@ -115,8 +115,8 @@ class LiveLines:
             self.lines, self.problem = None, str(error)
             return
         values = settings.prepare_values(context.scene.illustrate)
-        budget = preference("live_triangles")
-        values["triangle_budget"] = min(values["triangle_budget"], budget)
+        values["level"] = -1  # as fine as the view needs, within the budget
+        values["triangle_budget"] = min(values["triangle_budget"], preference("live_triangles"))
         self._worker = Worker(lambda progress: _prepare(arrays.meshes, values, progress))
 
     def _draw(self) -> None:

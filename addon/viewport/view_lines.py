@@ -29,6 +29,7 @@ class ViewLines:
         # n . (e - w p), with what does not depend on the eye computed once
         self._heights = np.einsum("ij,ij->i", self._normals, self._positions)
         triangles = np.asarray(surface.triangles)
+        self.triangle_count = len(triangles)
         is_polygon = np.asarray(surface.base_faces)[triangles[:, 0]] < 0
         self._smooth = np.ascontiguousarray(triangles[~is_polygon].T)
         self._edges, self._plane_normals, self._plane_heights = _edges(

@@ -1,7 +1,9 @@
 """What an artist's hands and eyes do: clicks, keys, looks."""
 
+import contextlib
 import pathlib
 import subprocess
+from collections.abc import Iterator
 from typing import Any
 
 import bpy
@@ -86,6 +88,35 @@ def button_place() -> tuple[int, int]:
     """The middle of the big button, right below the head of the panel."""
     side = region("UI")
     return side.x + side.width // 2 - 12, side.y + side.height - 52
+
+
+@contextlib.contextmanager
+def opened(panel: Any) -> Iterator[None]:
+    """A panel as it is when it is open, below all others."""
+    copy = type(panel.__name__ + "_open", (panel,), {
+        "bl_idname": panel.bl_idname + "_open", "bl_options": set(), "bl_parent_id": "",
+        "bl_order": 1000,
+    })  # fmt: skip
+    bpy.utils.register_class(copy)
+    try:
+        yield
+    finally:
+        bpy.utils.unregister_class(copy)
+
+
+def scroll_to_the_end(area: Any, kind: str) -> None:
+    """As with the wheel over a column of panels."""
+    column = next(region for region in area.regions if region.type == kind)
+    with bpy.context.temp_override(window=window(), area=area, region=column):
+        for _ in range(100):
+            bpy.ops.view2d.scroll_down()
+
+
+def show_properties(tab: str) -> Any:
+    """The properties editor with a tab open."""
+    area = next(area for area in window().screen.areas if area.type == "PROPERTIES")
+    area.spaces.active.context = tab
+    return area
 
 
 def redraw() -> None:

@@ -11,6 +11,8 @@ import bpy
 import hands
 import numpy as np
 from illustrate import tasks, worker
+from illustrate.ui import panel as side_panel
+from illustrate.ui import style_panel
 from illustrate.viewport.inspect import INSPECTOR, KINDS
 from illustrate.viewport.live import LIVE
 from mathutils import Quaternion
@@ -18,6 +20,7 @@ from mathutils import Quaternion
 import tools
 
 Steps = Generator[Any, None, None]
+SUB_PANELS = [p for p in side_panel.CLASSES if hasattr(p, "bl_parent_id")]
 
 
 def new_scene(detail: int = 2) -> Any:
@@ -209,10 +212,8 @@ def a_bake_is_stopped_between_frames(out: pathlib.Path) -> Steps:
 
 
 def live_lines_follow_the_view(out: pathlib.Path) -> Steps:
-    """100,000 triangles; lines while orbiting, quickly enough; nothing is left afterwards."""
-    scene = new_scene()
-    bpy.data.objects["Suzanne"].modifiers[0].levels = 4
-    scene.illustrate.level = 4
+    """60,000 triangles; lines while orbiting, quickly enough; nothing is left afterwards."""
+    new_scene()
     hands.show_side_panel(False)
     yield 0.3
     plain = dark(hands.picture(out / "8_without_lines.png"))
@@ -227,7 +228,7 @@ def live_lines_follow_the_view(out: pathlib.Path) -> Steps:
             yield 0.05
     shown = dark(hands.picture(out / "9_live_lines.png"))
     assert shown > plain + 300, (plain, shown)
-    triangles = LIVE.lines._smooth.shape[1] if LIVE.lines else 0
+    triangles = LIVE.lines.triangle_count if LIVE.lines else 0
     median = statistics.median(LIVE.seconds)
     print(f"live lines: {triangles} triangles, median {1000 * median:.1f} ms a redraw", flush=True)
     assert len(LIVE.seconds) >= 25 and triangles > 50_000
@@ -297,6 +298,29 @@ def the_panel_says_what_is_wrong(out: pathlib.Path) -> Steps:
     scene.camera = bpy.data.objects["Eye"]
 
 
+def every_panel_is_shown(out: pathlib.Path) -> Steps:
+    """Each sub-panel open, in pixels and in millimetres, and the style of an object."""
+    scene = new_scene()
+    yield 0.3
+    yield from open_panel()
+    scene.illustrate.guides = bpy.data.collections.new("Guides")
+    for unit in ("PIXEL", "MILLIMETRE"):
+        scene.illustrate.unit = unit
+        for panel in SUB_PANELS:
+            with hands.opened(panel):
+                hands.redraw()
+                hands.scroll_to_the_end(hands.viewport(), "UI")
+                yield 0.1
+                hands.picture(out / f"15_{panel.bl_label}_{unit}.png".lower().replace(" ", "_"))
+    bpy.data.objects["Suzanne"].illustrate.use_own = True
+    with hands.opened(style_panel.ILLUSTRATE_PT_object_style):
+        properties = hands.show_properties("OBJECT")
+        hands.redraw()
+        hands.scroll_to_the_end(properties, "WINDOW")
+        yield 0.1
+        hands.picture(out / "16_style.png")
+
+
 ALL = [
     the_button_draws,
     escape_stops_a_run,
@@ -307,4 +331,5 @@ ALL = [
     live_lines_end_with_the_file,
     overlays_are_shown,
     the_panel_says_what_is_wrong,
+    every_panel_is_shown,
 ]
