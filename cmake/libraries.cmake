@@ -29,7 +29,8 @@ function(imported_library target folder)
   unset(library CACHE)
 endfunction()
 
-# build_libraries(folder): both from their sources, as a part of this build; on any system.
+# build_libraries(folder): both from their sources, as a part of this build; on any system. NLopt's
+# generator scripts need CMAKE_POLICY_VERSION_MINIMUM=3.5 in the environment of the build too.
 function(build_libraries folder)
   set(CMAKE_COMPILE_WARNING_AS_ERROR OFF)
   set(CMAKE_C_VISIBILITY_PRESET hidden)
@@ -44,7 +45,6 @@ function(build_libraries folder)
   target_include_directories(illustrate_opensubdiv SYSTEM INTERFACE "${OPENSUBDIV_SOURCE}")
 
   set(CMAKE_POLICY_VERSION_MINIMUM 3.5)
-  set(ENV{CMAKE_POLICY_VERSION_MINIMUM} 3.5)
   set(BUILD_SHARED_LIBS OFF)
   foreach(language PYTHON OCTAVE MATLAB GUILE SWIG TESTS)
     set(NLOPT_${language} OFF CACHE BOOL "" FORCE)
