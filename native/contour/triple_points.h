@@ -6,7 +6,7 @@
 
 namespace illustrate {
 
-// All of them, in a fixed order; those that `intersections` holds are not looked at.
+// All of them, in a fixed order, from the curves alone.
 std::vector<TriplePoint> triple_points(const Surface& surface,
                                        const IntersectionCurves& intersections);
 
