@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "contour/crossing_test.h"
+#include "contour/triple_points.h"
 
 namespace illustrate {
 namespace {
@@ -146,6 +147,7 @@ IntersectionCurves intersections(const Surface& surface, const Bvh& bvh, Counts&
   std::vector<Segment> segments =
       find_segments(test, bvh, surface.triangles.size(), report, progress);
   IntersectionCurves curves = Linker(surface, test, std::move(segments)).link();
+  curves.triple_points = triple_points(surface, curves);
   report["intersection_curves"] += static_cast<std::int64_t>(curves.curves.size());
   return curves;
 }

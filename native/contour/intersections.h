@@ -25,6 +25,19 @@ struct IntersectionPoint {
   SurfacePoint a, b;
 };
 
+// A curve's segment that passes, at `fraction` of its way, through a triangle of the third sheet.
+struct Passage {
+  int curve;
+  int segment;
+  double fraction;
+  int through;
+};
+
+struct TriplePoint {
+  Vec3 position;
+  std::vector<Passage> passages;  // three, or two where the third curve was not found
+};
+
 struct IntersectionCurves {
   Ragged<IntersectionPoint> curves;  // closed ones do not repeat their first point
   std::vector<std::uint8_t> closed;  // (curves)
@@ -32,6 +45,7 @@ struct IntersectionCurves {
   // which a and b of the point that it starts at lie; (none, none) for the last point of an open
   // curve, which lies in those before.
   std::vector<std::array<int, 2>> segment_triangles;
+  std::vector<TriplePoint> triple_points;  // triple_points.h
 };
 
 // bvh: over the surface's positions and triangles. Open curves first, then closed ones. Adds

@@ -5,7 +5,6 @@
 #include <unordered_map>
 
 #include "contour/meetings.h"
-#include "contour/triple_points.h"
 #include "surface/locate.h"
 
 namespace illustrate {
@@ -195,8 +194,7 @@ class JointFinder {
   }
 
   void cut_at_triple_points() {
-    if (intersections_.curves.empty()) return;
-    for (const TriplePoint& point : triple_points(surface_, intersections_)) {
+    for (const TriplePoint& point : intersections_.triple_points) {
       const int node = add_node(NodeKind::joint, point.position);
       for (const Passage& p : point.passages) {
         const Span<const IntersectionPoint> curve = intersections_.curves[idx(p.curve)];

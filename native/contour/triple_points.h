@@ -6,20 +6,7 @@
 
 namespace illustrate {
 
-// A curve's segment that passes, at `fraction` of its way, through a triangle of the third sheet.
-struct Passage {
-  int curve;
-  int segment;
-  double fraction;
-  int through;
-};
-
-struct TriplePoint {
-  Vec3 position;
-  std::vector<Passage> passages;  // three, or two where the third curve was not found
-};
-
-// All of them, in a fixed order.
+// All of them, in a fixed order, from the curves alone.
 std::vector<TriplePoint> triple_points(const Surface& surface,
                                        const IntersectionCurves& intersections);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "contour/triple_points.h"
+
 namespace illustrate {
 namespace {
 
@@ -88,6 +90,7 @@ SeenScene::SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& s
   part_->bvh = Bvh(part_->surface.positions, part_->surface.triangles, threads);
   part_->features = feature_edges(part_->surface);
   part_->intersections = intersections_of(prepared.intersections(), numbers);
+  part_->intersections.triple_points = triple_points(part_->surface, part_->intersections);
   part_->numbers = std::move(numbers);
 }
 

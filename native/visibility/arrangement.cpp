@@ -86,6 +86,14 @@ void Arrangement::forget_visits() {
   }
 }
 
+std::int64_t Arrangement::live_crossings() const {
+  return std::count(states.begin(), states.end(), CrossingState::live);
+}
+
+std::int64_t Arrangement::loops() const {
+  return std::count_if(paths.begin(), paths.end(), [](const Path& path) { return path.cyclic; });
+}
+
 int Arrangement::point_count(int strand) const {
   return network->points.offsets[idx(strand) + 1] - network->points.offsets[idx(strand)];
 }

@@ -47,6 +47,8 @@ struct Arrangement {
   int point_count(int strand) const;
   // How far in the image a strand gets from where it starts.
   double reach_px(int strand) const;
+  std::int64_t live_crossings() const;
+  std::int64_t loops() const;  // closed paths
   bool is_live(int crossing) const { return states[idx(crossing)] == CrossingState::live; }
 };
 

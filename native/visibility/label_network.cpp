@@ -175,11 +175,9 @@ LabelledGraph label_network(const CurveNetwork& network, const Surface& surface,
   const std::vector<LabelledPath> labels = consistent.run(progress.part(0.3, 1));
   LabelledGraph graph = build_graph(arrangement, labels, surface);
   graph.repair_max_px = moved_px;
-  counts["crossings"] +=
-      std::count(arrangement.states.begin(), arrangement.states.end(), CrossingState::live);
+  counts["crossings"] += arrangement.live_crossings();
   counts["rays"] += rays.rays();
-  counts["loops"] += std::count_if(arrangement.paths.begin(), arrangement.paths.end(),
-                                   [](const Path& path) { return path.cyclic; });
+  counts["loops"] += arrangement.loops();
   counts["unbalanced_loops"] += unbalanced;
   counts["repaired_crossings"] += consistent.repairs();
   const std::int64_t breaks = count_breaks(labels);

@@ -177,10 +177,9 @@ LabelledGraph vote_network(const CurveNetwork& network, const Surface& surface, 
                     static_cast<double>(arrangement.paths.size()));
     labels.push_back(voter.label(path));
   }
-  counts["crossings"] += static_cast<std::int64_t>(arrangement.crossings.size());
+  counts["crossings"] += arrangement.live_crossings();
   counts["rays"] += rays.rays() + edges.rays();
-  counts["loops"] += std::count_if(arrangement.paths.begin(), arrangement.paths.end(),
-                                   [](const Path& path) { return path.cyclic; });
+  counts["loops"] += arrangement.loops();
   return build_graph(arrangement, labels, surface);
 }
 
