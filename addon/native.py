@@ -1,6 +1,6 @@
 """The native module: the one that came with the add-on, else the one installed for this Python.
 
-An extension brings it as a wheel, which Blender installs; that for older Blenders has it inside.
+An extension brings it as a wheel, which Blender installs; older Blenders get it inside the add-on.
 """
 
 import importlib

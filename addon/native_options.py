@@ -173,7 +173,7 @@ LIGHT = (
     switch("undercuts", "light", "Undercuts", True,
             "Hatch densely what lies just behind a fold"),
     paper("undercut_px", "light", "Width", 14.0, "Width of undercuts", 0.0, 100.0, 50.0),
-    pixels("cell_px", "light", "Cells", 1.0, "Size of the cells that light is measured in",
+    pixels("cell_px", "light", "Cells", 64.0, "Largest cells that light is measured in",
             min=0.25, max=64.0),
 )  # fmt: skip
 

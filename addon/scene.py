@@ -297,7 +297,7 @@ def _evaluated_cages(objects: list[Any], scene: Any) -> dict[Any, MeshArrays]:
     finally:
         for copy in copies.values():
             bpy.data.objects.remove(copy)
-        bpy.data.scenes.remove(stage)
+        bpy.data.batch_remove((stage,))  # `scenes.remove` crashes in a command of 4.3
 
 
 def _read_cage(thing: Any, mesh: Any) -> MeshArrays:

@@ -34,7 +34,7 @@ def test_installs_draws_and_goes_without_a_trace(tmp_path: Any) -> None:
 def package_for_others(tmp_path: Any) -> pathlib.Path:
     """The package without its module for this Python."""
     digits = PYTHON.replace(".", "")
-    path = tmp_path / "illustrate-for-others.zip"
+    path = pathlib.Path(tmp_path) / "illustrate-for-others.zip"
     with zipfile.ZipFile(ARCHIVE) as source, zipfile.ZipFile(path, "w") as target:
         for name in source.namelist():
             data = source.read(name)

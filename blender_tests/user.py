@@ -45,7 +45,10 @@ def switch_and_remove(archive: str, package: str) -> None:
         index = repos.index("user_default")
         bpy.ops.extensions.package_uninstall(repo_index=index, pkg_id=installed.NAME)
     else:
-        bpy.ops.preferences.addon_remove(module=package)
+        window = bpy.context.window_manager.windows[0]
+        with bpy.context.temp_override(window=window, area=window.screen.areas[0]):
+            bpy.ops.preferences.addon_remove(module=package)
+        assert not (pathlib.Path(bpy.utils.user_resource("SCRIPTS")) / "addons" / package).exists()
     print("left after removing:", *classes())
 
 

@@ -4,14 +4,16 @@
 # the same bytes on every machine. errno of the math functions is the one thing given up.
 add_library(illustrate_compiler INTERFACE)
 
-if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+if(MSVC)  # clang-cl: Microsoft's own compiler lacks the 128-bit integers of the predicates
+  target_compile_options(illustrate_compiler INTERFACE
+    /W3 /EHsc /bigobj /utf-8 /clang:-fno-math-errno /clang:-ffp-contract=off)
+  target_compile_definitions(illustrate_compiler INTERFACE NOMINMAX _USE_MATH_DEFINES)
+elseif(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
   # Indices are int; Clang's -Wconversion, unlike GCC's, would object to each use of one.
   target_compile_options(illustrate_compiler INTERFACE
     -fno-math-errno -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion
     -Wnon-virtual-dtor -Woverloaded-virtual)
-elseif(MSVC)
-  target_compile_options(illustrate_compiler INTERFACE /W4 /permissive- /fp:precise)
 endif()
 
 # Build type Sanitize: ends at the first memory error or undefined behaviour.

@@ -4,7 +4,7 @@
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 PATH=$VENV/bin:$PATH
-PYTHONS=(3.10 3.13 3.14) # besides 3.11, that of .venv
+PYTHONS=() # besides 3.11, that of .venv
 INSTALLED=$ROOT/build/package/illustrate_native
 
 # The low floor of the packages comes from this compiler and the C library that it links with.
@@ -26,6 +26,13 @@ print(next(f.locate() for f in m.files("pybind11") if pathlib.PurePath(f).name =
 
 "$ROOT/tools/build.sh"
 check_compiler
+for version in 3.10 3.13 3.14; do
+    if "$ROOT/tools/setup_headers.sh" "$version" >/dev/null; then
+        PYTHONS+=("$version")
+    else
+        say "LEFT OUT of the packages: Python $version"
+    fi
+done
 exec 9>"$ROOT/build/build.lock"
 flock 9
 compile_for_pythons "${PYTHONS[@]}"

@@ -57,27 +57,24 @@ def write_zip(path: Path, files: Files) -> Path:
     return path
 
 
-def module_files(installed: Path, pythons: tuple[str, ...]) -> Files:
-    """The package illustrate_native with its binaries for these Pythons.
+def pythons_of(installed: Path, wanted: tuple[str, ...]) -> tuple[str, ...]:
+    """Those of the wanted Pythons that there is a binary for. Raises FileNotFoundError: none."""
+    there = {_python_of(path.name) for path in installed.glob("*.so")}
+    found = tuple(python for python in wanted if python in there)
+    if not found:
+        raise FileNotFoundError(f"{installed} has no module for Python {', '.join(wanted)}")
+    return found
 
-    Raises FileNotFoundError, naming the Python, where a binary is missing.
-    """
+
+def module_files(installed: Path, pythons: tuple[str, ...]) -> Files:
+    """The package illustrate_native with its binaries for these Pythons."""
     files = files_below(installed, "illustrate_native/")
-    binaries = {name: _python_of(name) for name in files if name.endswith(".so")}
-    for python in pythons:
-        if python not in binaries.values():
-            raise FileNotFoundError(f"{installed} has no module for Python {dotted(python)}")
-    return {name: data for name, data in files.items() if binaries.get(name, "") in ("", *pythons)}
+    return {name: data for name, data in files.items() if _python_of(name) in ("", *pythons)}
 
 
 def _python_of(name: str) -> str:
     found = re.search(r"\.cpython-(\d+)-", name)
     return found[1] if found else ""
-
-
-def dotted(python: str) -> str:
-    """'313' as '3.13'."""
-    return f"{python[0]}.{python[1:]}"
 
 
 def metadata() -> str:
@@ -145,9 +142,10 @@ def make_legacy(installed: Path, pythons: tuple[str, ...], folder: Path) -> Path
     files["LICENSE"] = (ROOT / "LICENSE").read_bytes()
     del files["blender_manifest.toml"]
     name = f"illustrate-{version()}-legacy-{PLATFORM_OF_BLENDER}.zip"
-    return write_zip(
-        folder / name, {f"illustrate/{path}": data for path, data in sorted(files.items())}
-    )
+    # Blender removes an older installation, the module in memory too, by the entry of its folder;
+    # without one it would write into the file that is mapped.
+    inside = {f"illustrate/{path}": data for path, data in sorted(files.items())}
+    return write_zip(folder / name, {"illustrate/": b"", **inside})
 
 
 def main() -> None:
@@ -157,13 +155,14 @@ def main() -> None:
     parser.add_argument("--out", type=Path, default=ROOT / "dist")
     arguments = parser.parse_args()
     installed, out = arguments.installed, arguments.out
+    legacy, extension = pythons_of(installed, LEGACY), pythons_of(installed, EXTENSION)
     wheels = {
         python: make_wheel(installed, python, out / "wheels")
-        for python in sorted({*LEGACY, *EXTENSION})
+        for python in sorted({*legacy, *extension})
     }
     made = [
-        make_extension([wheels[python] for python in EXTENSION], out),
-        make_legacy(installed, LEGACY, out),
+        make_extension([wheels[python] for python in extension], out),
+        make_legacy(installed, legacy, out),
         *wheels.values(),
     ]
     for path in made:

@@ -19,11 +19,13 @@ in_cache() {
     touch "$folder/complete"
 }
 
-# wheel VERSION PYTHON FOLDER
+# wheel VERSION PYTHON FOLDER: with the numpy of its time, which some modules do not ask for.
 wheel() {
+    local numpy=numpy
+    case $1 in 4.* | 5.0.*) numpy="numpy<2" ;; esac
     "$(find_python "$2")" -m venv "$3" &&
         "$3/bin/python" -m pip install --quiet --disable-pip-version-check --only-binary bpy \
-            "bpy==$1" "$PYTEST"
+            "bpy==$1" "$numpy" "$PYTEST"
 }
 
 # root SUITE FOLDER: needs the rights of root, and no mounts.

@@ -9,7 +9,7 @@ from typing import Any
 import bpy
 import numpy as np
 
-from ..ownership import is_ours, mark
+from ..ownership import mark, may_replace
 from . import pens
 from .strokes import Sheet, StrokeGroup
 
@@ -54,12 +54,14 @@ def restyle(scene: Any) -> None:
 
 def _our_objects(scene: Any) -> dict[str, Any]:
     return {
-        thing[TITLE]: thing for thing in scene.objects if thing.type == "CURVE" and is_ours(thing)
+        thing[TITLE]: thing
+        for thing in scene.objects
+        if thing.type == "CURVE" and may_replace(thing)
     }
 
 
 def _our_collection(scene: Any) -> Any:
-    mine = (child for child in scene.collection.children_recursive if is_ours(child))
+    mine = (child for child in scene.collection.children_recursive if may_replace(child))
     return next(mine, None)
 
 
@@ -73,7 +75,7 @@ def _new_object(scene: Any, group: StrokeGroup) -> Any:
     curve = bpy.data.curves.new(name, "CURVE")
     curve.dimensions = "3D"
     curve.bevel_depth = 1.0  # a point's radius is the stroke's
-    curve.bevel_resolution = 1
+    curve.bevel_resolution = 4  # twelve sides: seen from any side as wide within 3.4 %
     curve.use_fill_caps = True
     _ink(scene, curve, group.pen)
     thing = bpy.data.objects.new(name, curve)

@@ -21,7 +21,7 @@ def render_png(path: str, scene: Any, strokes: list[Any]) -> None:
         stage.render.filepath = path
         bpy.ops.render.render(write_still=True, scene=stage.name)
     finally:
-        bpy.data.scenes.remove(stage)
+        bpy.data.batch_remove((stage,))  # `scenes.remove` crashes in a command of 4.3
         bpy.data.worlds.remove(paper)
 
 

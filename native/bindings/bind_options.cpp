@@ -158,7 +158,7 @@ void bind_tone_options(Class& bound) {
   OPTION("undercuts", values.tone.undercuts, "Dense hatching beyond folds");
   OPTION("mach_band_px", values.tone.mach_band_px, "Width of Mach bands");
   OPTION("undercut_px", values.tone.undercut_px, "Width of undercuts");
-  OPTION("cell_px", values.cell_px, "Cells of the tone map, [0.25, 64]");
+  OPTION("cell_px", values.cell_px, "Largest cells of the tone map, [0.25, 64]");
 }
 
 template <class Class>

@@ -120,10 +120,11 @@ double CriticalCurves::first_crossing(const Vec2& a, const Vec2& b, bool with_si
       for (const int index : cells_[row * columns_ + i]) {
         const Piece& piece = pieces_[index];
         if (piece.is_silhouette && !with_silhouettes) continue;
+        const double side_c = cross(run, piece.a - a), side_d = cross(run, piece.b - a);
+        if ((side_c > 0) == (side_d > 0)) continue;
         const double side_a = cross(piece.b - piece.a, a - piece.a);
         const double side_b = cross(piece.b - piece.a, b - piece.a);
-        const double side_c = cross(run, piece.a - a), side_d = cross(run, piece.b - a);
-        if ((side_a > 0) == (side_b > 0) || (side_c > 0) == (side_d > 0)) continue;
+        if ((side_a > 0) == (side_b > 0)) continue;
         first = std::min(first, std::clamp(side_a / (side_a - side_b), 0.0, 1.0));
       }
     }
@@ -131,20 +132,33 @@ double CriticalCurves::first_crossing(const Vec2& a, const Vec2& b, bool with_si
   return first;
 }
 
-bool CriticalCurves::run_along(const Vec2& p, const Vec2& heading, double radius) const {
+// Whether `test` accepts the direction of a piece that passes p nearer than `radius`.
+template <class Test>
+bool CriticalCurves::any_near(const Vec2& p, double radius, const Test& test) const {
   if (is_clear(p, radius)) return false;
   for (int row = row_of(p.y() - radius); row <= row_of(p.y() + radius); ++row) {
     for (int i = column_of(p.x() - radius); i <= column_of(p.x() + radius); ++i) {
       for (const int index : cells_[row * columns_ + i]) {
         const Vec2 &a = pieces_[index].a, run = pieces_[index].b - a;
-        const double square = run.squaredNorm(), along = run.dot(heading);
-        if (!(square > 0) || along * along < least_alignment * square) continue;
+        const double square = run.squaredNorm();
+        if (!(square > 0) || !test(run)) continue;
         const double t = std::clamp(run.dot(p - a) / square, 0.0, 1.0);
         if ((p - a - t * run).squaredNorm() < radius * radius) return true;
       }
     }
   }
   return false;
+}
+
+bool CriticalCurves::run_along(const Vec2& p, const Vec2& heading, double radius) const {
+  return any_near(p, radius, [&](const Vec2& run) {
+    const double along = run.dot(heading);
+    return along * along >= least_alignment * run.squaredNorm();
+  });
+}
+
+bool CriticalCurves::pass(const Vec2& p, double radius) const {
+  return any_near(p, radius, [](const Vec2&) { return true; });
 }
 
 }  // namespace illustrate

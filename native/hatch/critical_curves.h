@@ -24,6 +24,8 @@ class CriticalCurves {
 
   // Whether a curve passes p nearer than `radius`, within about 30 degrees of the unit `heading`.
   bool run_along(const Vec2& p, const Vec2& heading, double radius) const;
+  // Whether any passes p nearer than `radius`.
+  bool pass(const Vec2& p, double radius) const;
 
  private:
   struct Piece {
@@ -31,6 +33,8 @@ class CriticalCurves {
     Vec2 b;
     bool is_silhouette;
   };
+  template <class Test>
+  bool any_near(const Vec2& p, double radius, const Test& test) const;
   double first_crossing(const Vec2& a, const Vec2& b, bool with_silhouettes) const;
   int column_of(double x) const;
   int row_of(double y) const;

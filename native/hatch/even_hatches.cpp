@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "hatch/cut_streamlines.h"
+#include "hatch/edge_seeds.h"
 #include "hatch/finish_streamlines.h"
 #include "hatch/grow_streamlines.h"
 #include "hatch/image_lattice.h"
@@ -79,7 +80,7 @@ void place_anew(StreamlineSet& set, const HatchView& view, const Ragged<SurfaceP
   place_curves(set, view, curves, {}, progress.part(0, 0.3));
   fill_streamlines(set, view, seeds, {0.9, 0.6, 1.5}, progress.part(0.3, 0.4));
   merge_streamlines(set, view);
-  relax_streamlines(set, view, 4, threads, progress.part(0.4, 0.7));
+  relax_streamlines(set, view, 5, threads, progress.part(0.4, 0.7));
   cut_streamlines(set, view, 0.5, 1.5);
   progress.report(0.7);
   extend_streamlines(set, view, 0.65);
@@ -111,7 +112,8 @@ void finish_ends(StreamlineSet& set, const HatchView& view,
   progress.report(0);
   extend_tips(set, view, 0.72, 0.6);
   set.drop_shorter(view, 0.5);
-  fill_streamlines(set, view, seeds, {0.77, 0.55, 0.75}, progress.part(0.3, 0.7));
+  fill_streamlines(set, view, seeds, {0.77, 0.55, 0.75}, progress.part(0.3, 0.6));
+  fill_streamlines(set, view, edge_seeds(set, view), {0.75, 0.5, 0.4}, progress.part(0.6, 0.9));
   extend_tips(set, view, 0.72, 0.6);
 }
 

@@ -12,7 +12,7 @@ constexpr double radians = 3.14159265358979323846 / 180;
 constexpr double point_step = 0.2;
 
 // Shorter hatches, in spacings, are not worth a stroke.
-constexpr double least_length = 0.5;
+constexpr double least_length = 0.4;
 
 class Finisher {
  public:

@@ -32,6 +32,7 @@ class HatchView {
     return area.may_pass({node.position, node.on, node.image}, Area::hatched) &&
            !curves.run_along(node.image, node.heading, curve_clearance * spacing);
   }
+  const Camera& camera() const { return scene_.camera; }
   bool is_hatched(int object) const { return scene_.is_hatched(object); }
 
   double spacing_of(int object) const {  // px

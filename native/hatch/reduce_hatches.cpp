@@ -110,9 +110,10 @@ class Reducer {
 
   // The points that a piece votes with.
   std::vector<int> voters(const Run& run) const {
-    const double spacing = spacing_of(owner_[run.from]);
-    const double step = std::min(options_.step_px, spacing / 4);
-    const int stride = std::max(1, static_cast<int>(vote_step * spacing / step));
+    const int count = run.to - run.from;
+    const double gap = length_of(run) / std::max(1, count - 1);
+    const double wanted = vote_step * spacing_of(owner_[run.from]);
+    const int stride = wanted < count * gap ? std::max(1, static_cast<int>(wanted / gap)) : count;
     std::vector<int> chosen;
     for (int i = run.from + (run.to - run.from - 1) % stride / 2; i < run.to; i += stride) {
       chosen.push_back(i);

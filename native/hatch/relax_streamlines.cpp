@@ -18,8 +18,11 @@ constexpr double stiffness = 2.4;   // length over which a streamline bends
 
 constexpr double band = 0.55;  // half a neighbour's piece of line, in node steps
 
-constexpr double share_moved = 0.7;  // of the solution, in a sweep
-constexpr double one_sided = 0.5;    // weight of a pull that knows one neighbour only
+constexpr double share_moved = 0.75;  // of the solution, in a sweep
+
+// Every other node is drawn to its place, in turn; each stands for two.
+constexpr double full_weight = 2;
+constexpr double one_sided = 0.5;  // share of it for a pull that knows one neighbour only
 
 // Nodes of one streamline nearer along it are not its own neighbours.
 constexpr int own_nodes = 6;
@@ -38,13 +41,16 @@ struct Pull {
 
 class Relaxer {
  public:
-  Relaxer(const StreamlineSet& set, const HatchView& view) : set_(set), view_(view) {}
+  Relaxer(const StreamlineSet& set, const HatchView& view, int sweep)
+      : set_(set), view_(view), sweep_(sweep) {}
 
   std::vector<StreamlineNode> moved(int number) const {
     const Streamline& streamline = set_.streamlines[idx(number)];
+    const int count = static_cast<int>(streamline.nodes.size());
     std::vector<Pull> pulls;
-    for (std::size_t i = 0; i < streamline.nodes.size(); ++i) {
-      pulls.push_back(pull_at(streamline, number, static_cast<int>(i)));
+    for (int i = 0; i < count; ++i) {
+      const bool is_drawn = (i + sweep_) % 2 == 0 || count == 2;
+      pulls.push_back(is_drawn ? pull_at(streamline, number, i) : Pull{});
     }
     std::vector<double> bending = bending_of(streamline);
     std::vector<double> shift = solve(streamline, pulls, bending);
@@ -112,11 +118,11 @@ class Relaxer {
     right = mirrored(node, -node.left(), right, spacing);
     Pull pull;
     if (std::isfinite(left) && std::isfinite(right)) {
-      pull = {(left - right) / 2, 1};
+      pull = {(left - right) / 2, full_weight};
     } else if (std::isfinite(left)) {
-      pull = {(left - spacing) / 2, one_sided};
+      pull = {(left - spacing) / 2, one_sided * full_weight};
     } else if (std::isfinite(right)) {
-      pull = {(spacing - right) / 2, one_sided};
+      pull = {(spacing - right) / 2, one_sided * full_weight};
     }
     pull.by = std::clamp(pull.by, -most, most);
     return pull;
@@ -209,6 +215,7 @@ class Relaxer {
 
   const StreamlineSet& set_;
   const HatchView& view_;
+  int sweep_;
 };
 
 }  // namespace
@@ -218,7 +225,7 @@ void relax_streamlines(StreamlineSet& set, const HatchView& view, int sweeps, in
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     progress.report(static_cast<double>(sweep) / sweeps);
     std::vector<std::vector<StreamlineNode>> moved(set.streamlines.size());
-    const Relaxer relaxer(set, view);
+    const Relaxer relaxer(set, view, sweep);
     parallel_for(moved.size(), threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t s = begin; s < end; ++s) moved[s] = relaxer.moved(static_cast<int>(s));
     });

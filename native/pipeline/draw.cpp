@@ -17,7 +17,11 @@
 namespace illustrate {
 namespace {
 
+// Of the tone map.
 constexpr double most_cells = 16e6;
+constexpr double least_cell_px = 0.25;
+constexpr double cells_in_spacing = 8;
+constexpr double cells_in_band = 6;
 
 template <class Value>
 std::vector<Value> of_each(const std::vector<ObjectStyle>& styles,
@@ -55,11 +59,18 @@ bool anything_is_hatched(const DrawOptions& options) {
          (unhatched.empty() || std::find(unhatched.begin(), unhatched.end(), 0) != unhatched.end());
 }
 
-// Where hatches lie closer, cells are smaller: tones then look the same at any number of pixels.
+// In proportion to hatches and bands: tones then look the same at any number of pixels.
 double cell_size(const Camera& camera, const DrawOptions& options) {
+  const ToneOptions& tone = options.tone;
+  double cell = std::min(options.cell_px, options.hatch.spacing_px / cells_in_spacing);
+  if (tone.mach_bands && tone.mach_band_px > 0) {
+    cell = std::min(cell, tone.mach_band_px / cells_in_band);
+  }
+  if (tone.undercuts && tone.undercut_px > 0) {
+    cell = std::min(cell, tone.undercut_px / cells_in_band);
+  }
   const double area = static_cast<double>(camera.width_px()) * camera.height_px();
-  const double cell = std::max(0.25, std::min(options.cell_px, options.hatch.spacing_px / 8));
-  return std::max(cell, std::sqrt(area / most_cells));
+  return std::max({cell, least_cell_px, std::sqrt(area / most_cells)});
 }
 
 // Its hatches, but not those in undercuts, which go with the view.

@@ -44,8 +44,9 @@ struct DrawOptions {
   HatchOptions hatch;
   StrokeOptions stroke;  // its marks, materials and flat outlines are also those of the network
   CurvatureCurveOptions curvature_curves;
-  double cell_px =
-      1;  // cells of the tone map, [0.25, 64]; larger where the image has over 16 million of them
+  // The largest cells of the tone map, [0.25, 64]: they are an eighth of the hatches' spacing and at
+  // most a sixth of a band's width, but larger where the image has over 16 million of them.
+  double cell_px = 64;
   bool scan_silhouettes = false;  // look at all triangles instead of searching the dual surface
   VisibilityMethod visibility = VisibilityMethod::labels;
   std::vector<ObjectStyle> styles;  // one per mesh, or empty

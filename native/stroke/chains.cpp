@@ -260,6 +260,8 @@ double image_length(const LabelledGraph& graph, const Chain& chain) {
   return length;
 }
 
+constexpr double slit_px = 1;
+
 // Drops dangling specks one after another: dropping one may leave the next dangling.
 class SpeckFilter {
  public:
@@ -294,6 +296,7 @@ class SpeckFilter {
  private:
   bool closes_a_gap(std::size_t c) const {
     const Chain& chain = chains_[c];
+    if (is_in_a_slit(chain)) return false;
     if (!chain.closed)
       return meets_another(c, chain.start_node) && meets_another(c, chain.end_node);
     for (const int arc : chain.arcs) {
@@ -301,6 +304,18 @@ class SpeckFilter {
       if (node != none && meets_another(c, node)) return true;
     }
     return false;
+  }
+
+  // Whether it shows between two curves that pass in front of it, hardly apart.
+  bool is_in_a_slit(const Chain& chain) const {
+    if (chain.closed || image_length(graph_, chain) >= slit_px) return false;
+    return passes_behind(chain.arcs.front(), chain.start_node) &&
+           passes_behind(chain.arcs.back(), chain.end_node);
+  }
+
+  bool passes_behind(int arc, int node) const {
+    const GraphNode& n = graph_.nodes[idx(node)];
+    return n.kind == NodeKind::crossing && (n.arcs[2] == arc || n.arcs[3] == arc);
   }
 
   bool meets_another(std::size_t c, int node) const {

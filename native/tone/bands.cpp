@@ -9,12 +9,11 @@
 namespace illustrate {
 namespace {
 
-// Depths are compared in pixel sizes. The triangles stand out from the smooth outline by less than
-// `behind`; a fold that recedes from its own edge does so by less than `recession` pixels of depth
-// for each pixel of the image.
+// In cells, as depths are compared. The triangles stand out from the smooth outline by less than
+// `behind`; a fold that recedes from its own edge does so by less than `recession` of depth for
+// each cell of the image. Curves are sampled once a cell.
 constexpr double behind = 3;
 constexpr double recession = 3;
-constexpr double sample_step_px = 1;
 
 enum class Side : std::uint8_t { neither, left, right };
 
@@ -22,7 +21,7 @@ struct FoldSample {
   Vec2 image;
   Vec2 beyond;  // unit, across the curve, away from the fold
   double depth;
-  double pixel;  // world length of a pixel there
+  double cell;  // world length of a cell there
 };
 
 // To the left of a curve as the viewer sees it run, y pointing down.
@@ -68,20 +67,20 @@ class BandMarker {
     const Frame frame{Vec2::Constant(-margin), size + Vec2::Constant(margin)};
     const Span<const CurvePoint> points = graph_.points[arc];
     std::vector<FoldSample> samples;
-    step_along(graph_.image[arc], graph_.arcs[arc].start_node == none, sample_step_px, frame,
+    step_along(graph_.image[arc], graph_.arcs[arc].start_node == none, visible_.cell_px, frame,
                [&](const CurveSample& at) {
                  const std::size_t next = at.segment + 1 == points.size() ? 0 : at.segment + 1;
                  const Vec3& a = points[at.segment].position;
                  const Vec3 p = a + at.fraction * (points[next].position - a);
                  samples.push_back({at.image, left_of(at.heading), camera_.project(p).depth,
-                                    camera_.pixel_size(p)});
+                                    visible_.cell_px * camera_.pixel_size(p)});
                });
     return samples;
   }
 
   // Depth of what is seen `cells` cells beyond the curve; infinite where nothing is.
   double depth_at(const FoldSample& sample, double cells) const {
-    const double reach = cells * std::max(1.0, visible_.cell_px);
+    const double reach = cells * visible_.cell_px;
     const int cell = visible_.cell_of(sample.image + reach * sample.beyond);
     return cell == none ? std::numeric_limits<double>::infinity() : visible_.depth[cell];
   }
@@ -89,7 +88,7 @@ class BandMarker {
   bool covers_another(const FoldSample& sample) const {
     for (const double cells : {2.0, 3.5}) {
       const double depth = depth_at(sample, cells);
-      if (std::isfinite(depth) && depth > sample.depth + behind * sample.pixel) return true;
+      if (std::isfinite(depth) && depth > sample.depth + behind * sample.cell) return true;
     }
     return false;
   }
@@ -104,7 +103,7 @@ class BandMarker {
   }
 
   Side side_turned_away(const std::vector<FoldSample>& samples) const {
-    const double reach = 2 * std::max(1.0, visible_.cell_px);
+    const double reach = 2 * visible_.cell_px;
     double left = 0, right = 0;
     for (const FoldSample& sample : samples) {
       left += facing_at(sample.image + reach * sample.beyond);
@@ -132,9 +131,9 @@ class BandMarker {
     const Vec2 offset = centre - sample.image;
     const double distance = offset.norm();
     if (distance >= nearest_[cell] || visible_.triangle[cell] == none) return;
-    const double deeper = (visible_.depth[cell] - sample.depth) / sample.pixel;
+    const double deeper = (visible_.depth[cell] - sample.depth) / sample.cell;
     const bool is_beyond = offset.dot(sample.beyond) > 0;
-    const bool is_fold = !is_beyond && deeper < behind + recession * distance;
+    const bool is_fold = !is_beyond && deeper < behind + recession * distance / visible_.cell_px;
     const bool is_undercut = is_beyond && deeper > least_depth;
     Band mark = Band::nothing;
     if (is_fold && distance <= options_.mach_band_px) mark = Band::mach_band;

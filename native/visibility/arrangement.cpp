@@ -94,6 +94,15 @@ std::size_t Arrangement::point(int strand, int i) const {
   return idx(network->points.offsets[idx(strand)] + i % point_count(strand));
 }
 
+double Arrangement::reach_px(int strand) const {
+  const Vec2& start = image.image[point(strand, 0)];
+  double reach = 0;
+  for (int i = 1; i < point_count(strand); ++i) {
+    reach = std::max(reach, (image.image[point(strand, i)] - start).norm());
+  }
+  return reach;
+}
+
 Vec2 Arrangement::image_at(const StrandPlace& place) const {
   const Vec2& a = image.image[point(place.strand, place.segment)];
   const Vec2& b = image.image[point(place.strand, place.segment + 1)];

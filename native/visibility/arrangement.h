@@ -45,6 +45,8 @@ struct Arrangement {
   // Index into network->points.values of point i of a strand, cyclic for closed ones.
   std::size_t point(int strand, int i) const;
   int point_count(int strand) const;
+  // How far in the image a strand gets from where it starts.
+  double reach_px(int strand) const;
   bool is_live(int crossing) const { return states[idx(crossing)] == CrossingState::live; }
 };
 

@@ -157,9 +157,8 @@ class JointTouches {
   std::vector<int> previous_;           // (strands)
 };
 
-}  // namespace
-
-void pass_on_other_strand(Arrangement& arrangement, int strand) {
+// Turns round what changes where a strand starts.
+void turn_jump(Arrangement& arrangement, int strand) {
   for (Path& path : arrangement.paths) {
     const auto found = std::find(path.strands.begin(), path.strands.end(), strand);
     if (found == path.strands.end()) continue;
@@ -167,6 +166,8 @@ void pass_on_other_strand(Arrangement& arrangement, int strand) {
     jump = -jump;
   }
 }
+
+}  // namespace
 
 int drop_touches_past_nodes(Arrangement& arrangement, const std::vector<std::uint8_t>& is_paid,
                             double& moved_px) {
@@ -179,8 +180,7 @@ int drop_touches_past_nodes(Arrangement& arrangement, const std::vector<std::uin
     double distance_px = 0;
     const int crossing = is_paid[i] ? none : joints.nearest_crossing(node, half, distance_px);
     if (crossing == none) {
-      if (joints.runs_over_cusp(node, half))
-        pass_on_other_strand(arrangement, joints.other(node).b);
+      if (joints.runs_over_cusp(node, half)) turn_jump(arrangement, joints.other(node).b);
       continue;
     }
     arrangement.states[idx(crossing)] = CrossingState::dropped;

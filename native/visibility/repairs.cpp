@@ -79,13 +79,15 @@ class Repairer {
   // is_paid as in joint_touches.h.
   int touches(std::vector<std::uint8_t>& is_paid) {
     start();
+    if (links_.empty()) find_links();
     int dropped = 0;
     for (std::size_t c = 0; c < arrangement_.crossings.size(); ++c) {
       const int crossing = static_cast<int>(c);
       if (!arrangement_.is_live(crossing) || !is_of_contour(crossing)) continue;
       const int node = joint_behind(crossing);
-      if (node == none) continue;
+      if (node == none && !is_beside_end(crossing)) continue;
       dropped += drop(crossing);
+      if (node == none) continue;
       const Crossing& x = arrangement_.crossings[c];
       const int curve = is_contour(x.front.strand) ? x.back.strand : x.front.strand;
       const bool is_behind = arrangement_.network->strands[idx(curve)].start_node == node;
@@ -135,44 +137,31 @@ class Repairer {
     return arrangement_.visits[idx(strand(stop))][idx(stop.visit)];
   }
 
-  int without(int c) const {
-    return sums_[idx(stops_[2 * idx(c) + 1].path)] -
-           back_change(arrangement_, arrangement_.crossings[idx(c)]);
+  int change_at(int c) const { return back_change(arrangement_, arrangement_.crossings[idx(c)]); }
+
+  // How much nearer to balance a path is without a change.
+  int gain(int path, int change) const {
+    if (!arrangement_.paths[idx(path)].cyclic) return 0;
+    const int sum = sums_[idx(path)];
+    return std::abs(sum) - std::abs(sum - change);
   }
 
   // Whether its back path, where closed, comes nearer to balance without a crossing.
   bool balances(int c) const {
     const int path = stops_[2 * idx(c) + 1].path;
-    return !arrangement_.paths[idx(path)].cyclic ||
-           std::abs(without(c)) < std::abs(sums_[idx(path)]);
+    return !arrangement_.paths[idx(path)].cyclic || gain(path, change_at(c)) > 0;
   }
 
   // Whether closed paths are farther from balance without two crossings.
   bool unbalances(int c, int partner) const {
     const int path = stops_[2 * idx(c) + 1].path, other = stops_[2 * idx(partner) + 1].path;
-    const auto sum = [&](int p) {
-      return arrangement_.paths[idx(p)].cyclic ? std::abs(sums_[idx(p)]) : 0;
-    };
-    (void)sum;
-    const auto change = [&](int x) {
-      return back_change(arrangement_, arrangement_.crossings[idx(x)]);
-    };
-    const auto after = [&](int p) {
-      int s = sums_[idx(p)];
-      for (const int x : {c, partner})
-        if (stops_[2 * idx(x) + 1].path == p) s -= change(x);
-      return arrangement_.paths[idx(p)].cyclic ? std::abs(s) : 0;
-    };
-    int before = sum(path), behind = after(path);
-    if (other != path) {
-      before += sum(other);
-      behind += after(other);
-    }
-    return behind > before;
+    const int one = change_at(c), two = change_at(partner);
+    if (path == other) return gain(path, one + two) < 0;
+    return gain(path, one) + gain(other, two) < 0;
   }
 
   int drop(int c) {
-    sums_[idx(stops_[2 * idx(c) + 1].path)] = without(c);
+    sums_[idx(stops_[2 * idx(c) + 1].path)] -= change_at(c);
     arrangement_.states[idx(c)] = CrossingState::dropped;
     return 1;
   }
@@ -293,6 +282,41 @@ class Repairer {
     return none;
   }
 
+  // Whether both strands run, close together, into the two ends of a third one that is no longer
+  // than a touch: a contour ends on a feature curve just beside a node of that.
+  bool is_beside_end(int c) {
+    const Stop a = stops_[2 * idx(c)], b = stops_[2 * idx(c) + 1];
+    for (const bool a_forward : {true, false}) {
+      for (const bool b_forward : {true, false}) {
+        const int from = end_node(a, a_forward), to = end_node(b, b_forward);
+        if (from == none || to == none || !is_linked(from, to)) continue;
+        Stretch one = way_to_end(a, a_forward), two = way_to_end(b, b_forward);
+        if (!one.found || !two.found) continue;
+        one.points.push_back(two.points.back());
+        if (is_thin(one, two, joint_lens_px)) return true;
+      }
+    }
+    return false;
+  }
+
+  bool is_linked(int from, int to) const {
+    const std::pair<int, int> link = std::minmax(from, to);
+    return std::binary_search(links_.begin(), links_.end(), link);
+  }
+
+  // Pairs of nodes at the two ends of a feature strand that stays near them.
+  void find_links() {
+    const CurveNetwork& network = *arrangement_.network;
+    for (std::size_t s = 0; s < network.strands.size(); ++s) {
+      const Strand& strand = network.strands[s];
+      if (strand.kind == Kind::silhouette || strand.kind == Kind::intersection) continue;
+      if (strand.closed() || strand.start_node == strand.end_node) continue;
+      if (arrangement_.reach_px(static_cast<int>(s)) > joint_lens_px) continue;
+      links_.emplace_back(std::minmax(strand.start_node, strand.end_node));
+    }
+    std::sort(links_.begin(), links_.end());
+  }
+
   int end_node(const Stop& stop, bool forward) const {
     const Strand& s = arrangement_.network->strands[idx(strand(stop))];
     return forward ? s.end_node : s.start_node;
@@ -340,6 +364,7 @@ class Repairer {
   std::vector<int> path_of_;
   std::vector<int> step_of_;
   std::vector<Stop> stops_;
+  std::vector<std::pair<int, int>> links_;
   std::vector<int> sums_;  // (paths) of their changes; closed ones should have 0
 };
 

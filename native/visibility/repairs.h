@@ -14,7 +14,8 @@ int drop_twists_and_lenses(Arrangement& arrangement, double& moved_px);
 // A curve that runs through a contour touches it there in the image, since its surface lies on one
 // side of the contour only, near strand and far strand: drops crossings between a contour and such
 // a curve where both run on, less than a pixel apart and without crossing again, into their
-// joint, or near it past other nodes (joint_touches.h). Returns their number.
+// joint, or near it past other nodes (joint_touches.h). So between a contour and the
+// feature curve that it ends on, also past a node of that curve. Returns their number.
 int drop_touches(Arrangement& arrangement, double& moved_px);
 
 // Drops the lens that each of these crossings belongs to, where it belongs to one: with another

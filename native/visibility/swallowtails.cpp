@@ -16,22 +16,13 @@ struct Swallowtail {
   std::size_t step;
 };
 
-double reach_of(const Arrangement& arrangement, int strand) {
-  const Vec2& start = arrangement.image.image[arrangement.point(strand, 0)];
-  double reach = 0;
-  for (int i = 1; i < arrangement.point_count(strand); ++i) {
-    reach = std::max(reach, (arrangement.image.image[arrangement.point(strand, i)] - start).norm());
-  }
-  return reach;
-}
-
 std::vector<Swallowtail> swallowtails_of(const Arrangement& arrangement, const Path& path,
                                          int jump) {
   std::vector<Swallowtail> result;
   const std::size_t count = path.strands.size();
   for (std::size_t i = 0; count > 1 && i < count; ++i) {
     if (path.jumps[i] != jump || path.jumps[(i + 1) % count] != jump) continue;
-    const double reach = reach_of(arrangement, path.strands[i]);
+    const double reach = arrangement.reach_px(path.strands[i]);
     if (reach <= swallowtail_px) result.push_back({reach, i});
   }
   std::sort(result.begin(), result.end(), [](const Swallowtail& a, const Swallowtail& b) {
@@ -45,7 +36,7 @@ int drop_cusps_at_ends(const Arrangement& arrangement, Path& path, double& moved
   if (path.cyclic) return 0;
   int dropped = 0;
   const auto drop = [&](int strand, int& jump) {
-    const double reach = reach_of(arrangement, strand);
+    const double reach = arrangement.reach_px(strand);
     if (jump == 0 || reach > end_px) return;
     jump = 0;
     moved_px = std::max(moved_px, reach);

@@ -119,6 +119,24 @@ TEST(EvenHatches, EndAtCriticalCurvesAndCrossNone) {
   EXPECT_GT(ends_on_curve, 40);
 }
 
+// Between two creases, half a spacing wide: too narrow for seeds of the surface to be sure to meet.
+TEST(EvenHatches, NarrowStripsAreHatched) {
+  Scene scene = plane_scene();
+  const double low = 0.013, high = 0.053;
+  for (const double x : {low, high}) {
+    scene.add_arc(Kind::crease, {Vec3(x, -1.1, 0), Vec3(x, 1.1, 0)});
+  }
+  const Hatches hatches = scene.even();
+  std::vector<double> rows{-1, 1};
+  for (const HatchPoint& point : hatches.curves.values) {
+    if (point.position.x() > low && point.position.x() < high) rows.push_back(point.position.y());
+  }
+  std::sort(rows.begin(), rows.end());
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    EXPECT_LT(100 * (rows[i] - rows[i - 1]), 1.5 * 8) << "at " << rows[i];
+  }
+}
+
 TEST(EvenHatches, UndercutsAreDenser) {
   Scene scene = plane_scene();
   for (int cell = 0; cell < 240 * 240; ++cell) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cameras.h"
+#include "contour/cusp_ends.h"
 #include "contour/exact_segment.h"
 #include "dense_contour.h"
 #include "surface_checks.h"
@@ -201,6 +202,31 @@ TEST(ExactSilhouettes, SwallowtailsTooSmallToSeeAreOnePoint) {
     collapsed += drawn.counts.at("swallowtails");
   }
   EXPECT_GT(collapsed, 0);
+}
+
+// Two cusps at one place, a point between them by this much aside.
+ExactPolyline cusps_at_one_place(double aside) {
+  ExactPolyline line;
+  line.edges = 5;
+  for (const Vec2& p : {Vec2(-5, 0), Vec2(0, 0), Vec2(0, aside), Vec2(1e-4, 0), Vec2(5, 0)}) {
+    ExactPoint point;
+    point.position = Vec3(p.x(), p.y(), 0);
+    point.segment = static_cast<int>(line.points.size());
+    line.points.push_back(point);
+  }
+  line.points[1].cusp_jump = line.points[3].cusp_jump = 1;
+  return line;
+}
+
+TEST(Swallowtails, WithoutExtentAreOnePoint) {
+  const Camera one_px = cameras::orthographic(Vec3(0, 0, 1), 500);
+  for (const double aside : {0., .01, .2}) {
+    ExactPolyline line = cusps_at_one_place(aside);
+    EXPECT_EQ(collapse_swallowtails({}, one_px, line), 1) << aside;
+    EXPECT_EQ(line.points.size(), 3U) << aside;
+  }
+  ExactPolyline wide = cusps_at_one_place(.3);
+  EXPECT_EQ(collapse_swallowtails({}, one_px, wide), 0);
 }
 
 TEST(ExactSilhouettes, KeepTheChainsOfTheLinearOnes) {

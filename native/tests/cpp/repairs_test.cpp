@@ -121,6 +121,146 @@ TEST(Touches, OfACurveThatStaysOnItsSurfaceAreNone) {
   EXPECT_TRUE(arrangement.is_live(0));
 }
 
+// A contour that ends on a crease; the crease has a node, where one of its sides turns back, just
+// before that or this far along, and polylines cross between the two.
+CurveNetwork contour_ends_beside_a_node(double link_px, Kind link) {
+  const Vec3 turning(0, 0, 0), end(link_px, 0, 0);
+  CurveNetwork network;
+  network.nodes = {{NodeKind::joint, turning},
+                   {NodeKind::joint, end},
+                   {NodeKind::end, Vec3(-20, .5, 0)},
+                   {NodeKind::end, Vec3(-20, -.5, -1)},
+                   {NodeKind::end, Vec3(20, -3, 0)}};
+  const auto add_strand = [&](Kind kind, const Points& points, int start, int to) {
+    for (const Vec3& p : points) network.points.push({p, {}});
+    network.points.close_list();
+    network.strands.push_back({kind, 0, start, to, kind == Kind::silhouette ? 2 : 0, 0});
+  };
+  add_strand(Kind::crease, {network.nodes[2].position, Vec3(-.2, -.05, 0), turning}, 2, 0);
+  add_strand(link, {turning, end}, 0, 1);
+  add_strand(Kind::crease, {end, network.nodes[4].position}, 1, 4);
+  add_strand(Kind::silhouette,
+             {network.nodes[3].position, Vec3(-.4, -.05, -1), Vec3(-.1, .05, -1), end}, 3, 1);
+  return network;
+}
+
+TEST(Touches, OfAContourWithTheCreaseThatItEndsOnAreDroppedPastANode) {
+  const auto dropped = [](double link_px, Kind link) {
+    const CurveNetwork network = contour_ends_beside_a_node(link_px, link);
+    Arrangement arrangement = arrange(network, one_px);
+    EXPECT_EQ(arrangement.crossings.size(), 1U);
+    double moved_px = 0;
+    return drop_touches(arrangement, moved_px);
+  };
+  EXPECT_EQ(dropped(.3, Kind::crease), 1);
+  EXPECT_EQ(dropped(3, Kind::crease), 0) << "farther than a touch";
+  EXPECT_EQ(dropped(.3, Kind::silhouette), 0) << "another contour between them";
+}
+
+// Its surface is above the x axis; a fold whose contour comes to a cusp at the origin along the
+// axis and leaves again just above, each on its own side. A curve comes over the tip from the left
+// and runs through the lower strand, 0.2 px from the tip: the far strand if `ends_far`.
+CurveNetwork curve_over_a_tip(bool ends_far) {
+  const double far = -1;
+  const Vec3 joint(.2, 0, far), tip(0, 0, far / 2), inside(5, .05, far);
+  CurveNetwork network;
+  network.nodes = {{NodeKind::joint, joint},
+                   {NodeKind::cusp, tip},
+                   {NodeKind::end, Vec3(10, -.1, far)},
+                   {NodeKind::end, Vec3(10, .4, 0)},
+                   {NodeKind::end, Vec3(-10, -.5, far)},
+                   {NodeKind::end, inside}};
+  const auto add_strand = [&](Kind kind, int start, int end) {
+    network.points.push({network.nodes[idx(start)].position, {}});
+    network.points.push({network.nodes[idx(end)].position, {}});
+    network.points.close_list();
+    Strand strand;
+    strand.kind = kind;
+    strand.start_node = start;
+    strand.end_node = end;
+    (kind == Kind::silhouette ? strand.right_layers : strand.left_layers) = 0;
+    if (kind == Kind::silhouette) strand.left_layers = 2;
+    network.strands.push_back(strand);
+  };
+  add_strand(Kind::silhouette, 3, 1);
+  add_strand(Kind::silhouette, 1, 0);
+  add_strand(Kind::silhouette, 0, 2);
+  add_strand(Kind::intersection, 4, 0);
+  add_strand(Kind::intersection, 0, 5);
+  network.ties = {{1, 0, 1, ends_far ? 1 : -1}, {0, 1, 2, 1}, {0, 3, 4, 1}};
+  return network;
+}
+
+// The jump of the curve at its joint, once touches have been dropped.
+int jump_over_a_tip(bool ends_far) {
+  const CurveNetwork network = curve_over_a_tip(ends_far);
+  Arrangement arrangement = arrange(network, one_px);
+  double moved_px = 0;
+  drop_touches(arrangement, moved_px);
+  for (const Path& path : arrangement.paths) {
+    if (network.strands[idx(path.strands[0])].kind == Kind::intersection) return path.jumps[1];
+  }
+  return 0;
+}
+
+// Beyond the tip there is one sheet. The curve runs off on the near one, or has passed behind the
+// near contour, which its polyline missed.
+TEST(Touches, OfACurveThatComesOverTheTipOfACuspAreWithItsNearStrand) {
+  EXPECT_EQ(jump_over_a_tip(false), 1);
+  EXPECT_EQ(jump_over_a_tip(true), -1);
+}
+
+// Two crossings with a contour, a tenth of a pixel across, behind it at the first and in front at
+// the second; at its cusps the closed curve gains or loses what the first one changes.
+CurveNetwork square_with_a_lens(int jump) {
+  CurveNetwork network;
+  const Points points{{50, -50, -1}, {50, 50, -1},   {1, 49.95, -1}, {0, 50.05, -1},
+                      {0, 50.05, 1}, {-1, 49.95, 1}, {-50, 50, 1},   {-50, -50, 0}};
+  network.nodes = {{NodeKind::cusp, points.front()}, {NodeKind::cusp, points.back()}};
+  for (const Vec3& p : points) network.points.push({p, {}});
+  network.points.close_list();
+  network.points.push({points.back(), {}});
+  network.points.push({points.front(), {}});
+  network.points.close_list();
+  network.points.push({Vec3(20, 50, 0), {}});
+  network.points.push({Vec3(-20, 50, 0), {}});
+  network.points.close_list();
+  Strand strand;
+  strand.left_layers = 2;
+  for (const int start : {0, 1}) {
+    strand.start_node = start;
+    strand.end_node = 1 - start;
+    network.strands.push_back(strand);
+  }
+  network.nodes.push_back({NodeKind::end, Vec3(20, 50, 0)});
+  network.nodes.push_back({NodeKind::end, Vec3(-20, 50, 0)});
+  strand.start_node = 2;
+  strand.end_node = 3;
+  network.strands.push_back(strand);
+  network.ties = {{1, 0, 1, jump}, {0, 1, 0, jump}};
+  return network;
+}
+
+TEST(Lenses, ThatContradictThemselvesAreDroppedUnlessTheyBalanceAPath) {
+  const auto imbalance_of_closed = [](const Arrangement& arrangement) {
+    for (const Path& path : arrangement.paths) {
+      if (path.cyclic) return imbalance(arrangement, path);
+    }
+    return 99;
+  };
+  const CurveNetwork plain = square_with_a_lens(0);
+  Arrangement arrangement = arrange(plain, one_px);
+  ASSERT_EQ(arrangement.crossings.size(), 2U);
+  const int change = imbalance_of_closed(arrangement);
+  ASSERT_EQ(std::abs(change), 2);
+  double moved_px = 0;
+  EXPECT_EQ(drop_twists_and_lenses(arrangement, moved_px), 2);
+  const CurveNetwork balanced = square_with_a_lens(-change / 2);
+  arrangement = arrange(balanced, one_px);
+  ASSERT_EQ(imbalance_of_closed(arrangement), 0);
+  EXPECT_EQ(drop_twists_and_lenses(arrangement, moved_px), 0);
+}
+
 TEST(Demoted, CrossingsKeepTheirChange) {
   const CurveNetwork network = curled_square(0, 0);
   Arrangement arrangement = arrange(network, one_px);

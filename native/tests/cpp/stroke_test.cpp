@@ -296,6 +296,31 @@ TEST(MakeStrokes, TailsThatAreLongOrTurnAwayOrBelongToOthersStay) {
   }
 }
 
+// Two lines across the image, this far apart, and one that passes behind both.
+TEST(MakeStrokes, WhatIsSeenInASlitIsASpeck) {
+  const auto count = [](double slit) {
+    GraphBuilder b;
+    std::array<int, 2> crossings;
+    for (const std::size_t k : {0, 1}) {
+      const double y = k == 0 ? 50 : 50 + slit;
+      crossings[k] = b.node(NodeKind::crossing, {50, y});
+      const int in = b.line(b.node(NodeKind::joint, {10, y}), crossings[k]);
+      const int out = b.line(crossings[k], b.node(NodeKind::joint, {90, y}));
+      b.graph.nodes[idx(crossings[k])].arcs = {in, out, none, none};
+    }
+    const int before = b.line(b.node(NodeKind::joint, {50, 10}), crossings[0], 2);
+    const int within = b.line(crossings[0], crossings[1]);
+    const int behind = b.line(crossings[1], b.node(NodeKind::joint, {50, 90}), 2);
+    b.graph.nodes[idx(crossings[0])].arcs[2] = before;
+    b.graph.nodes[idx(crossings[0])].arcs[3] = within;
+    b.graph.nodes[idx(crossings[1])].arcs[2] = within;
+    b.graph.nodes[idx(crossings[1])].arcs[3] = behind;
+    return count_of(strokes_of(b.graph));
+  };
+  EXPECT_EQ(count(.5), 2U);
+  EXPECT_EQ(count(1.5), 3U);
+}
+
 TEST(MakeStrokes, FreeEndsThatFaceEachOtherAreOneLine) {
   const auto count = [](const Vec2& end, const Vec2& far, double depth) {
     GraphBuilder b;

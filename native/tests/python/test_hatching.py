@@ -7,6 +7,10 @@ from scipy.spatial import cKDTree  # type: ignore[import-untyped]
 from shapes import Shape, cube, look_at, torus
 
 OPTIONS = ill.PrepareOptions(level=2)
+LENGTHS = [
+    *("spacing_px", "undercut_spacing_px", "mach_band_px", "undercut_px", "min_length_px"),
+    *("max_length_px", "step_px", "simplify_px", "taper_px"),
+]
 # Both families everywhere, no bands.
 EVERYWHERE = {
     "highlight_threshold": 1.0,
@@ -105,3 +109,16 @@ def test_half_the_pixels_give_the_same_hatches(prepared: ill.Prepared) -> None:
     fine, coarse = (hatch_points(drawing) for drawing in drawings)
     assert share_near(fine, coarse, 0.01) > 0.999
     assert share_near(coarse, fine, 0.01) > 0.999
+
+
+def test_half_the_pixels_give_the_same_tones_and_hatches(prepared: ill.Prepared) -> None:
+    drawings = []
+    for size, scale in ((800, 2.0), (400, 1.0)):
+        lengths = {name: scale * getattr(ill.DrawOptions(), name) for name in LENGTHS}
+        drawings.append(ill.draw(prepared, look_at(size_px=size), ill.DrawOptions(**lengths)))
+    fine, coarse = drawings
+    assert fine.tone.cell_px == 2 * coarse.tone.cell_px
+    assert (fine.tone.level == coarse.tone.level).all()
+    assert (fine.tone.band != coarse.tone.band).mean() < 1e-3
+    assert share_near(hatch_points(fine), hatch_points(coarse), 0.01) > 0.99
+    assert share_near(hatch_points(coarse), hatch_points(fine), 0.01) > 0.99

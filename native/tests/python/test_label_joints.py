@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import illustrate_native as ill
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from shapes import Shape, grid_quads, klein_bottle, look_at, of_quads, torus
+from shapes import Shape, grid_quads, klein_bottle, look_at, of_quads, sphere, torus
 
 DIRECTIONS = [(1.0, -2.0, 0.8), (-1.5, -0.4, -1.0), (0.3, 0.9, 1.7), (-0.2, 1.0, 0.15)]
 
@@ -85,6 +87,37 @@ def test_boundaries_go_on_as_hidden_as_contours_or_by_a_layer_more(
 ) -> None:
     joints = differences_at_joints(lines_of(shape, direction).graph)
     assert all(d in ([0, 0], [0, 1]) for d in joints)
+
+
+def ball_in_a_torus() -> list[Shape]:
+    ball = sphere(6)
+    return [torus(), replace(ball, positions=0.5 * ball.positions + (0.9, 0.1, 0.1))]
+
+
+PIERCED = {
+    "ball in a torus": (ball_in_a_torus(), 1.7),
+    "klein bottle, along its edges": ([klein_bottle()], 4.2),
+}
+
+
+@pytest.mark.parametrize("name", list(PIERCED))
+def test_what_passes_through_a_surface_comes_out_again(name: str) -> None:
+    """Closed contours and intersection curves balance; three of them may meet within a pixel."""
+    made, radius = PIERCED[name]
+    options = ill.PrepareOptions(scheme="catmull-clark", level=2, field=False)
+    prepared = ill.prepare([shape.mesh() for shape in made], options)
+    loops = unbalanced = 0
+    count = 100
+    height = 1 - (2 * np.arange(count) + 1) / count
+    around = np.pi * (1 + np.sqrt(5)) * (np.arange(count) + 0.5)
+    for k, (z, angle) in enumerate(zip(height, around, strict=True)):
+        ring = np.sqrt(1 - z * z)
+        direction = (ring * np.cos(angle), ring * np.sin(angle), z)
+        camera = look_at(direction, radius, perspective=k % 2 == 1, size_px=512)
+        counts = ill.draw(prepared, camera, ill.DrawOptions(hatching=False)).counts
+        loops += counts["loops"]
+        unbalanced += counts["unbalanced_loops"]
+    assert unbalanced <= 0.005 * loops
 
 
 def test_contours_of_a_tube_end_in_joints() -> None:

@@ -1,0 +1,51 @@
+#include "hatch/edge_seeds.h"
+
+#include "hatch/grow_streamlines.h"
+#include "hatch/image_lattice.h"
+
+namespace illustrate {
+namespace {
+
+// In spacings: of the lattice; how far strips reach from a curve; where streamlines are near.
+constexpr double lattice_step = 0.25;
+constexpr double strip_width = 0.9;
+constexpr double near = 0.9;
+
+// Whether streamlines of both families pass near a point of the image, on its sheet and side of
+// all critical curves.
+bool is_crossed(const StreamlineSet& set, const HatchView& view, const Vec2& image, double depth,
+                double spacing_world, double radius) {
+  const GridNode* first = nullptr;
+  return set.grid.any_near(image, radius, [&](const GridNode& node) {
+    const Vec2 other(double(node.x), double(node.y));
+    if ((other - image).squaredNorm() > radius * radius) return false;
+    if (std::abs(depth - double(node.depth)) > 3 * spacing_world) return false;
+    const float cosine = first ? first->tangent.dot(node.tangent) : 1;
+    if ((first && 2 * cosine * cosine >= 1) || view.curves.separate(image, other)) return false;
+    if (!first) first = &node;
+    return 2 * cosine * cosine < 1;
+  });
+}
+
+}  // namespace
+
+std::vector<StreamlineNode> edge_seeds(const StreamlineSet& set, const HatchView& view) {
+  const Camera& camera = view.camera();
+  const Surface& surface = view.walker.on_surface().surface();
+  const double spacing = std::max(1.0, view.options.spacing_px);
+  std::vector<SurfacePoint> places;
+  visit_lattice(camera.width_px(), camera.height_px(), lattice_step * spacing,
+                [&](std::int64_t, const Vec2& image) {
+                  if (!view.curves.pass(image, strip_width * spacing)) return;
+                  const SurfacePoint on = view.area.visible_point(image);
+                  if (on.triangle == none) return;
+                  const Vec3 position = position_at(surface, on);
+                  const double world = spacing * camera.pixel_size(position);
+                  const double depth = camera.project(position).depth;
+                  if (is_crossed(set, view, image, depth, world, near * spacing)) return;
+                  places.push_back(on);
+                });
+  return seed_nodes(view, places, places.size());
+}
+
+}  // namespace illustrate
