@@ -8,7 +8,7 @@ import bpy
 from . import native, output
 from .illustration import compute, read_request
 from .messages import IllustrateError, counted
-from .operators import DrawingOperator
+from .operators import DrawingOperator, still_there
 from .tasks import Step, Task
 
 
@@ -38,10 +38,11 @@ class ILLUSTRATE_OT_bake(DrawingOperator, bpy.types.Operator):
         scene, start = context.scene, time.perf_counter()
         name = scene.name
         output.check_can_bake(scene.illustrate.output)
-        frames, current = frames_of(scene), scene.frame_current
+        frames, shown = frames_of(scene), (scene.frame_current, scene.frame_subframe)
         sheets, warnings, previous = [], [], None
         try:
             for done, frame in enumerate(frames):
+                scene = still_there(name)
                 scene.frame_set(frame)
                 request = read_request(scene, context.evaluated_depsgraph_get())
                 if scene.illustrate.keep_strokes and native.can_seed():
@@ -51,8 +52,8 @@ class ILLUSTRATE_OT_bake(DrawingOperator, bpy.types.Operator):
                 warnings += [w for w in made.warnings if w not in warnings]
                 previous = made.drawing
         finally:
-            _go_back(name, current)
-        warnings += output.bake_drawings(scene, sheets)
+            _go_back(name, *shown)
+        warnings += output.bake_drawings(still_there(name), sheets)
         strokes = sum(len(group.sizes) for sheet in sheets for group in sheet.groups)
         done_text = (
             f"Baked {counted(len(sheets), 'frame')}: {counted(strokes, 'stroke')} in "
@@ -61,11 +62,11 @@ class ILLUSTRATE_OT_bake(DrawingOperator, bpy.types.Operator):
         return [*(("WARNING", warning) for warning in warnings), ("INFO", done_text)]
 
 
-def _go_back(scene_name: str, frame: int) -> None:
+def _go_back(scene_name: str, frame: int, subframe: float) -> None:
     """To the frame that was shown before; a file that was loaded meanwhile has its own."""
     scene = bpy.data.scenes.get(scene_name)
     if scene is not None:
-        scene.frame_set(frame)
+        scene.frame_set(frame, subframe=subframe)
 
 
 def _step(request: Any, frame: int, start: float, end: float) -> Step:

@@ -42,7 +42,7 @@ class ILLUSTRATE_OT_illustrate(DrawingOperator, bpy.types.Operator):
         request = read_request(scene, context.evaluated_depsgraph_get())
         INSPECTOR.let_go()
         made = yield Step(lambda progress: compute(request, progress))
-        scene = _still_there(request.scene_name)
+        scene = still_there(request.scene_name)
         output.write_drawing(
             scene, made.drawing, made.arrays.camera, scene.illustrate.output, made.names
         )
@@ -59,7 +59,7 @@ def reports(made: Illustration, seconds: float) -> list[tuple[str, str]]:
     return [*(("WARNING", warning) for warning in made.warnings), ("INFO", done)]
 
 
-def _still_there(scene_name: str) -> Any:
+def still_there(scene_name: str) -> Any:
     """The scene after a while in which anything may have happened."""
     scene = bpy.data.scenes.get(scene_name)
     if scene is None:
@@ -105,7 +105,7 @@ class ILLUSTRATE_OT_show_field(DrawingOperator, bpy.types.Operator):
             return prepared, prepared.field
 
         prepared, field = yield Step(solve)
-        field_overlay.write(_still_there(request.scene_name), prepared.surface, field)
+        field_overlay.write(still_there(request.scene_name), prepared.surface, field)
         count = len(field.singular_indices)
         return [("INFO", f"The field has {counted(count, 'singularity', 'singularities')}")]
 

@@ -10,6 +10,12 @@ def is_ours(thing: Any) -> bool:
     return bool(thing.get(MARK))
 
 
+def may_replace(thing: Any) -> bool:
+    """The same, but for what is linked from another file and not of this one to change."""
+    linked = (thing.library, thing.override_library)
+    return is_ours(thing) and not any(linked)
+
+
 def mark(*things: Any) -> None:
     """Makes objects, their data and materials the add-on's own."""
     for thing in things:

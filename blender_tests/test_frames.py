@@ -176,6 +176,7 @@ def test_an_error_in_a_bake_writes_nothing(scene: Any) -> None:
 
 def test_a_cancelled_bake_leaves_the_scene(scene: Any) -> None:
     moving_cube(scene)
+    scene.frame_set(2, subframe=0.5)
     before = tools.snapshot()
     task = bake.ILLUSTRATE_OT_bake.task(None, bpy.context)
     step = next(task)
@@ -184,6 +185,7 @@ def test_a_cancelled_bake_leaves_the_scene(scene: Any) -> None:
     assert step.title == "Frame 2"
     task.close()
     assert tools.snapshot() == before
+    assert scene.frame_subframe == 0.5
 
 
 def test_a_cancelled_drawing_leaves_the_scene(scene: Any) -> None:
@@ -197,9 +199,10 @@ def test_a_cancelled_drawing_leaves_the_scene(scene: Any) -> None:
     assert tools.snapshot() == before
 
 
-def test_a_scene_that_goes_while_it_is_drawn(scene: Any) -> None:
-    tools.cube_scene(scene)
-    task = operators.ILLUSTRATE_OT_illustrate.task(None, bpy.context)
+@pytest.mark.parametrize("operator", [operators.ILLUSTRATE_OT_illustrate, bake.ILLUSTRATE_OT_bake])
+def test_a_scene_that_goes_while_it_is_drawn(scene: Any, operator: Any) -> None:
+    moving_cube(scene)
+    task = operator.task(None, bpy.context)
     made = next(task).work(lambda *_: True)
     bpy.data.scenes.new("Other")
     bpy.data.scenes.remove(scene)

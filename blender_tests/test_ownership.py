@@ -6,7 +6,7 @@ from typing import Any
 import bpy
 import numpy as np
 import pytest
-from illustrate import illustration
+from illustrate import illustration, output
 from illustrate.output import write_drawing
 
 import tools
@@ -172,6 +172,30 @@ def test_the_artists_work_survives_twenty_clicks(scene: Any) -> None:
     bpy.ops.illustrate.clear()
     assert read_work(work)[:4] == before[:4]
     assert sum(map(len, tools.read_pencil(bpy.data.objects["Illustration"]).values())) == 3
+
+
+@pytest.mark.parametrize("target", ["GREASE_PENCIL", "CURVES"])
+def test_linked_illustrations_are_left_alone(scene: Any, target: str, tmp_path: Any) -> None:
+    tools.cube_scene(scene)
+    scene.illustrate.output = target
+    click()
+    path = str(tmp_path / "library.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=path, copy=True)
+    tools.new_file()
+    scene = bpy.context.scene
+    tools.cube_scene(scene)
+    scene.illustrate.output = target
+    with bpy.data.libraries.load(path, link=True) as (there, wanted):
+        wanted.objects = [name for name in there.objects if name.startswith("Illustration")]
+    for thing in wanted.objects:
+        scene.collection.objects.link(thing)
+    linked = list(wanted.objects)
+    assert linked and not output.has_illustration(scene)
+    click()
+    assert output.has_illustration(scene)
+    bpy.ops.illustrate.clear()
+    assert not output.has_illustration(scene)
+    assert all(thing.name in scene.collection.objects for thing in linked)
 
 
 def test_clear_takes_everything_back(scene: Any) -> None:

@@ -9,7 +9,7 @@ from typing import Any
 import bpy
 import numpy as np
 
-from ..ownership import is_ours, mark
+from ..ownership import mark, may_replace
 from . import pens
 from .strokes import Sheet, StrokeGroup
 
@@ -54,12 +54,14 @@ def restyle(scene: Any) -> None:
 
 def _our_objects(scene: Any) -> dict[str, Any]:
     return {
-        thing[TITLE]: thing for thing in scene.objects if thing.type == "CURVE" and is_ours(thing)
+        thing[TITLE]: thing
+        for thing in scene.objects
+        if thing.type == "CURVE" and may_replace(thing)
     }
 
 
 def _our_collection(scene: Any) -> Any:
-    mine = (child for child in scene.collection.children_recursive if is_ours(child))
+    mine = (child for child in scene.collection.children_recursive if may_replace(child))
     return next(mine, None)
 
 

@@ -8,7 +8,7 @@ from typing import Any
 import bpy
 import numpy as np
 
-from ..ownership import is_ours, mark
+from ..ownership import is_ours, mark, may_replace
 
 NAME, INK = "Illustration Field", "illustrate_ink"
 CELLS = 70  # along the diagonal of everything: one cross in each
@@ -23,7 +23,7 @@ FACES = [(0, 1, 2), (1, 3, 2), (3, 4, 2), (4, 0, 2), (1, 0, 5), (3, 1, 5), (4, 3
 
 def find(scene: Any) -> Any:
     """The object that shows the field, or None."""
-    mine = (thing for thing in scene.objects if thing.type == "MESH" and is_ours(thing))
+    mine = (thing for thing in scene.objects if thing.type == "MESH" and may_replace(thing))
     return next(mine, None)
 
 

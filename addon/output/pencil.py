@@ -20,7 +20,7 @@ from typing import Any
 
 import bpy
 
-from ..ownership import is_ours, mark
+from ..ownership import mark, may_replace
 from . import pens
 from .strokes import Sheet
 
@@ -32,7 +32,7 @@ BAKED = "GENERATED" if bpy.app.version >= (4, 2, 0) else "JITTER"
 
 def find(scene: Any, api: Any) -> Any:
     """The add-on's Grease Pencil object in the scene, or None."""
-    mine = (thing for thing in scene.objects if thing.type == api.TYPE and is_ours(thing))
+    mine = (thing for thing in scene.objects if thing.type == api.TYPE and may_replace(thing))
     return next(mine, None)
 
 

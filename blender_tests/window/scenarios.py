@@ -56,10 +56,11 @@ def open_panel() -> Steps:
     hands.show_side_panel(True)
     hands.watch_panel()
     yield 0.5
-    hands.panel_was_drawn()
     for place in hands.tab_places():
         hands.click(*place)
         yield 0.3
+        hands.redraw()
+        hands.panel_was_drawn()  # forgets what was drawn before the click was heard
         hands.redraw()
         if hands.panel_was_drawn():
             return
