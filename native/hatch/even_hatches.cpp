@@ -111,10 +111,12 @@ void finish_ends(StreamlineSet& set, const HatchView& view,
                  const std::vector<StreamlineNode>& seeds, const Progress& progress) {
   progress.report(0);
   extend_tips(set, view, 0.72, 0.6);
+  merge_streamlines(set, view);
   set.drop_shorter(view, 0.5);
   fill_streamlines(set, view, seeds, {0.77, 0.55, 0.75}, progress.part(0.3, 0.6));
   fill_streamlines(set, view, edge_seeds(set, view), {0.75, 0.5, 0.4}, progress.part(0.6, 0.9));
   extend_tips(set, view, 0.72, 0.6);
+  merge_streamlines(set, view);
 }
 
 }  // namespace

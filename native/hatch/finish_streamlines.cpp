@@ -87,12 +87,20 @@ class Finisher {
   }
 
   // What lies between nodes is clipped as they are: the hatch ends where it would cross a critical
-  // curve, or may not run.
+  // curve, where the sheet turns away from the eye, or where it may not run.
   void add_point(const SurfacePoint& on) {
     const HatchPoint point = view_.walker.point(on);
     if (!view_.area.may_pass(point, Area::hatched)) return close();
-    if (!line_.empty() && view_.curves.separate(line_.back().image, point.image)) close();
+    if (!line_.empty() && !joins(point)) close();
     line_.push_back(point);
+  }
+
+  // Round the end of a fold a curve gets from the hidden sheet to the near one past no visible
+  // silhouette: the side that is seen tells them apart.
+  bool joins(const HatchPoint& point) const {
+    const HatchPoint& last = line_.back();
+    return view_.walker.facing_at(last.on) * view_.walker.facing_at(point.on) > 0 &&
+           !view_.curves.separate(last.image, point.image);
   }
 
   void close() {
