@@ -9,7 +9,6 @@ from typing import Any
 
 import bpy
 import numpy as np
-from illustrate.scene import read_scene
 from mathutils import Vector
 
 V3 = bpy.app.version >= (4, 3, 0)
@@ -18,6 +17,8 @@ Stroke = dict[str, Any]
 
 def read(scene: Any, **options: Any) -> Any:
     """What the add-on reads of the scene."""
+    from illustrate.scene import read_scene  # not before user.py has installed it
+
     return read_scene(scene, bpy.context.evaluated_depsgraph_get(), **options)
 
 
