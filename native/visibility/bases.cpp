@@ -39,8 +39,9 @@ std::vector<CrossingLabels> labels_at_crossings(const Arrangement& arrangement,
   return result;
 }
 
-// Moves one base after another to where the rays and the crossings with other paths mind it least.
-// Every move makes the sum of all that is minded smaller, so it ends.
+// Moves bases to where the rays and the crossings with other paths mind it least, the one that
+// gains most first: a path that rays say little of yields to one that they are sure of. Every move
+// makes the sum of all that is minded smaller, so it ends.
 class BaseSettler {
  public:
   BaseSettler(const Arrangement& arrangement, std::vector<LabelledPath>& paths)
@@ -60,33 +61,52 @@ class BaseSettler {
 
   // Returns the crossings that contradict the labels even so.
   std::vector<int> run() {
-    constexpr int most_rounds = 20;
-    bool changed = true;
-    for (int round = 0; changed && round < most_rounds; ++round) {
-      changed = false;
-      for (std::size_t p = 0; p < paths_.size(); ++p) changed |= settle(p);
+    std::vector<Move> moves;
+    for (std::size_t p = 0; p < paths_.size(); ++p) moves.push_back(best_move(p));
+    const auto gains_less = [](const Move& a, const Move& b) { return a.gain < b.gain; };
+    for (std::size_t count = 0; count < most_moves * moves.size(); ++count) {
+      const auto best = std::max_element(moves.begin(), moves.end(), gains_less);
+      if (!(best->gain > least_gain)) break;
+      const auto p = static_cast<std::size_t>(best - moves.begin());
+      moved_[p] += best->base - paths_[p].base;
+      paths_[p].move_base(best->base - paths_[p].base);
+      moves[p] = best_move(p);
+      for (const std::size_t neighbour : neighbours_of(p)) moves[neighbour] = best_move(neighbour);
     }
     return contradictions();
   }
 
  private:
-  bool settle(std::size_t p) {
-    LabelledPath& path = paths_[p];
-    if (!path.is_balanced() || crossings_of_[p].empty()) return false;
-    const int count = static_cast<int>(path.costs.size());
-    int best = path.base;
-    double least = price(p, best);
-    for (int base = 0; base < count; ++base) {
-      const double other = price(p, base);
-      if (other < least - 1e-9) {
-        best = base;
-        least = other;
-      }
+  static constexpr std::size_t most_moves = 20;  // of a path, on average
+  static constexpr double least_gain = 1e-9;
+
+  struct Move {
+    int base;
+    double gain;  // px
+  };
+
+  Move best_move(std::size_t p) const {
+    const LabelledPath& path = paths_[p];
+    Move best{path.base, 0};
+    if (!path.is_balanced() || crossings_of_[p].empty()) return best;
+    const double now = price(p, path.base);
+    if (now == 0) return best;
+    for (int base = 0; base < static_cast<int>(path.costs.size()); ++base) {
+      const double gain = now - price(p, base);
+      if (gain > best.gain) best = {base, gain};
     }
-    if (best == path.base) return false;
-    moved_[p] += best - path.base;
-    path.move_base(best - path.base);
-    return true;
+    return best;
+  }
+
+  std::vector<std::size_t> neighbours_of(std::size_t p) const {
+    std::vector<std::size_t> result;
+    for (const std::size_t c : crossings_of_[p]) {
+      const CrossingLabels& labels = labels_[c];
+      result.push_back(labels.front_path == p ? labels.back_path : labels.front_path);
+    }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
   }
 
   double price(std::size_t p, int base) const {

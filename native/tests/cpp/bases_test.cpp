@@ -1,0 +1,63 @@
+#include "visibility/bases.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "cameras.h"
+
+namespace illustrate {
+namespace {
+
+const Camera one_px = cameras::orthographic(Vec3(0, 0, 1), 500);  // a world unit is a pixel
+
+// Two squares that overlap, the first one in front.
+CurveNetwork overlapping_squares() {
+  CurveNetwork network;
+  for (const double shift : {0., 50.}) {
+    for (const Vec2& p : {Vec2(0, 0), Vec2(100, 0), Vec2(100, 100), Vec2(0, 100)}) {
+      network.points.push({Vec3(p.x() + shift, p.y() + shift, -shift), {}});
+    }
+    network.points.close_list();
+    Strand strand;
+    strand.left_layers = 2;
+    network.strands.push_back(strand);
+  }
+  return network;
+}
+
+LabelledPath path_with(const Arrangement& arrangement, std::size_t p, int base, double weight) {
+  LabelledPath path;
+  path.labels = relative_labels(arrangement, arrangement.paths[p]);
+  std::vector<Evidence> evidence;
+  for (const PathArc& arc : path.labels.arcs) evidence.push_back({base + arc.offset, 0, weight});
+  int lowest = 0;
+  for (const PathArc& arc : path.labels.arcs) lowest = std::min(lowest, arc.offset);
+  for (Evidence& e : evidence) e.layers -= lowest;
+  EXPECT_TRUE(choose_base(evidence, path));
+  return path;
+}
+
+std::vector<int> smallest_labels(double front_weight, double back_weight) {
+  const CurveNetwork network = overlapping_squares();
+  const Arrangement arrangement = arrange(network, one_px);
+  EXPECT_EQ(arrangement.crossings.size(), 2U);
+  std::vector<LabelledPath> paths{path_with(arrangement, 0, 1, front_weight),
+                                  path_with(arrangement, 1, 0, back_weight)};
+  EXPECT_TRUE(settle_bases(arrangement, paths).empty());
+  std::vector<int> result;
+  for (const LabelledPath& path : paths) {
+    result.push_back(*std::min_element(path.along.begin(), path.along.end()));
+  }
+  return result;
+}
+
+// The back square has one layer less than the front one where they cross. Whichever the rays are
+// less sure of moves.
+TEST(Bases, OfPathsThatRaysSayLittleOfYield) {
+  EXPECT_EQ(smallest_labels(15, .5), (std::vector<int>{1, 1}));
+  EXPECT_EQ(smallest_labels(.5, 15), (std::vector<int>{0, 0}));
+}
+
+}  // namespace
+}  // namespace illustrate
