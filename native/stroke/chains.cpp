@@ -308,14 +308,13 @@ class SpeckFilter {
 
   // Whether it shows between two curves that pass in front of it, hardly apart.
   bool is_in_a_slit(const Chain& chain) const {
-    if (chain.closed || image_length(graph_, chain) >= slit_px) return false;
-    return passes_behind(chain.arcs.front(), chain.start_node) &&
+    const auto passes_behind = [&](int arc, int node) {
+      const GraphNode& n = graph_.nodes[idx(node)];
+      return n.kind == NodeKind::crossing && (n.arcs[2] == arc || n.arcs[3] == arc);
+    };
+    return !chain.closed && image_length(graph_, chain) < slit_px &&
+           passes_behind(chain.arcs.front(), chain.start_node) &&
            passes_behind(chain.arcs.back(), chain.end_node);
-  }
-
-  bool passes_behind(int arc, int node) const {
-    const GraphNode& n = graph_.nodes[idx(node)];
-    return n.kind == NodeKind::crossing && (n.arcs[2] == arc || n.arcs[3] == arc);
   }
 
   bool meets_another(std::size_t c, int node) const {
