@@ -300,11 +300,10 @@ class SpeckFilter {
       return meets_another(c, chain.start_node) && meets_another(c, chain.end_node) &&
              !is_in_a_slit(chain);
     }
-    for (const int arc : chain.arcs) {
+    return std::any_of(chain.arcs.begin(), chain.arcs.end(), [&](int arc) {
       const int node = graph_.arcs[idx(arc)].start_node;
-      if (node != none && meets_another(c, node)) return true;
-    }
-    return false;
+      return node != none && meets_another(c, node);
+    });
   }
 
   // Whether it shows between two curves that pass in front of it, hardly apart.
