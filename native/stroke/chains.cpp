@@ -260,8 +260,6 @@ double image_length(const LabelledGraph& graph, const Chain& chain) {
   return length;
 }
 
-constexpr double slit_px = 1;
-
 // Drops dangling specks one after another: dropping one may leave the next dangling.
 class SpeckFilter {
  public:
@@ -294,38 +292,37 @@ class SpeckFilter {
   }
 
  private:
+  static constexpr double slit_px = 1;
+
   bool closes_a_gap(std::size_t c) const {
     const Chain& chain = chains_[c];
-    if (is_in_a_slit(chain)) return false;
-    if (!chain.closed)
-      return meets_another(c, chain.start_node) && meets_another(c, chain.end_node);
-    for (const int arc : chain.arcs) {
-      const int node = graph_.arcs[idx(arc)].start_node;
-      if (node != none && meets_another(c, node)) return true;
+    if (!chain.closed) {
+      return meets_another(c, chain.start_node) && meets_another(c, chain.end_node) &&
+             !is_in_a_slit(chain);
     }
-    return false;
+    return std::any_of(chain.arcs.begin(), chain.arcs.end(), [&](int arc) {
+      const int node = graph_.arcs[idx(arc)].start_node;
+      return node != none && meets_another(c, node);
+    });
   }
 
   // Whether it shows between two curves that pass in front of it, hardly apart.
   bool is_in_a_slit(const Chain& chain) const {
-    if (chain.closed || image_length(graph_, chain) >= slit_px) return false;
-    return passes_behind(chain.arcs.front(), chain.start_node) &&
+    const auto passes_behind = [&](int arc, int at) {
+      const GraphNode& n = graph_.nodes[idx(at)];
+      return n.kind == NodeKind::crossing && (n.arcs[2] == arc || n.arcs[3] == arc);
+    };
+    return image_length(graph_, chain) < slit_px &&
+           passes_behind(chain.arcs.front(), chain.start_node) &&
            passes_behind(chain.arcs.back(), chain.end_node);
-  }
-
-  bool passes_behind(int arc, int node) const {
-    const GraphNode& n = graph_.nodes[idx(node)];
-    return n.kind == NodeKind::crossing && (n.arcs[2] == arc || n.arcs[3] == arc);
   }
 
   bool meets_another(std::size_t c, int node) const {
     const int layers = graph_.arcs[idx(chains_[c].arcs[0])].invisibility;
     for (const ArcEnd& end : ends_[idx(node)]) {
       const int other = chain_of_[idx(end.arc)];
-      if (other != static_cast<int>(c) && kept_[idx(other)] &&
-          graph_.arcs[idx(end.arc)].invisibility <= layers) {
-        return true;
-      }
+      const bool is_kept = other != static_cast<int>(c) && kept_[idx(other)];
+      if (is_kept && graph_.arcs[idx(end.arc)].invisibility <= layers) return true;
     }
     return false;
   }
