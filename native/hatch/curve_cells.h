@@ -1,4 +1,4 @@
-// Points of curves in space, found by their place: a grid of cells over the surface's box.
+// Points of curves in space, found by their place: a grid of cells over a box at the origin.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +20,7 @@ struct CurveNode {
 class CurveCells {
  public:
   // Cells of about `radius`; larger where there would be too many.
-  CurveCells(const Eigen::AlignedBox3d& box, double radius) : low_(box.min().cast<float>()) {
-    const Vec3 size = box.sizes();
+  CurveCells(const Vec3& size, double radius) {
     const double least = std::cbrt(size.prod() / most_cells);
     const double cell = std::max({radius, least, size.maxCoeff() / most_along});
     per_unit_ = static_cast<float>(1 / cell);
@@ -82,9 +81,8 @@ class CurveCells {
   std::array<int, 3> cell_of(const Eigen::Vector3f& p) const {
     std::array<int, 3> cell;
     for (int axis = 0; axis < 3; ++axis) {
-      const float along = (p[axis] - low_[axis]) * per_unit_;
-      cell[idx(axis)] =
-          static_cast<int>(std::clamp(along, 0.0F, static_cast<float>(count_[idx(axis)] - 1)));
+      const float last = static_cast<float>(count_[idx(axis)] - 1);
+      cell[idx(axis)] = static_cast<int>(std::min(last, std::max(0.0F, p[axis] * per_unit_)));
     }
     return cell;
   }
@@ -92,7 +90,6 @@ class CurveCells {
     return (idx(k) * idx(count_[1]) + idx(j)) * idx(count_[0]) + idx(i);
   }
 
-  Eigen::Vector3f low_;
   float per_unit_ = 1;
   std::array<int, 3> count_{1, 1, 1};
   std::vector<int> first_;  // of each cell, its last added node

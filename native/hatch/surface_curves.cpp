@@ -45,7 +45,7 @@ struct CurveSeed {
   Vec3 along, across;
 };
 
-// Of each seed, for both directions: a parallel curve is known to be so near.
+// Of each seed, for both directions: a parallel curve is known to be so near, in finest radii.
 using SeedBounds = std::vector<std::array<float, 2>>;
 
 // Places spread evenly over the surface by area.
@@ -79,18 +79,20 @@ class EvenPlaces {
   std::vector<double> area_to_;  // (t) of all triangles up to and with each one
 };
 
-// The curves of one radius between those of all greater ones.
+// The curves of one radius between those of all greater ones. Radius, steps and nodes are in finest
+// radii, nodes from the box's corner: small numbers, whatever the surface's place and size.
 class LevelBuilder {
  public:
-  LevelBuilder(const FieldWalker& walker, const Eigen::AlignedBox3d& box, double radius,
-               double step, const std::vector<CurveLine>& coarser)
+  LevelBuilder(const FieldWalker& walker, const Eigen::AlignedBox3d& box, double finest,
+               double radius, const std::vector<CurveLine>& coarser)
       : walker_(walker),
         surface_(walker.surface()),
+        low_(box.min()),
+        finest_(finest),
         radius_(static_cast<float>(radius)),
-        step_(step),
-        stride_(std::max(1, static_cast<int>(radius / (3 * step)))),
+        stride_(std::max(1, static_cast<int>(radius / (3 * point_step)))),
         count_(coarser.size()),
-        cells_(box, radius) {
+        cells_(box.sizes() / finest, radius) {
     for (const CurveLine& line : coarser) {
       for (const CurvePlace& place : line) {
         if (place.node.index % stride_ == 0) cells_.add(place.node);
@@ -113,16 +115,20 @@ class LevelBuilder {
 
  private:
   CurveNode node_at(const SurfacePoint& on, const Vec3& tangent, int index) const {
-    return {position_at(surface_, on).cast<float>(),  tangent.cast<float>(),
-            normal_at(surface_, on).cast<float>(),    surface_.triangle_objects[idx(on.triangle)],
-            static_cast<int>(count_ + lines_.size()), index};
+    const Vec3 position = (position_at(surface_, on) - low_) / finest_;
+    return {position.cast<float>(),
+            tangent.cast<float>(),
+            normal_at(surface_, on).cast<float>(),
+            surface_.triangle_objects[idx(on.triangle)],
+            static_cast<int>(count_ + lines_.size()),
+            index};
   }
 
   // To some parallel curve, or a far part of the same one, that is nearer than `reach`; infinite
   // where none is.
   float distance(const CurveNode& node, float reach) const {
-    const float half = 0.5F * static_cast<float>(stride_ * step_);
-    const int own_reach = 1 + static_cast<int>(2 * radius_ / step_);
+    const float half = static_cast<float>(0.5 * point_step * stride_);
+    const int own_reach = 1 + static_cast<int>(2 * radius_ / point_step);
     float found = std::numeric_limits<float>::infinity();
     cells_.any_near(node.position, reach + half, [&](const CurveNode& other) {
       const Eigen::Vector3f offset = node.position - other.position;
@@ -148,7 +154,7 @@ class LevelBuilder {
     extend(line, tangent, 1);
     std::reverse(line.begin(), line.end());
     extend(line, -tangent, -1);
-    if (static_cast<double>(line.size() - 1) * step_ < least_length * radius_) {
+    if (static_cast<double>(line.size() - 1) * point_step < least_length * radius_) {
       cells_.shrink(before);
       return false;
     }
@@ -158,10 +164,11 @@ class LevelBuilder {
 
   void extend(CurveLine& line, Vec3 tangent, int way) {
     SurfacePoint on = line.back().on;
+    const double step = point_step * finest_;
     const float least = static_cast<float>(end_distance) * radius_;
     for (int index = way; line.size() < most_points; index += way) {
-      const double rest = walker_.advance(on, tangent, step_);
-      if (rest >= step_) return;
+      const double rest = walker_.advance(on, tangent, step);
+      if (rest >= step) return;
       const CurveNode node = node_at(on, tangent, index);
       if (distance(node, least) < least) return;
       line.push_back({on, node});
@@ -172,8 +179,9 @@ class LevelBuilder {
 
   const FieldWalker& walker_;
   const Surface& surface_;
+  Vec3 low_;
+  double finest_;  // world units
   float radius_;
-  double step_;
   int stride_;
   std::size_t count_;  // of coarser curves
   CurveCells cells_;
@@ -233,7 +241,7 @@ class RankedCurves::Builder {
   // Keeps nothing of a level that is not finished, or that was made meanwhile by a report's
   // receiver.
   void make(int level, const Progress& progress) {
-    LevelBuilder builder(walker_, box_, radius_of(level), step(), lines_);
+    LevelBuilder builder(walker_, box_, finest_, radius_of(level) / finest_, lines_);
     SeedBounds bounds = bounds_;
     const std::size_t count = seed_count(level);
     bounds.resize(count, {infinite, infinite});

@@ -28,6 +28,12 @@ std::vector<double> offsets_across(const Square& square, const SurfaceCurves& cu
   return offsets;
 }
 
+std::vector<int> triangles_of(const SurfaceCurves& curves) {
+  std::vector<int> triangles;
+  for (const SurfacePoint& on : curves.curves.values) triangles.push_back(on.triangle);
+  return triangles;
+}
+
 TEST(FieldWalker, SlidesStraightAndStopsAtTheBoundary) {
   const Square square;
   const FieldWalker walker(square.surface, square.field);
@@ -129,6 +135,20 @@ bool is_start_of(const SurfaceCurves& some, const SurfaceCurves& all) {
          std::equal(some.curves.values.begin(), some.curves.values.end(), all.curves.values.begin(),
                     is_same) &&
          std::equal(some.seeds.begin(), some.seeds.end(), all.seeds.begin(), is_same);
+}
+
+TEST(SurfaceCurves, AreTheSameAtAnySize) {
+  const Surface torus = shapes::plain_surface(shapes::torus_mesh(2, 0.8, 24, 12));
+  const CrossField field = field_of(torus, round_z);
+  const SurfaceCurves curves = surface_curves(torus, field);
+  ASSERT_GT(curves.curves.size(), 100U);
+  for (const int power : {-160, 160}) {  // less and more than a float can hold
+    Surface scaled = torus;
+    for (Vec3& p : scaled.positions) p *= std::ldexp(1, power);
+    const SurfaceCurves found = surface_curves(scaled, field);
+    EXPECT_EQ(found.curves.offsets, curves.curves.offsets);
+    EXPECT_EQ(triangles_of(found), triangles_of(curves));
+  }
 }
 
 TEST(RankedCurves, AreMadeNoFurtherThanAskedAndTheSameInAnyOrder) {
