@@ -44,12 +44,13 @@ Prepared::Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions&
   if (previous && previous->has_surface_of(meshes, options)) {
     take_over(*previous);
   } else {
-    make_geometry(meshes, progress.part(0, options.field ? 0.6 : 1));
+    make_geometry(meshes, progress.part(0, options.field ? 0.4 : 1));
   }
   if (previous && previous->field_ != field_ && previous->field_->peek()) {
     last_field_ = {previous->geometry_, previous->field_};
   }
   if (options.field) {
+    search(progress.part(0.4, 0.6));
     hatch_curvature(progress.part(0.6, 0.7));
     field(progress.part(0.7, 1));
   }
@@ -92,26 +93,40 @@ void Prepared::make_geometry(const std::vector<MeshPointer>& meshes, const Progr
   geometry->meshes = meshes;
   std::vector<SoundMesh> sound =
       timed("sanitize", [&] { return sanitize_all(*geometry, progress.part(0, 0.1, "sanitize")); });
-  const Progress surface_progress = progress.part(0.1, 0.6, "surface");
+  const Progress surface_progress = progress.part(0.1, 1, "surface");
   geometry->surface = timed("surface", [&] {
-    return refine(std::move(sound), options_.surface, geometry->counts,
-                  surface_progress.part(0, 0.6));
+    return refine(std::move(sound), options_.surface, geometry->counts, surface_progress);
   });
-  timed("surface", [&] { make_search(*geometry, surface_progress.part(0.6, 1)); });
-  geometry->intersections = timed("intersections", [&] {
-    return illustrate::intersections(geometry->surface, *geometry->bvh, geometry->counts,
-                                     progress.part(0.6, 1, "intersections"));
+  timed("surface", [&] {
+    geometry->limit_surface.emplace(geometry->surface);
+    geometry->features = feature_edges(geometry->surface);
   });
+  surface_progress.report(1);
   geometry_ = std::move(geometry);
 }
 
-void Prepared::make_search(Geometry& geometry, const Progress& progress) const {
-  const Surface& surface = geometry.surface;
-  geometry.limit_surface.emplace(surface);
-  geometry.features = feature_edges(surface);
-  geometry.bvh.emplace(surface.positions, surface.triangles, options_.threads,
-                       progress.part(0, 0.5));
-  geometry.dual_surface.emplace(surface, options_.threads, progress.part(0.5, 1));
+const Prepared::Search& Prepared::search(const Progress& progress) const {
+  return geometry_->search.get([&] {
+    const Progress trees = progress.part(0, 0.4, "surface");
+    Search made = timed("surface", [&] {
+      return Search{
+          Bvh(surface().positions, surface().triangles, options_.threads, trees.part(0, 0.5)),
+          DualSurface(surface(), options_.threads, trees.part(0.5, 1)),
+          {},
+          {}};
+    });
+    timed("intersections", [&] {
+      made.intersections = illustrate::intersections(surface(), made.bvh, made.counts,
+                                                     progress.part(0.4, 1, "intersections"));
+    });
+    return made;
+  });
+}
+
+Counts Prepared::report() const {
+  Counts report = geometry_->counts;
+  add(report, search().counts);
+  return report;
 }
 
 const Curvature& Prepared::hatch_curvature(const Progress& progress) const {

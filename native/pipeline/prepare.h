@@ -34,10 +34,10 @@ class Prepared {
   std::size_t object_count() const { return geometry_->meshes.size(); }
   const Surface& surface() const { return geometry_->surface; }
   const LimitSurface& limit_surface() const { return *geometry_->limit_surface; }
-  const Bvh& bvh() const { return *geometry_->bvh; }
-  const DualSurface& dual_surface() const { return *geometry_->dual_surface; }
+  const Bvh& bvh() const { return search().bvh; }
+  const DualSurface& dual_surface() const { return search().dual_surface; }
   const std::vector<FeatureEdge>& features() const { return geometry_->features; }
-  const IntersectionCurves& intersections() const { return geometry_->intersections; }
+  const IntersectionCurves& intersections() const { return search().intersections; }
   const Curvature& hatch_curvature(const Progress& progress = {}) const;
   const CrossField& field(const Progress& progress = {}) const;
   // Down to the finest, or to a radius (hatch/surface_curves.h).
@@ -45,10 +45,18 @@ class Prepared {
   const CurvatureDerivative& curvature_derivative(const Progress& progress = {}) const;
 
   const std::vector<MeshReport>& mesh_reports() const { return geometry_->mesh_reports; }
-  const Counts& report() const { return geometry_->counts; }  // summed over all meshes
+  Counts report() const;    // summed over all meshes
   Timings timings() const;  // seconds; only of what was made here, not of what was taken over
 
  private:
+  // What every drawing asks for and the surface alone does not.
+  struct Search {
+    Bvh bvh;
+    DualSurface dual_surface;
+    IntersectionCurves intersections;
+    Counts counts;
+  };
+
   // Shared by all that were prepared from the same meshes with the same options; the trees point
   // into the surface.
   struct Geometry {
@@ -58,14 +66,12 @@ class Prepared {
     Surface surface;
     std::optional<const LimitSurface> limit_surface;
     std::vector<FeatureEdge> features;
-    std::optional<const Bvh> bvh;
-    std::optional<const DualSurface> dual_surface;
-    IntersectionCurves intersections;
+    Lazy<Search> search;
   };
 
   void make_geometry(const std::vector<MeshPointer>& meshes, const Progress& progress);
   std::vector<SoundMesh> sanitize_all(Geometry& geometry, const Progress& progress) const;
-  void make_search(Geometry& geometry, const Progress& progress) const;
+  const Search& search(const Progress& progress = {}) const;
   bool has_surface_of(const std::vector<MeshPointer>& meshes, const PrepareOptions& options) const;
   void take_over(const Prepared& previous);
   CrossField solve_field(const Progress& progress) const;
@@ -89,8 +95,8 @@ class Prepared {
   mutable Timings timings_;
 };
 
-// Meshes to a surface with its search trees and intersections, with options.field also hatching
-// curvature and cross field. A mesh without faces contributes nothing but stays an object.
+// Meshes to a surface, with options.field also search trees, intersections, hatching curvature and
+// cross field. A mesh without faces contributes nothing but stays an object.
 // `previous`: what was made from the same bytes with the same options is taken over; a field of the
 // same triangles is where the search for this one starts. Throws InvalidInput for arrays that do
 // not fit together and for wrong options.
