@@ -55,12 +55,14 @@ double zero_between(double low, double high) {
   return std::clamp(sum > 0 ? std::abs(low) / sum : 0.5, least_fraction, 1 - least_fraction);
 }
 
-Vec3 face_normal(const Surface& surface, int triangle) {
+Vec3 winding_normal(const Surface& surface, int triangle) {
   const Triangle& corners = surface.triangles[idx(triangle)];
   const Vec3& a = surface.positions[idx(corners[0])];
-  return (surface.positions[idx(corners[1])] - a)
-      .cross(surface.positions[idx(corners[2])] - a)
-      .normalized();
+  return (surface.positions[idx(corners[1])] - a).cross(surface.positions[idx(corners[2])] - a);
+}
+
+Vec3 face_normal(const Surface& surface, int triangle) {
+  return winding_normal(surface, triangle).normalized();
 }
 
 bool is_front_face(const Surface& surface, const Camera& camera, int triangle) {

@@ -40,7 +40,9 @@ class ContourFunctions {
 // of a fan never meet at its vertex.
 double zero_between(double low, double high);
 
-// Unit normal of a triangle's plane; zero where it has no area.
+// Normal of a triangle's plane as it is wound, twice as long as its area.
+Vec3 winding_normal(const Surface& surface, int triangle);
+// The same as a unit; zero where the triangle has no area.
 Vec3 face_normal(const Surface& surface, int triangle);
 
 // Whether a face of a polygon object is front-facing; faces seen exactly edge-on are front.

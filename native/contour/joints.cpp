@@ -4,6 +4,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "contour/contour_functions.h"
 #include "contour/meetings.h"
 #include "surface/locate.h"
 
@@ -208,16 +209,9 @@ class JointFinder {
 
   // Of what passes through a triangle in a direction: +1 from its near side to its far side.
   int change_through(int triangle, const Vec3& along) const {
-    const Vec3 normal = winding_normal(triangle);
+    const Vec3 normal = winding_normal(surface_, triangle);
     const Vec3& corner = surface_.positions[idx(surface_.triangles[idx(triangle)][0])];
     return (normal.dot(camera_.to_eye(corner)) >= 0) == (normal.dot(along) >= 0) ? -1 : 1;
-  }
-
-  Vec3 winding_normal(int triangle) const {
-    const Triangle& t = surface_.triangles[idx(triangle)];
-    const Vec3& a = surface_.positions[idx(t[0])];
-    const Vec3 &b = surface_.positions[idx(t[1])], &c = surface_.positions[idx(t[2])];
-    return (b - a).cross(c - a);
   }
 
   void sort_cuts() {

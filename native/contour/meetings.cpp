@@ -2,15 +2,10 @@
 
 #include <algorithm>
 
+#include "contour/contour_functions.h"
+
 namespace illustrate {
 namespace {
-
-Vec3 winding_normal(const Surface& surface, int triangle) {
-  const Triangle& t = surface.triangles[idx(triangle)];
-  const Vec3& a = surface.positions[idx(t[0])];
-  const Vec3 &b = surface.positions[idx(t[1])], &c = surface.positions[idx(t[2])];
-  return (b - a).cross(c - a);
-}
 
 // -1 where two triangles side by side belong to different sheets of a double cover: their normals
 // are opposite.
@@ -35,7 +30,7 @@ std::vector<std::uint8_t> nearness_along(const Surface& surface, const Camera& c
     if (i > 0 && chain[i].cusp_jump != 0) turns[i] = -turns[i];
     // The image of the contour runs as that of n x r, r the line of sight, if the front is near.
     const Vec3 along = chain[(i + 1) % chain.size()].position - chain[i].position;
-    const Vec3 normal = winding_normal(surface, triangle).normalized();
+    const Vec3 normal = face_normal(surface, triangle);
     sum += turns[i] * along.dot(camera.to_eye(chain[i].position).cross(normal));
   }
   std::vector<std::uint8_t> front_is_near;
@@ -131,7 +126,7 @@ class CurveMeetings {
         const int t = sheets_[i][k];
         if (i > 0)
           turns_[idx(i)][k] = turns_[idx(i - 1)][k] * turn_between(surface_, sheets_[i - 1][k], t);
-        normals[k] = turns_[idx(i)][k] * winding_normal(surface_, t).normalized();
+        normals[k] = turns_[idx(i)][k] * face_normal(surface_, t);
         facings[k] += normals[k].dot(camera_.to_eye(start(i))) * (end(i) - start(i)).norm();
       }
       handedness += normals[0].cross(normals[1]).dot(end(i) - start(i));
