@@ -8,14 +8,8 @@ namespace {
 constexpr double reach_px = 1.0;
 constexpr int most_strands = 8;  // that a way from a joint runs over
 
-struct Direction {
-  double x, y;
-};
-
-double cross(const Direction& a, const Direction& b) { return a.x * b.y - a.y * b.x; }
-
 // Whether u lies between a and b, counter-clockwise.
-bool is_between(const Direction& a, const Direction& u, const Direction& b) {
+bool is_between(const Vec2& a, const Vec2& u, const Vec2& b) {
   const bool left_of_a = cross(a, u) > 0, right_of_b = cross(u, b) > 0;
   return cross(a, b) > 0 ? left_of_a && right_of_b : left_of_a || right_of_b;
 }
@@ -45,9 +39,9 @@ class JointTouches {
   // side of the contour where its surface is not.
   bool leaves_surface(std::size_t node, std::size_t half) const {
     const Tie &s = contour(node), &t = other(node);
-    const Direction in = direction(s.a, false), out = direction(s.b, true);
-    const Direction along = half == 0 ? direction(t.a, false) : direction(t.b, true);
-    if (along.x == 0 && along.y == 0) return false;
+    const Vec2 in = direction(s.a, false), out = direction(s.b, true);
+    const Vec2 along = half == 0 ? direction(t.a, false) : direction(t.b, true);
+    if (along.isZero(0)) return false;
     const Strand& strand = network_.strands[idx(s.b)];
     return is_between(in, along, out) == (strand.left_layers > strand.right_layers);
   }
@@ -73,7 +67,7 @@ class JointTouches {
   // strand.
   bool runs_over_cusp(std::size_t node, std::size_t half) const {
     const Tie &s = contour(node), &t = other(node);
-    const Direction along = half == 0 ? direction(t.a, false) : direction(t.b, true);
+    const Vec2 along = half == 0 ? direction(t.a, false) : direction(t.b, true);
     for (const bool forward : {false, true}) {
       const int strand = forward ? s.b : s.a;
       const Strand& way = network_.strands[idx(strand)];
@@ -84,7 +78,7 @@ class JointTouches {
       const Vec2 to_tip = tip - image_of(s);
       // Along the far strand to the cusp the way comes nearer to the viewer, away from it recedes.
       const bool is_far = ties_[idx(cusp)][0].jump == (forward ? -1 : 1);
-      if (is_far && is_near(tip, image_of(s)) && to_tip.x() * along.x - to_tip.y() * along.y > 0)
+      if (is_far && is_near(tip, image_of(s)) && to_tip.x() * along.x() - to_tip.y() * along.y() > 0)
         return true;
     }
     return false;
@@ -113,15 +107,15 @@ class JointTouches {
   }
 
   // From a strand's end to the first point elsewhere on the grid.
-  Direction direction(int strand, bool forward) const {
+  Vec2 direction(int strand, bool forward) const {
     const std::vector<GridPoint>& grid = arrangement_.image.grid;
     const GridPoint& from = grid[point(strand, 0, forward)];
     for (int i = 1; i < arrangement_.point_count(strand); ++i) {
       const GridPoint& to = grid[point(strand, i, forward)];
       if (to.x == from.x && to.y == from.y) continue;
-      return {static_cast<double>(to.x - from.x), static_cast<double>(to.y - from.y)};
+      return Vec2(static_cast<double>(to.x - from.x), static_cast<double>(to.y - from.y));
     }
-    return {0, 0};
+    return Vec2::Zero();
   }
 
   void collect(const Tie& tie, bool forward, std::vector<int>& found) const {
