@@ -14,17 +14,8 @@ constexpr int most_leaves = 64;
 // Of a triangle's box spline; a bicubic has 16.
 constexpr int triangle_points = 12;
 
-// at: the tree's point at coordinates of the leaf.
-template <typename At>
-PolynomialPatch quartic(const At& at) {
-  std::array<Vec3, 15> values;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] = at(PolynomialPatch::quartic_places()[i]).position;
-  }
-  return PolynomialPatch::quartic(values);
-}
-
-// OpenSubdiv's derivatives are by the coordinates of a quad, of which a sub-face is a half.
+// at: the tree's point at coordinates of the leaf. OpenSubdiv's derivatives are by those of a quad,
+// of which a sub-face is a half.
 template <typename At>
 PolynomialPatch bicubic(const At& at, const Far::PatchParam& place) {
   std::array<LimitPoint, 4> corners{at({0, 0}), at({1, 0}), at({0, 1}), at({1, 1})};
@@ -86,7 +77,9 @@ std::unique_ptr<const LeafPolynomials::Leaf> LeafPolynomials::make(int index) co
   const auto at = [&](const Vec2& uv) { return evaluate_tree(index, face_uv(uv)); };
   const Vec2 first = face_uv({0, 0});
   return std::make_unique<const Leaf>(
-      Leaf{first, face_uv({1, 0}).x() - first.x(), triangular_ ? quartic(at) : bicubic(at, place)});
+      Leaf{first, face_uv({1, 0}).x() - first.x(), triangular_
+                ? PolynomialPatch::quartic([&](const Vec2& uv) { return at(uv).position; })
+                : bicubic(at, place)});
 }
 
 LimitPoint LeafPolynomials::evaluate_tree(int index, const Vec2& uv) const {

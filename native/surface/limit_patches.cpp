@@ -168,11 +168,8 @@ class FacePatches {
           PolynomialPatch::bicubic({evaluate_patches(0, {0, 0}), evaluate_patches(0, {1, 0}),
                                     evaluate_patches(0, {0, 1}), evaluate_patches(0, {1, 1})});
     } else {
-      std::array<Vec3, 15> values;
-      for (std::size_t i = 0; i < values.size(); ++i) {
-        values[i] = evaluate_patches(0, PolynomialPatch::quartic_places()[i]).position;
-      }
-      polynomial_ = PolynomialPatch::quartic(values);
+      polynomial_ = PolynomialPatch::quartic(
+          [&](const Vec2& uv) { return evaluate_patches(0, uv).position; });
     }
     surface_.Clear();
     patch_points_ = {};

@@ -1,5 +1,7 @@
 #include "surface/polynomial_patch.h"
 
+#include <algorithm>
+
 namespace illustrate {
 namespace {
 
@@ -8,11 +10,23 @@ using Mat4x4 = std::array<std::array<double, 4>, 4>;
 // From values and slopes at 0 and 1 to the coefficients of a cubic.
 constexpr Mat4x4 hermite{{{1, 0, 0, 0}, {0, 0, 1, 0}, {-3, 3, -2, -1}, {2, -2, 1, 1}}};
 
+const std::array<Vec2, 15>& quartic_places() {
+  static const std::array<Vec2, 15> places = [] {
+    std::array<Vec2, 15> result;
+    std::size_t filled = 0;
+    for (int i = 0; i < 5; ++i) {
+      for (int j = 0; i + j < 5; ++j) result[filled++] = Vec2(i, j) / 4;
+    }
+    return result;
+  }();
+  return places;
+}
+
 using Mat15 = Eigen::Matrix<double, 15, 15>;
 
 Mat15 inverse_vandermonde() {
   Mat15 values;
-  const std::array<Vec2, 15>& places = PolynomialPatch::quartic_places();
+  const std::array<Vec2, 15>& places = quartic_places();
   for (int p = 0; p < 15; ++p) {
     const Vec2& at = places[idx(p)];
     int column = 0;
@@ -46,19 +60,9 @@ PolynomialPatch PolynomialPatch::bicubic(const std::array<LimitPoint, 4>& c) {
   return patch;
 }
 
-const std::array<Vec2, 15>& PolynomialPatch::quartic_places() {
-  static const std::array<Vec2, 15> places = [] {
-    std::array<Vec2, 15> result;
-    std::size_t filled = 0;
-    for (int i = 0; i < 5; ++i) {
-      for (int j = 0; i + j < 5; ++j) result[filled++] = Vec2(i, j) / 4;
-    }
-    return result;
-  }();
-  return places;
-}
-
-PolynomialPatch PolynomialPatch::quartic(const std::array<Vec3, 15>& values) {
+PolynomialPatch PolynomialPatch::quartic(const std::function<Vec3(const Vec2& uv)>& position) {
+  std::array<Vec3, 15> values;
+  std::transform(quartic_places().begin(), quartic_places().end(), values.begin(), position);
   static const Mat15 inverse = inverse_vandermonde();
   PolynomialPatch patch;
   patch.triangular_ = true;

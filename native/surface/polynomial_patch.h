@@ -2,6 +2,8 @@
 // (Catmull-Clark's B-spline), of total degree 4 on triangles (Loop's box spline).
 #pragma once
 
+#include <functional>
+
 #include "surface/limit_point.h"
 
 namespace illustrate {
@@ -11,9 +13,8 @@ class PolynomialPatch {
   // A bicubic is known by position, du, dv and duv at (0, 0), (1, 0), (0, 1), (1, 1).
   static PolynomialPatch bicubic(const std::array<LimitPoint, 4>& corners);
 
-  // A quartic is known by its values at the (u, v) of `quartic_places`.
-  static PolynomialPatch quartic(const std::array<Vec3, 15>& values);
-  static const std::array<Vec2, 15>& quartic_places();
+  // A quartic is known by its values at 15 places of the triangle.
+  static PolynomialPatch quartic(const std::function<Vec3(const Vec2& uv)>& position);
 
   LimitPoint evaluate(const Vec2& uv) const;
 
