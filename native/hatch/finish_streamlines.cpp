@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hatch/hatch_runs.h"
+
 namespace illustrate {
 namespace {
 
@@ -104,11 +106,7 @@ class Finisher {
   }
 
   void close() {
-    double length = 0;
-    for (std::size_t i = 1; i < line_.size(); ++i) {
-      length += (line_[i].image - line_[i - 1].image).norm();
-    }
-    if (length >= least_length * streamline_->spacing) {
+    if (length_px({line_.data(), line_.size()}) >= least_length * streamline_->spacing) {
       hatches_.curves.add(line_);
       hatches_.kinds.push_back(Kind::hatch);
       hatches_.objects.push_back(streamline_->object);
