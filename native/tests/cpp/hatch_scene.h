@@ -103,6 +103,22 @@ inline Scene torus_scene() {
                   cameras::perspective(Vec3(0, -3, 4), Vec3::Zero(), 0.1, 40, 400), round_z);
 }
 
+// On a scene with one upright crease at `column`: hatches end there, on both sides, and cross
+// nowhere.
+inline void check_ends_at_column(const Hatches& hatches, double column) {
+  int ends_on_curve = 0;
+  for (std::size_t h = 0; h < hatches.curves.size(); ++h) {
+    const auto curve = hatches.curves[h];
+    const bool left = curve[curve.size() / 2].image.x() < column;
+    for (const HatchPoint& point : curve) {
+      EXPECT_LT((point.image.x() - column) * (left ? 1 : -1), 1e-6) << "no hatch crosses";
+    }
+    ends_on_curve += std::abs(curve.front().image.x() - column) < 0.03;
+    ends_on_curve += std::abs(curve.back().image.x() - column) < 0.03;
+  }
+  EXPECT_GT(ends_on_curve, 40);
+}
+
 // What holds for any placement.
 inline void check_hatches(const Scene& scene, const Hatches& hatches) {
   ASSERT_EQ(hatches.kinds.size(), hatches.curves.size());
