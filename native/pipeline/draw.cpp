@@ -221,8 +221,8 @@ DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOption
   validate(options, prepared.object_count());
   for (std::size_t i = 0; i < lights.size(); ++i) validate(lights[i], i);
   const bool hatching = anything_is_hatched(options);
-  const SeenScene scene(prepared, options.styles, options.threads);
-  const CrossField* field = hatching ? &prepared.field(progress.part(0, 0.3)) : nullptr;
+  const SeenScene scene(prepared, options.styles, options.threads, progress.part(0, 0.1));
+  const CrossField* field = hatching ? &prepared.field(progress.part(0.1, 0.3)) : nullptr;
   View view(scene, camera, options);
   if (hatching && previous) view.follow(*previous, prepared.surface());
   view.label_curves(progress.part(0.3, hatching ? 0.5 : 0.95));

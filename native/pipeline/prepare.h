@@ -37,7 +37,9 @@ class Prepared {
   const Bvh& bvh() const { return search().bvh; }
   const DualSurface& dual_surface() const { return search().dual_surface; }
   const std::vector<FeatureEdge>& features() const { return geometry_->features; }
-  const IntersectionCurves& intersections() const { return search().intersections; }
+  const IntersectionCurves& intersections(const Progress& progress = {}) const {
+    return search(progress).intersections;
+  }
   const Curvature& hatch_curvature(const Progress& progress = {}) const;
   const CrossField& field(const Progress& progress = {}) const;
   // Down to the finest, or to a radius (hatch/surface_curves.h).

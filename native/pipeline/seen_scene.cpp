@@ -76,8 +76,10 @@ IntersectionCurves intersections_of(const IntersectionCurves& whole,
 
 }  // namespace
 
-SeenScene::SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& styles, int threads)
+SeenScene::SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& styles, int threads,
+                     const Progress& progress)
     : prepared_(prepared), threads_(threads) {
+  const IntersectionCurves& whole_intersections = prepared.intersections(progress);
   const bool is_whole = std::none_of(styles.begin(), styles.end(),
                                      [](const ObjectStyle& style) { return style.ignore; });
   if (is_whole) return;
@@ -89,7 +91,7 @@ SeenScene::SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& s
   part_->surface = surface_of(prepared.surface(), part_->sources, numbers, styles);
   part_->bvh = Bvh(part_->surface.positions, part_->surface.triangles, threads);
   part_->features = feature_edges(part_->surface);
-  part_->intersections = intersections_of(prepared.intersections(), numbers);
+  part_->intersections = intersections_of(whole_intersections, numbers);
   part_->intersections.triple_points = triple_points(part_->surface, part_->intersections);
   part_->numbers = std::move(numbers);
 }

@@ -9,7 +9,8 @@ namespace illustrate {
 // keep their numbers, so field and curvature still fit).
 class SeenScene {
  public:
-  SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& styles, int threads);
+  SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& styles, int threads,
+            const Progress& progress);
 
   const Surface& surface() const { return part_ ? part_->surface : prepared_.surface(); }
   const LimitSurface& limit_surface() const { return prepared_.limit_surface(); }

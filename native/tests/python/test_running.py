@@ -122,3 +122,14 @@ def test_every_stage_stops_when_it_is_told_to(stage: str) -> None:
     with pytest.raises(ill.Cancelled):
         stages_of(goes_on)
     assert after == [stage]
+
+
+def test_a_first_drawing_without_field_makes_its_search_in_progress() -> None:
+    options = ill.PrepareOptions(level=2, field=False, threads=1)
+    found = ill.prepare([torus(64, 32).mesh()], options)
+    lines = ill.DrawOptions(hatching=False)
+    told: list[str] = []
+    with pytest.raises(ill.Cancelled):
+        ill.draw(found, look_at(), lines, progress=lambda _, stage: stage != "intersections")
+    ill.draw(found, look_at(), lines, progress=lambda _, stage: told.append(stage) or True)
+    assert {"surface", "intersections"} < set(told)
