@@ -254,7 +254,8 @@ class PrepareOptions:
     threads: int
     """0: all cores."""
     field: bool
-    """False: hatching curvature, field and self-intersections wait until first asked for."""
+    """False: hatching curvature and field wait until first asked for; above 500,000 triangles also
+    search trees and intersections."""
     rings: int
     """Rings of neighbours that the hatching curvature is fitted to, [1, 10]."""
     parabolic_ratio: float

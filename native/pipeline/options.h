@@ -18,8 +18,7 @@ struct PrepareOptions {
   SurfaceOptions surface;
   JetOptions jet;  // curvature for hatching
   FieldOptions cross_field;
-  bool field = true;  // false: hatching curvature, field and self-intersections wait until they are
-                      // first needed
+  bool field = true;  // false: hatching curvature and field wait until first needed
   int threads = 0;    // 0: all cores
 };
 void validate(const PrepareOptions& options);  // throws InvalidInput naming the field

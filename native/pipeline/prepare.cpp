@@ -6,6 +6,10 @@
 namespace illustrate {
 namespace {
 
+// Triangles whose search without field takes less than half a second, so that the first drawing need
+// not wait for it.
+constexpr std::size_t most_searched_at_once = 500000;
+
 PrepareOptions with_threads(PrepareOptions options) {
   options.surface.threads = options.jet.threads = options.cross_field.threads = options.threads;
   return options;
@@ -44,13 +48,14 @@ Prepared::Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions&
   if (previous && previous->has_surface_of(meshes, options)) {
     take_over(*previous);
   } else {
-    make_geometry(meshes, progress.part(0, options.field ? 0.4 : 1));
+    make_geometry(meshes, progress.part(0, options.field ? 0.4 : 0.7));
   }
   if (previous && previous->field_ != field_ && previous->field_->peek()) {
     last_field_ = {previous->geometry_, previous->field_};
   }
+  const bool searches = options.field || surface().triangles.size() <= most_searched_at_once;
+  if (searches) search(progress.part(options.field ? 0.4 : 0.7, options.field ? 0.6 : 1));
   if (options.field) {
-    search(progress.part(0.4, 0.6));
     hatch_curvature(progress.part(0.6, 0.7));
     field(progress.part(0.7, 1));
   }

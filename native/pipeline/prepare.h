@@ -97,11 +97,11 @@ class Prepared {
   mutable Timings timings_;
 };
 
-// Meshes to a surface, with options.field also search trees, intersections, hatching curvature and
-// cross field. A mesh without faces contributes nothing but stays an object.
-// `previous`: what was made from the same bytes with the same options is taken over; a field of the
-// same triangles is where the search for this one starts. Throws InvalidInput for arrays that do
-// not fit together and for wrong options.
+// Meshes to a surface, search trees and intersections (without options.field not above 500,000
+// triangles), with options.field also hatching curvature and cross field. A mesh without faces
+// contributes nothing but stays an object. `previous`: what was made from the same bytes with the
+// same options is taken over; a field of the same triangles is where the search for this one
+// starts. Throws InvalidInput for arrays that do not fit together and for wrong options.
 std::shared_ptr<const Prepared> prepare(const std::vector<MeshPointer>& meshes,
                                         const PrepareOptions& options,
                                         const Prepared* previous = nullptr,

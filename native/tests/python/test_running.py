@@ -124,12 +124,32 @@ def test_every_stage_stops_when_it_is_told_to(stage: str) -> None:
     assert after == [stage]
 
 
-def test_a_first_drawing_without_field_makes_its_search_in_progress() -> None:
-    options = ill.PrepareOptions(level=2, field=False, threads=1)
+def note_down() -> tuple[list[str], Callable[[float, str], bool]]:
+    """A list of stages and the progress that fills it."""
+    told: list[str] = []
+
+    def progress(_: float, stage: str) -> bool:
+        told.append(stage)
+        return True
+
+    return told, progress
+
+
+def test_trees_and_intersections_are_ready_for_the_first_drawing() -> None:
+    told, progress = note_down()
+    options = ill.PrepareOptions(level=2, field=False)
+    found = ill.prepare([torus(64, 32).mesh()], options, progress=progress)
+    assert told[-1] == "intersections"
+    lines = ill.DrawOptions(hatching=False)
+    ill.draw(found, look_at(), lines, progress=lambda _, stage: stage != "intersections")
+
+
+def test_the_first_drawing_of_a_huge_surface_without_field_searches_in_progress() -> None:
+    options = ill.PrepareOptions(level=4, field=False)
     found = ill.prepare([torus(64, 32).mesh()], options)
     lines = ill.DrawOptions(hatching=False)
-    told: list[str] = []
     with pytest.raises(ill.Cancelled):
         ill.draw(found, look_at(), lines, progress=lambda _, stage: stage != "intersections")
-    ill.draw(found, look_at(), lines, progress=lambda _, stage: told.append(stage) or True)
+    told, progress = note_down()
+    ill.draw(found, look_at(), lines, progress=progress)
     assert {"surface", "intersections"} < set(told)
