@@ -13,11 +13,9 @@ namespace {
 
 const Camera one_px = cameras::orthographic(Vec3(0, 0, 1), 500);  // a world unit is a pixel
 
-// A square with a curl of less than half a pixel in its upper side, in front on its way in, cut
-// into two strands at two cusps with these jumps.
-CurveNetwork curled_square(int first_jump, int second_jump) {
-  const Points points{{50, -50, 0},   {50, 50, 0},    {-.2, 50, 0},    {-.2, 50.3, -1},
-                      {.1, 50.3, -1}, {.1, 49.8, -1}, {-50, 49.8, -1}, {-50, -50, -1}};
+// A closed silhouette through these points, cut into two strands at the cusps at its first and its
+// last, where it gains these layers.
+CurveNetwork closed_through(const Points& points, int first_jump, int second_jump) {
   CurveNetwork network;
   network.nodes = {{NodeKind::cusp, points.front()}, {NodeKind::cusp, points.back()}};
   for (const Vec3& p : points) network.points.push({p, {}});
@@ -34,6 +32,19 @@ CurveNetwork curled_square(int first_jump, int second_jump) {
   }
   network.ties = {{1, 0, 1, first_jump}, {0, 1, 0, second_jump}};
   return network;
+}
+
+// A square with a curl of less than half a pixel in its upper side, in front on its way in.
+CurveNetwork curled_square(int first_jump, int second_jump) {
+  return closed_through({{50, -50, 0},
+                         {50, 50, 0},
+                         {-.2, 50, 0},
+                         {-.2, 50.3, -1},
+                         {.1, 50.3, -1},
+                         {.1, 49.8, -1},
+                         {-50, 49.8, -1},
+                         {-50, -50, -1}},
+                        first_jump, second_jump);
 }
 
 TEST(Twists, OfUnbalancedPathsAreDropped) {
@@ -213,31 +224,26 @@ TEST(Touches, OfACurveThatComesOverTheTipOfACuspAreWithItsNearStrand) {
 // Two crossings with a contour, a tenth of a pixel across, behind it at the first and in front at
 // the second; at its cusps the closed curve gains or loses what the first one changes.
 CurveNetwork square_with_a_lens(int jump) {
-  CurveNetwork network;
-  const Points points{{50, -50, -1}, {50, 50, -1},   {1, 49.95, -1}, {0, 50.05, -1},
-                      {0, 50.05, 1}, {-1, 49.95, 1}, {-50, 50, 1},   {-50, -50, 0}};
-  network.nodes = {{NodeKind::cusp, points.front()}, {NodeKind::cusp, points.back()}};
-  for (const Vec3& p : points) network.points.push({p, {}});
+  CurveNetwork network = closed_through({{50, -50, -1},
+                                         {50, 50, -1},
+                                         {1, 49.95, -1},
+                                         {0, 50.05, -1},
+                                         {0, 50.05, 1},
+                                         {-1, 49.95, 1},
+                                         {-50, 50, 1},
+                                         {-50, -50, 0}},
+                                        jump, jump);
+  const Vec3 start(20, 50, 0), end(-20, 50, 0);
+  network.points.push({start, {}});
+  network.points.push({end, {}});
   network.points.close_list();
-  network.points.push({points.back(), {}});
-  network.points.push({points.front(), {}});
-  network.points.close_list();
-  network.points.push({Vec3(20, 50, 0), {}});
-  network.points.push({Vec3(-20, 50, 0), {}});
-  network.points.close_list();
+  network.nodes.push_back({NodeKind::end, start});
+  network.nodes.push_back({NodeKind::end, end});
   Strand strand;
   strand.left_layers = 2;
-  for (const int start : {0, 1}) {
-    strand.start_node = start;
-    strand.end_node = 1 - start;
-    network.strands.push_back(strand);
-  }
-  network.nodes.push_back({NodeKind::end, Vec3(20, 50, 0)});
-  network.nodes.push_back({NodeKind::end, Vec3(-20, 50, 0)});
   strand.start_node = 2;
   strand.end_node = 3;
   network.strands.push_back(strand);
-  network.ties = {{1, 0, 1, jump}, {0, 1, 0, jump}};
   return network;
 }
 
