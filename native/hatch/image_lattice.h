@@ -18,7 +18,8 @@ void visit_lattice(double width_px, double height_px, double step_px, const Visi
   auto stride = static_cast<std::int64_t>(0.6180339887498949 * static_cast<double>(count)) | 1;
   while (std::gcd(stride, count) != 1) ++stride;
   for (std::int64_t i = 0, at = 0; i < count; ++i, at = (at + stride) % count) {
-    const Vec2 square(static_cast<double>(at % columns), static_cast<double>(at / columns));
+    const std::int64_t row = at / columns, column = at % columns;
+    const Vec2 square(static_cast<double>(column), static_cast<double>(row));
     visit(i, Vec2((square + Vec2(0.5, 0.5)) * step_px));
   }
 }

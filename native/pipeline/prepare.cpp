@@ -6,8 +6,8 @@
 namespace illustrate {
 namespace {
 
-// Triangles whose search without field takes less than half a second, so that the first drawing need
-// not wait for it.
+// Triangles whose search without field takes less than half a second, so that the first drawing
+// need not wait for it.
 constexpr std::size_t most_searched_at_once = 500000;
 
 PrepareOptions with_threads(PrepareOptions options) {

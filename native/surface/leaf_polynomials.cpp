@@ -77,9 +77,9 @@ std::unique_ptr<const LeafPolynomials::Leaf> LeafPolynomials::make(int index) co
   const auto at = [&](const Vec2& uv) { return evaluate_tree(index, face_uv(uv)); };
   const Vec2 first = face_uv({0, 0});
   return std::make_unique<const Leaf>(
-      Leaf{first, face_uv({1, 0}).x() - first.x(), triangular_
-                ? PolynomialPatch::quartic([&](const Vec2& uv) { return at(uv).position; })
-                : bicubic(at, place)});
+      Leaf{first, face_uv({1, 0}).x() - first.x(),
+           triangular_ ? PolynomialPatch::quartic([&](const Vec2& uv) { return at(uv).position; })
+                       : bicubic(at, place)});
 }
 
 LimitPoint LeafPolynomials::evaluate_tree(int index, const Vec2& uv) const {

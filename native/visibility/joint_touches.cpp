@@ -78,7 +78,8 @@ class JointTouches {
       const Vec2 to_tip = tip - image_of(s);
       // Along the far strand to the cusp the way comes nearer to the viewer, away from it recedes.
       const bool is_far = ties_[idx(cusp)][0].jump == (forward ? -1 : 1);
-      if (is_far && is_near(tip, image_of(s)) && to_tip.x() * along.x() - to_tip.y() * along.y() > 0)
+      if (is_far && is_near(tip, image_of(s)) &&
+          to_tip.x() * along.x() - to_tip.y() * along.y() > 0)
         return true;
     }
     return false;
