@@ -3,24 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/tolerances.h"
-
 namespace illustrate {
 namespace {
 
 // Of an edge: far below what can be seen.
 constexpr double least_fraction = 1e-5;
 
-double without_noise(double g, double distance) {
-  return std::abs(g) < tolerance::facing_noise * distance ? 0 : g;
-}
-
 }  // namespace
-
-double ContourFunctions::g(int vertex) const {
-  const Vec3 view = camera_.to_eye(surface_.positions[idx(vertex)]);
-  return without_noise(surface_.normals[idx(vertex)].dot(view), view.norm());
-}
 
 bool ContourFunctions::front(int triangle, int corner) const {
   const int v = surface_.triangles[idx(triangle)][idx(corner)];
@@ -34,20 +23,11 @@ double ContourFunctions::zero_fraction(int triangle, int corner) const {
   return a < b ? zero : 1 - zero;
 }
 
-double ContourFunctions::cusp_at_vertex(int vertex) const {
+double ContourFunctions::cusp_function(int vertex) const {
   const Vec3 view = camera_.to_eye(surface_.positions[idx(vertex)]);
   const Curvature& c = surface_.curvature;
   const double along1 = view.dot(c.w1[idx(vertex)]), along2 = view.dot(c.w2[idx(vertex)]);
   return c.k1[idx(vertex)] * along1 * along1 + c.k2[idx(vertex)] * along2 * along2;
-}
-
-std::array<double, 3> ContourFunctions::cusp_functions(int triangle) const {
-  std::array<double, 3> values;
-  for (int k = 0; k < 3; ++k) {
-    values[idx(k)] = surface_.corner_sign(triangle, k) *
-                     cusp_at_vertex(surface_.triangles[idx(triangle)][idx(k)]);
-  }
-  return values;
 }
 
 double zero_between(double low, double high) {
@@ -67,7 +47,7 @@ Vec3 face_normal(const Surface& surface, int triangle) {
 
 bool is_front_face(const Surface& surface, const Camera& camera, int triangle) {
   const Vec3 view = camera.to_eye(surface.positions[idx(surface.triangles[idx(triangle)][0])]);
-  return !(without_noise(face_normal(surface, triangle).dot(view), view.norm()) < 0);
+  return !(without_facing_noise(face_normal(surface, triangle).dot(view), view) < 0);
 }
 
 }  // namespace illustrate

@@ -1,10 +1,23 @@
 // g and the cusp function C at the corners of triangles, with the one rule for ties.
 #pragma once
 
+#include <cmath>
+
+#include "core/tolerances.h"
 #include "surface/surface.h"
 #include "view/camera.h"
 
 namespace illustrate {
+
+// What is left of g, seen along `view`, where it is more than rounding noise.
+inline double without_facing_noise(double g, const Vec3& view) {
+  const double size = std::abs(g);
+  // The sum of its components is never shorter than the vector.
+  if (size >=
+      tolerance::facing_noise * (std::abs(view.x()) + std::abs(view.y()) + std::abs(view.z())))
+    return g;
+  return size < tolerance::facing_noise * view.norm() ? 0 : g;
+}
 
 // The two functions of paper sections 4.1 and 4.2 at corners, with the sign of the triangle's
 // sheet; computed when asked for.
@@ -16,7 +29,10 @@ class ContourFunctions {
   const Camera& camera() const { return camera_; }
 
   // g at a vertex, on its own sheet; rounding noise is 0.
-  double g(int vertex) const;
+  double g(int vertex) const {
+    const Vec3 view = camera_.to_eye(surface_.positions[idx(vertex)]);
+    return without_facing_noise(surface_.normals[idx(vertex)].dot(view), view);
+  }
 
   // g = 0 is front, decided once per vertex, so that both sheets of a double cover agree.
   bool front(int triangle, int corner) const;
@@ -25,12 +41,10 @@ class ContourFunctions {
   // both sides of the edge.
   double zero_fraction(int triangle, int corner) const;
 
-  // C = k1 (v.w1)^2 + k2 (v.w2)^2, v towards the eye, at the corners of a triangle.
-  std::array<double, 3> cusp_functions(int triangle) const;
+  // C = k1 (v.w1)^2 + k2 (v.w2)^2, v towards the eye, at a vertex, on its own sheet.
+  double cusp_function(int vertex) const;
 
  private:
-  double cusp_at_vertex(int vertex) const;
-
   const Surface& surface_;
   const Camera& camera_;
 };

@@ -5,7 +5,7 @@
 #include "contour/contour_functions.h"
 #include "contour/polygon_silhouettes.h"
 #include "core/parallel.h"
-#include "core/radix_sort.h"
+#include "core/sort_unique.h"
 #include "core/tolerances.h"
 
 namespace illustrate {
@@ -155,7 +155,7 @@ DualSurface::DualSurface(const Surface& surface, int threads, const Progress& pr
       },
       threads, progress.part(0, 0.2));
   const std::vector<std::vector<int>> ids = ids_of(surface);
-  while (surface.triangles.size() * 3 >> id_bits_) ++id_bits_;
+  ids_end_ = surface.triangles.size() * 3;
   const auto count = static_cast<double>(ids.size());
   for (std::size_t o = 0; o < ids.size(); ++o) {
     if (ids[o].empty()) continue;
@@ -179,8 +179,7 @@ std::vector<int> DualSurface::find(const Camera& camera, bool smooth) const {
     const double farthest = viewpoint.head<3>().norm() + viewpoint[3];
     part.tree.find(viewpoint, tolerance::facing_noise * farthest * (1 + rounding), found);
   }
-  radix_sort(found, id_bits_, [](int id) { return static_cast<std::uint64_t>(id); });
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  sort_unique(found, ids_end_);
   return found;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "core/prefetch.h"
 #include "core/radix_sort.h"
 
 namespace illustrate {
@@ -212,13 +213,14 @@ void DualTree::find(const Vec4& viewpoint, double margin, std::vector<int>& foun
   for (int face = 0; face < 8; ++face) {
     const int axis = face / 2;
     const double offset = face % 2 ? -viewpoint[axis] : viewpoint[axis];
-    const Vec3 slope(viewpoint[axis > 0 ? 0 : 1], viewpoint[axis > 1 ? 1 : 2],
-                     viewpoint[axis > 2 ? 2 : 3]);
+    const std::array<double, 3> slope{viewpoint[axis > 0 ? 0 : 1], viewpoint[axis > 1 ? 1 : 2],
+                                      viewpoint[axis > 2 ? 2 : 3]};
     for (int n = roots_[idx(face)]; n < roots_[idx(face) + 1];) {
       const Node& node = nodes_[idx(n)];
+      prefetch(&nodes_[idx(node.next)]);
       double least = offset, most = offset;
-      for (int j = 0; j < 3; ++j) {
-        const double a = slope[j] * node.low[idx(j)], b = slope[j] * node.high[idx(j)];
+      for (std::size_t j = 0; j < 3; ++j) {
+        const double a = slope[j] * node.low[j], b = slope[j] * node.high[j];
         least += std::min(a, b);
         most += std::max(a, b);
       }
@@ -228,7 +230,7 @@ void DualTree::find(const Vec4& viewpoint, double margin, std::vector<int>& foun
       }
       ++n;
       if (n == node.next) {
-        found.insert(found.end(), ids_.begin() + node.first, ids_.begin() + nodes_[idx(n)].first);
+        for (int i = node.first; i < nodes_[idx(n)].first; ++i) found.push_back(ids_[idx(i)]);
       }
     }
   }

@@ -51,47 +51,51 @@ SurfacePoint on_triangle(const PatchTriangle& patch, int triangle, const Vec2& u
 }
 
 void ExactChain::solve(Span<const EdgePoint> linear, bool closed, bool everywhere) {
+  linear_ = linear;
   closed_ = closed;
-  samples_.clear();
-  stations_.clear();
-  stations_.reserve(linear.size());
-  for (const EdgePoint& p : linear) stations_.push_back({p});
+  exact_.clear();
+  stations_.assign(linear.size(), {});
   for (std::size_t i = 0; i < segments(); ++i) {
-    stations_[i].turns_over = turns_over(stations_[i], stations_[after(i)]);
+    stations_[i].turns_over = turns_over(linear[i], linear[after(i)]);
   }
   if (everywhere) {
     for (std::size_t i = 0; i < stations_.size(); ++i) solve_station(i);
     return;
   }
   images_.clear();
-  for (const Station& s : stations_) images_.push_back(camera_.project(s.point.position).xy);
+  for (const EdgePoint& p : linear) images_.push_back(camera_.project(p.position).xy);
   for (const std::size_t i : near_suspects()) solve_station(i);
   spread();
 }
 
 // Triangles of one sheet run along their edge in opposite directions.
-bool ExactChain::turns_over(const Station& from, const Station& to) const {
-  const auto place = [&](int triangle, int corner) {
-    return surface_.places[idx(surface_.triangles[idx(triangle)][idx(corner)])];
-  };
-  const int t = from.point.on.triangle, u = to.point.on.triangle;
-  return t != u && place(t, from.point.out) == place(u, to.point.edge);
+bool ExactChain::turns_over(const EdgePoint& from, const EdgePoint& to) const {
+  const Triangle& here = surface_.triangles[idx(from.on.triangle)];
+  const Triangle& there = surface_.triangles[idx(to.on.triangle)];
+  const int start = here[idx(from.out)];
+  if (&here == &there || start == there[idx(next_corner(to.edge))]) return false;
+  return surface_.places[idx(start)] == surface_.places[idx(there[idx(to.edge)])];
 }
 
-int ExactChain::sign(const Station& station) const {
-  const double convex =
-      station.sample == none ? -station.point.cusp_function : samples_[idx(station.sample)].kappa;
+const EdgePoint& ExactChain::point(std::size_t i) const {
+  const int exact = stations_[i].exact;
+  return exact == none ? linear_[i] : exact_[idx(exact)].point;
+}
+
+int ExactChain::sign(std::size_t i) const {
+  const int exact = stations_[i].exact;
+  const double convex = exact == none ? -linear_[i].cusp_function : exact_[idx(exact)].sample.kappa;
   return convex < 0 ? -1 : 1;
 }
 
 int ExactChain::sign_at_end(std::size_t i) const {
-  const int at_end = sign(stations_[after(i)]);
+  const int at_end = sign(after(i));
   return stations_[i].turns_over ? -at_end : at_end;
 }
 
 bool ExactChain::is_suspect(std::size_t i) const {
   if (!closed_ && (i == 0 || i + 1 == segments())) return true;
-  return stations_[i].point.has_both_signs || sign(stations_[i]) != sign_at_end(i) || turns_back(i);
+  return linear_[i].has_both_signs || sign(i) != sign_at_end(i) || turns_back(i);
 }
 
 // Whether the image turns back where the segment ends: as if at a cusp that nothing else tells of.
@@ -101,22 +105,22 @@ bool ExactChain::turns_back(std::size_t i) const {
   return (here - from).dot(to - here) < 0;
 }
 
-double ExactChain::dilation_reach(const Station& station) const {
-  const Triangle& t = surface_.triangles[idx(station.point.on.triangle)];
-  const Vec3& a = surface_.positions[idx(t[idx(station.point.edge)])];
-  const Vec3& b = surface_.positions[idx(t[idx(next_corner(station.point.edge))])];
-  const double edge_px = (b - a).norm() / camera_.pixel_size(station.point.position);
+double ExactChain::dilation_reach(const EdgePoint& p) const {
+  const Triangle& t = surface_.triangles[idx(p.on.triangle)];
+  const Vec3& a = surface_.positions[idx(t[idx(p.edge)])];
+  const Vec3& b = surface_.positions[idx(t[idx(next_corner(p.edge))])];
+  const double edge_px = (b - a).norm() / camera_.pixel_size(p.position);
   return std::min(dilation_edges * edge_px, most_dilation_px);
 }
 
 void ExactChain::want_around(std::size_t i, bool forward, std::vector<std::uint8_t>& wanted) const {
   const std::size_t count = stations_.size();
   const Vec2& centre = images_[i];
-  const double reach = dilation_reach(stations_[i]);
+  const double reach = dilation_reach(linear_[i]);
   wanted[i] = 1;
   for (std::size_t step = 1; step < count; ++step) {
     if (!closed_ && i == (forward ? count - 1 : 0)) return;
-    i = forward ? (i + 1) % count : (i + count - 1) % count;
+    i = forward ? after(i) : (i == 0 ? count : i) - 1;
     if (step > dilation && !((images_[i] - centre).norm() < reach)) return;
     wanted[i] = 1;
   }
@@ -140,19 +144,20 @@ void ExactChain::solve_station(std::size_t i) {
   Station& station = stations_[i];
   if (station.is_tried) return;
   station.is_tried = true;
-  EdgePoint& p = station.point;
+  const EdgePoint& p = linear_[i];
   const int t = p.on.triangle;
   if (surface_.patches[idx(t)].ptex_face == none) return;
   if (!(camera_.near_distance(p.position) > 0)) return;
   const SolvedEdge found = solved_edge(p);
   station.at_pinch = found.at_pinch;
   if (!found.sample) return;
-  station.sample = static_cast<int>(samples_.size());
-  samples_.push_back(*found.sample);
-  if (found.sheet != sheet_of(p)) turn_over(samples_.back());
-  p.position = found.sample->position;
-  p.fraction = ascends(p) ? found.fraction : 1 - found.fraction;
-  p.on = on_edge(t, p.edge, p.fraction);
+  station.exact = static_cast<int>(exact_.size());
+  Exact exact{p, *found.sample};
+  if (found.sheet != sheet_of(p)) turn_over(exact.sample);
+  exact.point.position = found.sample->position;
+  exact.point.fraction = ascends(p) ? found.fraction : 1 - found.fraction;
+  exact.point.on = on_edge(t, p.edge, exact.point.fraction);
+  exact_.push_back(exact);
 }
 
 // Whether the point's edge runs from its lower vertex to the higher one.
@@ -185,17 +190,18 @@ SolvedEdge ExactChain::solve_edge(const EdgePoint& p) {
   const Vec2 along = patch.uv(next_corner(k)) - patch.uv(k);
   const bool low_front = functions_.front(t, k);
   double low = end, high = 1 - end, f = p.fraction;
-  std::optional<ContourSample> sample;
+  std::optional<ContourValue> value;
   for (int i = 0; i < most_steps; ++i) {
-    sample = contour_.at({patch.ptex_face, patch_uv(patch, k, f)});
-    if (!sample) return {};
-    if (std::abs(sample->g) < on_contour || high - low < 1e-12) break;
-    ((sample->g >= 0) == low_front ? low : high) = f;
-    f -= sample->g / sample->gradient.dot(along);
+    value = contour_.at({patch.ptex_face, patch_uv(patch, k, f)});
+    if (!value) return {};
+    if (std::abs(value->g) < on_contour || high - low < 1e-12) break;
+    ((value->g >= 0) == low_front ? low : high) = f;
+    f -= value->g / value->gradient.dot(along);
     if (!(f > low && f < high)) f = (low + high) / 2;
   }
-  if (std::abs(sample->g) > flat && sample->spread < pinch_spread) return {0, 1, {}, true};
-  if (std::abs(sample->g) > flat || sample->tangent.isZero()) return {};
+  if (std::abs(value->g) > flat) return {0, 1, {}, value->spread() < pinch_spread};
+  const ContourSample sample = LimitContour::sample(*value);
+  if (sample.tangent.isZero()) return {};
   return {ascends(p) ? f : 1 - f, sheet_of(p), sample, false};
 }
 
@@ -205,32 +211,31 @@ void ExactChain::spread() {
     again = false;
     for (std::size_t i = 0; i < segments(); ++i) {
       const Station &a = stations_[i], &b = stations_[after(i)];
-      if (a.is_tried == b.is_tried || sign(a) == sign_at_end(i)) continue;
+      if (a.is_tried == b.is_tried || sign(i) == sign_at_end(i)) continue;
       solve_station(a.is_tried ? after(i) : i);
       again = true;
     }
   }
 }
 
-// Whether the cusp that the signs at a segment's ends tell of is not found within its triangle: the
-// contour makes an excursion over an edge.
-bool ExactChain::has_lost_cusp(std::size_t i) {
-  if (sign(stations_[i]) == sign_at_end(i)) return false;
-  const PatchTriangle& patch = surface_.patches[idx(stations_[i].point.on.triangle)];
-  const std::optional<ExactKnot> from = knot_of(i), to = knot_of(after(i));
-  const ContourKnot cusp = segment_.cusp_between(patch.ptex_face, from->leaving, to->arriving);
-  return std::abs(cusp.sample.kappa) > lost_kappa || !is_within(patch, cusp.uv);
+// Whether the cusp that the signs at the ends of the segment refined last tell of was not found
+// within its triangle: the contour makes an excursion over an edge.
+bool ExactChain::is_cusp_lost(std::size_t i) const {
+  const std::optional<ContourKnot>& cusp = segment_.cusp();
+  if (!cusp) return false;
+  const PatchTriangle& patch = surface_.patches[idx(linear_[i].on.triangle)];
+  return std::abs(cusp->sample.kappa) > lost_kappa || !is_within(patch, cusp->uv);
 }
 
-std::vector<int> ExactChain::troubled() {
+std::vector<int> ExactChain::troubled() const {
   std::vector<int> triangles;
   for (std::size_t i = 0; i < segments(); ++i) {
     const Station &a = stations_[i], &b = stations_[after(i)];
-    if (a.sample == none || b.sample == none) continue;
-    const ContourSample &from = samples_[idx(a.sample)], &to = samples_[idx(b.sample)];
+    if (a.exact == none || b.exact == none) continue;
+    const ContourSample &from = exact_[idx(a.exact)].sample, &to = exact_[idx(b.exact)].sample;
     const Vec3 chord = (to.position - from.position).normalized();
     const double least = std::min(chord.dot(from.tangent), chord.dot(to.tangent));
-    if (least < troubled_cos || has_lost_cusp(i)) triangles.push_back(a.point.on.triangle);
+    if (least < troubled_cos || a.has_lost_cusp) triangles.push_back(linear_[i].on.triangle);
   }
   return triangles;
 }
@@ -246,13 +251,17 @@ ExactPolyline ExactChain::polyline() {
   ExactPolyline line;
   line.closed = closed_;
   line.edges = static_cast<int>(stations_.size());
-  line.points.reserve(stations_.size() + samples_.size());
-  line.knots.reserve(3 * samples_.size());
+  line.points.reserve(stations_.size() + exact_.size());
+  line.knots.reserve(3 * exact_.size());
   std::optional<ExactKnot> here = knot_of(0);
   for (std::size_t i = 0; i < segments(); ++i) {
     std::optional<ExactKnot> next = knot_of(after(i));
     add_station(i, here, line);
-    add_between(i, here, next, line);
+    if (here && next) {
+      add_between(i, *here, *next, line);
+    } else {
+      add_linear_cusp(i, line);
+    }
     here = std::move(next);
   }
   if (!closed_) add_station(stations_.size() - 1, here, line);
@@ -267,7 +276,7 @@ std::vector<LeftOutPoint> ExactChain::left_out(const ExactPolyline& line) const 
     const std::size_t first = after(idx(line.points[i].segment));
     const std::size_t end = next.edge == none ? after(idx(next.segment)) : idx(next.segment);
     for (std::size_t k = first; k != end; k = after(k)) {
-      result.push_back({static_cast<int>(i), stations_[k].point});
+      result.push_back({static_cast<int>(i), point(k)});
     }
   }
   return result;
@@ -275,7 +284,7 @@ std::vector<LeftOutPoint> ExactChain::left_out(const ExactPolyline& line) const 
 
 // Where the next station lies on the patch of a segment's triangle.
 Vec2 ExactChain::uv_at_end(std::size_t i) const {
-  const EdgePoint &from = stations_[i].point, &to = stations_[after(i)].point;
+  const EdgePoint &from = point(i), &to = point(after(i));
   const bool is_tip = from.on.triangle == to.on.triangle;
   const bool same_way = is_tip || stations_[i].turns_over;
   return patch_uv(surface_.patches[idx(from.on.triangle)], from.out,
@@ -283,14 +292,13 @@ Vec2 ExactChain::uv_at_end(std::size_t i) const {
 }
 
 std::optional<ExactKnot> ExactChain::knot_of(std::size_t i) const {
-  if (stations_[i].sample == none) return {};
-  const EdgePoint& p = stations_[i].point;
+  if (!is_exact(i)) return {};
+  const auto& [p, sample] = exact_[idx(stations_[i].exact)];
   const PatchTriangle& patch = surface_.patches[idx(p.on.triangle)];
-  const ContourSample& sample = samples_[idx(stations_[i].sample)];
   const ContourKnot leaving = segment_.knot(patch_uv(patch, p.edge, p.fraction), sample);
   ExactKnot knot{leaving, leaving};
   if (i == 0 && !closed_) return knot;
-  const std::size_t before = (i + stations_.size() - 1) % stations_.size();
+  const std::size_t before = (i == 0 ? stations_.size() : i) - 1;
   ContourSample seen = sample;
   if (stations_[before].turns_over) turn_over(seen);
   knot.arriving = segment_.knot(uv_at_end(before), seen);
@@ -299,26 +307,20 @@ std::optional<ExactKnot> ExactChain::knot_of(std::size_t i) const {
 
 void ExactChain::add_station(std::size_t i, const std::optional<ExactKnot>& knot,
                              ExactPolyline& line) const {
-  ExactPoint point{stations_[i].point, none, static_cast<int>(i)};
-  if (knot) {
-    point.knot = static_cast<int>(line.knots.size());
-    line.knots.push_back(*knot);
-  }
-  line.points.push_back(point);
+  line.points.push_back({point(i), none, static_cast<int>(i)});
+  if (!knot) return;
+  line.points.back().knot = static_cast<int>(line.knots.size());
+  line.knots.push_back(*knot);
 }
 
-void ExactChain::add_between(std::size_t i, const std::optional<ExactKnot>& start,
-                             const std::optional<ExactKnot>& end, ExactPolyline& line) {
-  const Station& from = stations_[i];
-  if (!start || !end) {
-    const bool straight_on = from.at_pinch || stations_[after(i)].at_pinch;
-    if (sign(from) != sign_at_end(i) && !straight_on) add_linear_cusp(i, line);
-    return;
-  }
-  const int t = from.point.on.triangle;
+void ExactChain::add_between(std::size_t i, const ExactKnot& start, const ExactKnot& end,
+                             ExactPolyline& line) {
+  Station& station = stations_[i];
+  const int t = linear_[i].on.triangle;
   const PatchTriangle& patch = surface_.patches[idx(t)];
   between_.clear();
-  segment_.refine(patch.ptex_face, start->leaving, end->arriving, from.longest_px, between_);
+  segment_.refine(patch.ptex_face, start.leaving, end.arriving, station.longest_px, between_);
+  station.has_lost_cusp = is_cusp_lost(i);
   for (const ContourKnot& knot : between_) {
     ExactPoint inside;
     inside.position = knot.sample.position;
@@ -331,8 +333,11 @@ void ExactChain::add_between(std::size_t i, const std::optional<ExactKnot>& star
   }
 }
 
+// Where the signs at the ends of a segment differ, at least one of which is not exact.
 void ExactChain::add_linear_cusp(std::size_t i, ExactPolyline& line) const {
-  const EdgePoint &from = stations_[i].point, &to = stations_[after(i)].point;
+  const bool straight_on = stations_[i].at_pinch || stations_[after(i)].at_pinch;
+  if (sign(i) == sign_at_end(i) || straight_on) return;
+  const EdgePoint &from = point(i), &to = point(after(i));
   const double at_end = stations_[i].turns_over ? -to.cusp_function : to.cusp_function;
   const double span = from.cusp_function - at_end;
   const bool changes = (from.cusp_function >= 0) != (at_end >= 0);

@@ -58,15 +58,15 @@ class ExactChain {
         solved_(solved),
         segment_(contour, functions.camera()) {}
 
-  // Finds the exact points of a linear chain; everywhere: all of them.
+  // Finds the exact points of a linear chain, which is to outlive this; everywhere: all of them.
   void solve(Span<const EdgePoint> linear, bool closed, bool everywhere);
-
-  // Triangles whose segment runs far from the contour's direction at an end, or misses its cusp:
-  // they hold more of the contour than the signs at their corners tell.
-  std::vector<int> troubled();
 
   // The chain that was solved, with what lies within its triangles.
   ExactPolyline polyline();
+
+  // Triangles whose segment runs far from the contour's direction at an end, or missed its cusp in
+  // the last polyline: they hold more of the contour than the signs at their corners tell.
+  std::vector<int> troubled() const;
 
   // Of a polyline that was made of this chain and has lost points since.
   std::vector<LeftOutPoint> left_out(const ExactPolyline& line) const;
@@ -75,28 +75,38 @@ class ExactChain {
   void make_finer(int segment, double longest_px);
 
  private:
+  // A point of the linear chain, and the segment that starts there.
   struct Station {
-    EdgePoint point;
-    // Beyond this point's segment: the sheet is the other one of a double cover.
+    // Beyond the segment: the sheet is the other one of a double cover.
     bool turns_over = false;
     bool is_tried = false;  // whether it was asked to be exact
     bool at_pinch = false;
-    int sample = none;
+    bool has_lost_cusp = false;
+    int exact = none;
     double longest_px = std::numeric_limits<double>::infinity();  // between points up to the next
+  };
+  struct Exact {
+    EdgePoint point;
+    ContourSample sample;
   };
 
   std::size_t segments() const { return stations_.size() - (closed_ ? 0 : 1); }
-  std::size_t after(std::size_t station) const { return (station + 1) % stations_.size(); }
-  bool turns_over(const Station& from, const Station& to) const;
+  std::size_t after(std::size_t station) const {
+    return station + 1 < stations_.size() ? station + 1 : 0;
+  }
+  bool turns_over(const EdgePoint& from, const EdgePoint& to) const;
+
+  const EdgePoint& point(std::size_t station) const;
+  bool is_exact(std::size_t station) const { return stations_[station].exact != none; }
 
   // Of kappa, as seen from the station's own triangle, and at the end of a segment.
-  int sign(const Station& station) const;
+  int sign(std::size_t station) const;
   int sign_at_end(std::size_t segment) const;
 
-  bool has_lost_cusp(std::size_t segment);
+  bool is_cusp_lost(std::size_t segment) const;
   bool is_suspect(std::size_t segment) const;
   bool turns_back(std::size_t segment) const;
-  double dilation_reach(const Station& station) const;
+  double dilation_reach(const EdgePoint& point) const;
   void want_around(std::size_t station, bool forward, std::vector<std::uint8_t>& wanted) const;
   std::vector<std::size_t> near_suspects() const;
 
@@ -111,8 +121,8 @@ class ExactChain {
   std::optional<ExactKnot> knot_of(std::size_t station) const;
   void add_station(std::size_t station, const std::optional<ExactKnot>& knot,
                    ExactPolyline& line) const;
-  void add_between(std::size_t segment, const std::optional<ExactKnot>& start,
-                   const std::optional<ExactKnot>& end, ExactPolyline& line);
+  void add_between(std::size_t segment, const ExactKnot& start, const ExactKnot& end,
+                   ExactPolyline& line);
   void add_linear_cusp(std::size_t segment, ExactPolyline& line) const;
 
   const Surface& surface_;
@@ -122,9 +132,10 @@ class ExactChain {
   SolvedEdges* solved_;
   ExactSegment segment_;
   bool closed_ = false;
+  Span<const EdgePoint> linear_;
   std::vector<Station> stations_;
-  std::vector<Vec2> images_;  // of the linear stations
-  std::vector<ContourSample> samples_;
+  std::vector<Vec2> images_;  // of the linear points
+  std::vector<Exact> exact_;
   std::vector<ContourKnot> between_;
 };
 

@@ -34,13 +34,8 @@ void ExactSegment::refine(int ptex_face, const ContourKnot& a, const ContourKnot
   ptex_face_ = ptex_face;
   longest_px_ = longest_px;
   found_ = &between;
+  cusp_.reset();
   refine(a, b, most_halvings);
-}
-
-ContourKnot ExactSegment::cusp_between(int ptex_face, const ContourKnot& a, const ContourKnot& b) {
-  ptex_face_ = ptex_face;
-  SignChange nearest{a, b};
-  return find_cusp(a, b, nearest);
 }
 
 std::optional<ContourKnot> ExactSegment::between(int ptex_face, const ContourKnot& a,
@@ -82,6 +77,7 @@ void ExactSegment::split(const ContourKnot& a, const ContourKnot& b, const Conto
 void ExactSegment::split_at_sign_change(const ContourKnot& a, const ContourKnot& b, int depth) {
   SignChange change{a, b};
   const ContourKnot cusp = find_cusp(a, b, change);
+  if (depth == most_halvings) cusp_ = cusp;
   const auto is_beside_pinch = [](const ContourSample& sample) {
     return sample.spread < pinch_spread && std::abs(sample.kappa) > beside_pinch;
   };

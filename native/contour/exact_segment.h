@@ -37,9 +37,9 @@ class ExactSegment {
   void refine(int ptex_face, const ContourKnot& a, const ContourKnot& b, double longest_px,
               std::vector<ContourKnot>& between);
 
-  // The cusp between a and b, whose signs differ; where it is not found the place on the chord at
-  // which kappa would vanish.
-  ContourKnot cusp_between(int ptex_face, const ContourKnot& a, const ContourKnot& b);
+  // The cusp (or pinch point) of the segment refined last, between ends of different signs; where
+  // it was not found the place on the chord at which kappa would vanish.
+  const std::optional<ContourKnot>& cusp() const { return cusp_; }
 
   // The point of the contour across from `fraction` of the chord from a to b.
   std::optional<ContourKnot> between(int ptex_face, const ContourKnot& a, const ContourKnot& b,
@@ -64,6 +64,7 @@ class ExactSegment {
   int ptex_face_ = none;
   double longest_px_ = 0;
   std::vector<ContourKnot>* found_ = nullptr;
+  std::optional<ContourKnot> cusp_;
 };
 
 }  // namespace illustrate

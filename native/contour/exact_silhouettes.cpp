@@ -38,12 +38,14 @@ class Drawer {
     for (std::size_t c = 0; c < linear.chains.size(); ++c) {
       progress_.report(static_cast<double>(c) / static_cast<double>(linear.chains.size()));
       exact.solve(linear.chains[c], linear.closed[c], everywhere_);
+      ExactPolyline line = exact.polyline();
       const std::vector<int> troubled = exact.troubled();
       result.troubled.insert(result.troubled.end(), troubled.begin(), troubled.end());
       result.chains.emplace_back();
       result.swallowtails.push_back(0);
       if (!all && !troubled.empty()) continue;
-      result.swallowtails.back() = draw_chain(surface, exact, result.chains.back());
+      result.swallowtails.back() = finish(surface, exact, line);
+      result.chains.back() = std::move(line);
     }
     std::sort(result.troubled.begin(), result.troubled.end());
     return result;
@@ -51,8 +53,7 @@ class Drawer {
 
  private:
   // Returns the number of swallowtails.
-  int draw_chain(const Surface& surface, ExactChain& exact, ExactPolyline& line) {
-    line = exact.polyline();
+  int finish(const Surface& surface, ExactChain& exact, ExactPolyline& line) {
     int swallowtails = tidy(surface, line);
     for (int round = 0; round < most_rounds && untangle(line, exact); ++round) {
       line = exact.polyline();

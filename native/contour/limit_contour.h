@@ -23,12 +23,22 @@ struct ContourSample {
   double spread;  // |Pu x Pv| in squares of the longer of the two
 };
 
+// What Newton's method asks for at each step.
+struct ContourValue {
+  LimitPoint p;
+  Vec3 n, view;  // Pu x Pv, and towards the eye
+  double g;      // as in ContourSample, and so are these
+  Vec2 gradient;
+  double spread() const;
+};
+
 class LimitContour {
  public:
   LimitContour(const LimitSurface& limit, const Camera& camera) : limit_(limit), camera_(camera) {}
 
   // Nothing where there is no limit surface or it has no normal.
-  std::optional<ContourSample> at(const BasePlace& place);
+  std::optional<ContourValue> at(const BasePlace& place);
+  static ContourSample sample(const ContourValue& value);
 
   // The contour where the line from `uv` along the unit vector `along` crosses it: Newton's method,
   // no farther than `reach` from uv. Moves uv there.

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "contour/feature_edges.h"
 #include "core/index_map.h"
+#include "core/prefetch.h"
 #include "surface/locate.h"
 
 namespace illustrate {
@@ -50,14 +50,12 @@ class Tracer {
  private:
   Segment segment_of(int i) const {
     Segment segment;
-    std::array<bool, 3> front;
+    int fronts = surface_.flips[idx(triangles_[idx(i)])];  // a bit for each corner
+    for (int k = 0; k < 3; ++k) fronts ^= (g_[idx(i)][idx(k)] >= 0) << k;
     for (int k = 0; k < 3; ++k) {
-      const bool faces = surface_.corner_sign(triangles_[idx(i)], k) > 0;
-      front[idx(k)] = (g_[idx(i)][idx(k)] >= 0) == faces;
-    }
-    for (int k = 0; k < 3; ++k) {
-      if (front[idx(k)] == front[idx(next_corner(k))]) continue;
-      (front[idx(k)] ? segment.in : segment.out) = k;
+      const int here = fronts >> k & 1, next = fronts >> next_corner(k) & 1;
+      if (here > next) segment.in = k;
+      if (here < next) segment.out = k;
     }
     return segment;
   }
@@ -67,53 +65,69 @@ class Tracer {
     IndexMap index(triangles_.size());
     for (int i = 0; i < count; ++i) index.at(triangles_[idx(i)]) = i;
     for (int i = 0; i < count; ++i) {
-      Segment& segment = segments_[idx(i)];
-      segment.next = across(i, segment.out, index);
-      segment.has_previous = across(i, segment.in, index) != none;
+      const int next = segments_[idx(i)].next = segment_behind(i, index);
+      if (next != none) segments_[idx(next)].has_previous = true;
     }
   }
 
-  // The segment that goes on beyond an edge of segment i's triangle.
-  int across(int i, int corner, const IndexMap& index) const {
-    const int triangle = triangles_[idx(i)];
-    if (!is_passage(surface_.edge_kinds[idx(triangle)][idx(corner)])) return none;
-    const EdgeSide other = opposite_side(surface_, {triangle, corner});
-    return other.triangle == none ? none : index[other.triangle];
+  // The segment that goes on where segment i ends.
+  int segment_behind(int i, const IndexMap& index) const {
+    const std::size_t triangle = idx(triangles_[idx(i)]), out = idx(segments_[idx(i)].out);
+    if (!is_passage(surface_.edge_kinds[triangle][out])) return none;
+    const int other = surface_.neighbours[triangle][out];
+    return other == none ? none : index[other];
   }
 
   void trace(int first) {
-    int last = first;
-    bool closed = false;
-    for (int i = first;;) {
+    int i = first, last = first;
+    for (; i != none && !traced_[idx(i)]; i = segments_[idx(i)].next) {
       traced_[idx(i)] = 1;
-      last = i;
       push_segment(i);
-      i = segments_[idx(i)].next;
-      closed = i == first;
-      if (i == none || traced_[idx(i)]) break;
+      last = i;
     }
+    const bool closed = i == first;
     if (!closed) {
-      const int triangle = triangles_[idx(last)];
-      result_.chains.push(edge_point(triangle, segments_[idx(last)].out, g_[idx(last)],
-                                     functions_.cusp_functions(triangle)));
+      result_.chains.push(edge_point(last, segments_[idx(last)].out, cusp_functions(last)));
     }
     result_.chains.close_list();
     result_.closed.push_back(closed);
   }
 
-  void push_segment(int i) {
+  // C at the corners of segment i's triangle, which has two of them with the last one in common.
+  std::array<double, 3> cusp_functions(int i) {
     const int triangle = triangles_[idx(i)];
-    const std::array<double, 3> values = functions_.cusp_functions(triangle);
+    const Triangle& corners = surface_.triangles[idx(triangle)];
+    std::array<double, 3> own, values;
+    for (int k = 0; k < 3; ++k) {
+      own[idx(k)] = cusp_function(corners[idx(k)]);
+      values[idx(k)] = surface_.corner_sign(triangle, k) * own[idx(k)];
+    }
+    last_corners_ = corners;
+    last_cusp_functions_ = own;
+    return values;
+  }
+
+  double cusp_function(int vertex) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (last_corners_[k] == vertex) return last_cusp_functions_[k];
+    }
+    return functions_.cusp_function(vertex);
+  }
+
+  void push_segment(int i) {
+    const std::array<double, 3> values = cusp_functions(i);
     const Segment& segment = segments_[idx(i)];
-    EdgePoint p = edge_point(triangle, segment.in, g_[idx(i)], values);
+    EdgePoint p = edge_point(i, segment.in, values);
     p.out = segment.out;
     const int positive = (values[0] >= 0) + (values[1] >= 0) + (values[2] >= 0);
     p.has_both_signs = positive == 1 || positive == 2;
     result_.chains.push(p);
   }
 
-  EdgePoint edge_point(int triangle, int corner, const std::array<double, 3>& g,
-                       const std::array<double, 3>& values) const {
+  // Where the segment i crosses an edge; values: C at the corners.
+  EdgePoint edge_point(int i, int corner, const std::array<double, 3>& values) const {
+    const int triangle = triangles_[idx(i)];
+    const std::array<double, 3>& g = g_[idx(i)];
     const Triangle& corners = surface_.triangles[idx(triangle)];
     const int next = next_corner(corner);
     const Vec3& a = surface_.positions[idx(corners[idx(corner)])];
@@ -138,8 +152,21 @@ class Tracer {
   const std::vector<std::array<double, 3>>& g_;  // at their corners
   std::vector<Segment> segments_;                // in them
   std::vector<std::uint8_t> traced_;
+  Triangle last_corners_{none, none, none};      // of the segment looked at last,
+  std::array<double, 3> last_cusp_functions_{};  // and C there, on their own sheets
   LinearSilhouettes& result_;
 };
+
+// What `search` looks at later.
+void prefetch_corners(const Surface& surface, const std::vector<int>& triangles, std::size_t i) {
+  constexpr std::size_t soon = 8, later = 16;
+  if (i + later >= triangles.size()) return;
+  prefetch(&surface.triangles[idx(triangles[i + later])]);
+  for (const int v : surface.triangles[idx(triangles[i + soon])]) {
+    prefetch(&surface.positions[idx(v)]);
+    prefetch(&surface.normals[idx(v)]);
+  }
+}
 
 SilhouetteSearch search(const Surface& surface, const ContourFunctions& functions,
                         const DualSurface& dual) {
@@ -148,7 +175,9 @@ SilhouetteSearch search(const Surface& surface, const ContourFunctions& function
   result.visited = static_cast<std::int64_t>(visited.size());
   result.triangles.reserve(visited.size());
   result.g.reserve(visited.size());
-  for (const int t : visited) {
+  for (std::size_t i = 0; i < visited.size(); ++i) {
+    prefetch_corners(surface, visited, i);
+    const int t = visited[i];
     std::array<double, 3> g;
     int fronts = surface.flips[idx(t)] & 7;  // a bit for each corner
     for (int k = 0; k < 3; ++k) {

@@ -13,7 +13,8 @@ namespace illustrate {
 class IndexMap {
  public:
   explicit IndexMap(std::size_t expected = 0) {
-    while (entries_.size() < 2 * expected) double_size();
+    while (size() < 2 * expected) --shift_;
+    entries_.resize(size());
   }
 
   // none where nothing was set.
@@ -47,17 +48,21 @@ class IndexMap {
     return place;
   }
 
+  std::size_t size() const { return std::size_t{1} << (hash_bits - shift_); }
+
   void double_size() {
-    std::vector<Entry> old(2 * entries_.size());
-    old.swap(entries_);
     --shift_;
+    std::vector<Entry> old(size());
+    old.swap(entries_);
     for (const Entry& entry : old) {
       if (entry.key != none) entries_[place_of(entry.key)] = entry;
     }
   }
 
-  std::vector<Entry> entries_ = std::vector<Entry>(16);
-  int shift_ = 28;  // of a 32-bit hash
+  static constexpr int hash_bits = 32;
+
+  std::vector<Entry> entries_;
+  int shift_ = 28;  // of the hash
   std::size_t used_ = 0;
 };
 

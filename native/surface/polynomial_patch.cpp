@@ -39,6 +39,41 @@ Mat15 inverse_vandermonde() {
   return values.inverse();
 }
 
+// A polynomial in v with its derivatives.
+struct Row {
+  Vec3 f, fv, fvv;
+};
+
+// Horner's rule, without the products with what is still zero.
+template <int length>
+Row row_at(const Vec3* coefficients, double v) {
+  Row row{coefficients[length - 1], Vec3::Zero(), Vec3::Zero()};
+  for (int j = length - 2; j >= 0; --j) {
+    if (j < length - 3) row.fvv = v * row.fvv + 2 * row.fv;
+    if (j == length - 3) row.fvv = 2 * row.fv;
+    row.fv = j < length - 2 ? Vec3(v * row.fv + row.f) : row.f;
+    row.f = v * row.f + coefficients[j];
+  }
+  return row;
+}
+
+// Horner's rule in u, of rows from that of the highest power to that of the lowest.
+template <std::size_t rows>
+LimitPoint join(const std::array<Row, rows>& row, double u) {
+  const Vec3 zero = Vec3::Zero();
+  LimitPoint p{row[0].f, zero, row[0].fv, zero, zero, row[0].fvv};
+  for (std::size_t i = 1; i < rows; ++i) {
+    if (i > 2) p.duu = u * p.duu + 2 * p.du;
+    if (i == 2) p.duu = 2 * p.du;
+    p.du = i > 1 ? Vec3(u * p.du + p.position) : p.position;
+    p.position = u * p.position + row[i].f;
+    p.duv = i > 1 ? Vec3(u * p.duv + p.dv) : p.dv;
+    p.dv = u * p.dv + row[i].fv;
+    p.dvv = u * p.dvv + row[i].fvv;
+  }
+  return p;
+}
+
 }  // namespace
 
 PolynomialPatch PolynomialPatch::bicubic(const std::array<LimitPoint, 4>& c) {
@@ -73,32 +108,16 @@ PolynomialPatch PolynomialPatch::quartic(const std::function<Vec3(const Vec2& uv
   return patch;
 }
 
-template <int rows, bool triangular>
-LimitPoint PolynomialPatch::evaluate_rows(double u, double v) const {
-  LimitPoint p{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  const Vec3* end = coefficients_.data() + (triangular ? 15 : 16);
-  for (int i = rows - 1; i >= 0; --i) {  // Horner's rule in u, of Horner's rule in v
-    const int length = triangular ? rows - i : rows;
-    end -= length;
-    Vec3 f = Vec3::Zero(), fv = Vec3::Zero(), fvv = Vec3::Zero();
-    for (int j = length - 1; j >= 0; --j) {
-      fvv = v * fvv + 2 * fv;
-      fv = v * fv + f;
-      f = v * f + end[j];
-    }
-    p.duu = u * p.duu + 2 * p.du;
-    p.du = u * p.du + p.position;
-    p.position = u * p.position + f;
-    p.duv = u * p.duv + p.dv;
-    p.dv = u * p.dv + fv;
-    p.dvv = u * p.dvv + fvv;
-  }
-  return p;
-}
-
 LimitPoint PolynomialPatch::evaluate(const Vec2& uv) const {
-  return triangular_ ? evaluate_rows<5, true>(uv.x(), uv.y())
-                     : evaluate_rows<4, false>(uv.x(), uv.y());
+  const double u = uv.x(), v = uv.y();
+  const Vec3* c = coefficients_.data();
+  if (!triangular_) {
+    return join<4>(
+        {row_at<4>(c + 12, v), row_at<4>(c + 8, v), row_at<4>(c + 4, v), row_at<4>(c, v)}, u);
+  }
+  return join<5>({row_at<1>(c + 14, v), row_at<2>(c + 12, v), row_at<3>(c + 9, v),
+                  row_at<4>(c + 5, v), row_at<5>(c, v)},
+                 u);
 }
 
 }  // namespace illustrate

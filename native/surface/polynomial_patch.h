@@ -19,9 +19,6 @@ class PolynomialPatch {
   LimitPoint evaluate(const Vec2& uv) const;
 
  private:
-  template <int rows, bool triangular>
-  LimitPoint evaluate_rows(double u, double v) const;
-
   bool triangular_ = false;
   std::array<Vec3, 16> coefficients_;  // row i: of u^i v^0, u^i v^1, ...
 };

@@ -2,12 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <set>
 
 #include "cameras.h"
 #include "contour/network.h"
 #include "contour/polygon_silhouettes.h"
 #include "contour/silhouettes.h"
 #include "core/radix_sort.h"
+#include "core/sort_unique.h"
 #include "pipeline/prepare.h"
 #include "shapes.h"
 
@@ -315,6 +317,15 @@ TEST(DualTree, HasNoPlaceForOppositeOrBrokenCorners) {
   EXPECT_FALSE(dual_item(0, {up, -up, up}));
   EXPECT_FALSE(dual_item(0, {up, up, zero}));
   EXPECT_FALSE(dual_item(0, {up, broken, up}));
+}
+
+TEST(SortUnique, KeepsOneOfEachInOrder) {
+  Random random(2);
+  std::vector<int> values{0, 63, 64, 1999, 1999};
+  for (int i = 0; i < 300; ++i) values.push_back(static_cast<int>(random() % 2000));
+  const std::set<int> expected(values.begin(), values.end());
+  sort_unique(values, 2000);
+  EXPECT_EQ(values, std::vector<int>(expected.begin(), expected.end()));
 }
 
 TEST(RadixSort, SortsAndKeepsTheOrderOfEqualKeys) {
