@@ -7,6 +7,7 @@ namespace illustrate {
 namespace {
 
 constexpr double contradiction_px = 40;  // a layer missing behind a crossing
+constexpr double broken_px = 10;         // with a path that has breaks: its labels follow rays alone
 constexpr double impossible = 1e12;      // the price of a negative label
 constexpr int highest_move = 3;          // above the highest base that a ray speaks for
 
@@ -116,7 +117,9 @@ class BaseSettler {
       const CrossingLabels& labels = labels_[c];
       const int by = base - path.base;
       const int missing = missing_layers(labels) + (labels.front_path == p ? by : -by);
-      sum += contradiction_px * std::max(missing, 0);
+      const std::size_t other = labels.front_path == p ? labels.back_path : labels.front_path;
+      const double each = paths_[other].is_balanced() ? contradiction_px : broken_px;
+      sum += each * std::max(missing, 0);
     }
     return sum;
   }

@@ -9,6 +9,7 @@
 
 namespace illustrate {
 
+constexpr double missed_share = 0.75;
 constexpr double outline_weight = 1e9;  // the outside of the drawing is certain: px of length
 
 // What rays say of an arc: so many layers, or up to `unsure` more, worth so many pixels of line.
@@ -17,9 +18,11 @@ struct Evidence {
   int unsure;
   double weight;
 
-  // Pixels of wrong label where the arc has `label` layers.
+  // Pixels of wrong label where the arc has `label` layers. A ray starts beside the curve: it rather
+  // misses a layer than that it meets one too many.
   double against(int label) const {
-    return weight * std::max({0, layers - label, label - layers - unsure});
+    const int missed = std::max(label - layers - unsure, 0);
+    return weight * (std::max(layers - label, 0) + missed_share * missed);
   }
 };
 

@@ -6,9 +6,9 @@ namespace illustrate {
 namespace {
 
 // How far beside a fold rays start. The interpolated contour of a rim narrower than the triangles
-// runs up to a pixel inside their outline; the farther ray then finds fewer layers, in front and
+// runs up to a pixel inside their outline; a farther ray then finds fewer layers, in front and
 // behind. Fewer in front alone: another curve runs between.
-constexpr std::array<double, 2> asides_px{0.7, 2.0};
+constexpr std::array<double, 3> asides_px{0.2, 0.7, 2.0};
 constexpr double blind_px = 3;     // hits nearer than this are the curve's own surface
 constexpr double blind_edges = 3;  // so may those be that are nearer than so many edges of the
                                    // curve's triangle, for silhouettes
@@ -55,8 +55,8 @@ LayerCount LayerRays::count_from(const Vec3& origin, double blind) {
     }));
   };
   const int layers = farther_than(blind);
-  const int unsure = farther_than(blind_px * camera_.pixel_size(origin)) - layers;
-  return {layers, std::max(unsure, 0), static_cast<int>(hits_.size()) - layers, hits_.empty()};
+  const int unsure = farther_than(0) - layers;
+  return {layers, unsure, static_cast<int>(hits_.size()) - layers - unsure, hits_.empty()};
 }
 
 LayerCount LayerRays::count(const Arrangement& arrangement, const StrandPlace& place) {
@@ -71,11 +71,13 @@ LayerCount LayerRays::count(const Arrangement& arrangement, const StrandPlace& p
     return {on_curve.layers, on_curve.unsure, on_curve.behind, false};
   }
   const Vec2 along = arrangement.image.image[j] - arrangement.image.image[i];
-  const LayerCount near = count_from(beside(p, along, asides_px[0]), blind);
-  if (near.layers == 0) return near;
-  const LayerCount far = count_from(beside(p, along, asides_px[1]), blind);
-  const bool leaves_own_rim = far.layers < near.layers && near.behind > far.behind;
-  return leaves_own_rim ? far : near;
+  LayerCount result = count_from(beside(p, along, asides_px[0]), blind);
+  for (std::size_t k = 1; k < asides_px.size() && result.before() > 0; ++k) {
+    const LayerCount farther = count_from(beside(p, along, asides_px[k]), blind);
+    const bool leaves_own_rim = farther.before() < result.before() && farther.behind < result.behind;
+    if (leaves_own_rim) result = farther;
+  }
+  return result;
 }
 
 }  // namespace illustrate

@@ -10,8 +10,10 @@ namespace illustrate {
 struct LayerCount {
   int layers;
   int unsure;           // more that are too near to be told from the curve's own surface
-  int behind;           // all hits of the line of sight but the layers
+  int behind;           // all other hits of the line of sight
   bool beside_nothing;  // the line of sight meets no surface at all
+
+  int before() const { return layers + unsure; }
 };
 
 class LayerRays {

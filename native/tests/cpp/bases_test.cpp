@@ -59,5 +59,28 @@ TEST(Bases, OfPathsThatRaysSayLittleOfYield) {
   EXPECT_EQ(smallest_labels(.5, 15), (std::vector<int>{0, 0}));
 }
 
+// A path that had to be broken follows rays alone: it does not talk others out of theirs.
+TEST(Bases, StayWhereABrokenPathContradictsThem) {
+  const CurveNetwork network = overlapping_squares();
+  const Arrangement arrangement = arrange(network, one_px);
+  std::vector<LabelledPath> paths{path_with(arrangement, 0, 1, 15),
+                                  path_with(arrangement, 1, 0, 15)};
+  paths[0].costs.clear();
+  const std::vector<int> before = paths[1].along;
+  EXPECT_FALSE(settle_bases(arrangement, paths).empty());
+  EXPECT_EQ(paths[1].along, before);
+}
+
+// Where rays miss a layer on one arc or meet one too many on the other, they have missed one.
+TEST(Bases, AreTheHigherOnesWhereRaysDisagree) {
+  const CurveNetwork network = overlapping_squares();
+  const Arrangement arrangement = arrange(network, one_px);
+  LabelledPath path;
+  path.labels = relative_labels(arrangement, arrangement.paths[1]);
+  const std::vector<Evidence> evidence(path.labels.arcs.size(), {1, 0, 10});
+  ASSERT_TRUE(choose_base(evidence, path));
+  EXPECT_EQ(*std::min_element(path.along.begin(), path.along.end()), 1);
+}
+
 }  // namespace
 }  // namespace illustrate

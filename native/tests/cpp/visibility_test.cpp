@@ -202,6 +202,17 @@ TEST(Labels, NearAnotherOutlineAreNotThoseBeyondIt) {
   }
 }
 
+// The outline of a ball runs half a pixel within that of a ball in front of it.
+TEST(Labels, HalfAPixelBesideAnotherOutlineAreTrue) {
+  const double pixel = 1.5 / 500;
+  const Surface pair = shapes::joined(shapes::sphere_surface(1, 6, Vec3(0, 0, 0)),
+                                      shapes::sphere_surface(1 - pixel / 2, 6, Vec3(0, 5, 0)));
+  Counts counts;
+  const LabelledGraph graph = graph_of(pair, cameras::orthographic(Vec3(0, -1, 0), 1.5), counts);
+  EXPECT_EQ(counts["crossings"], 0);
+  EXPECT_EQ(most_hidden(graph), 2);
+}
+
 // R = 1, r = 0.4: the labels round the inner loop in the three regimes (method, section 4).
 TEST(Labels, OfATorusAreThoseOfItsRegime) {
   const Surface torus = shapes::torus_surface(1, 0.4, 256, 128);

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from checker import draw
 from numpy.typing import NDArray
-from shapes import Shape, drape, klein_bottle, look_at, sphere, torus
+from shapes import Shape, drape, grid_quads, klein_bottle, look_at, of_quads, sphere, torus
 
 LINES = ill.DrawOptions(hatching=False)
 # Nothing that depends on which other lines meet an end: no specks, no thin ends.
@@ -196,6 +196,26 @@ def test_lines_are_steady_along_an_orbit(name: str) -> None:
     changes = np.abs(np.diff(counts))
     assert np.median(changes) <= 1
     assert changes.max() <= 3
+
+
+def shallow_fold(pixel: float) -> Shape:
+    """A sheet that folds over in a loop of two cusps, 20 px long, 12 wide and 2 deep."""
+    s, t = (x.ravel() for x in np.meshgrid(*2 * [np.arange(-22.0, 22.1)], indexing="ij"))
+    positions = pixel * np.stack([(s**3 + s * (t**2 - 100)) / 60, t, 0.1 * s], axis=1)
+    return of_quads(positions, grid_quads(45, 45, wrap_rows=False, wrap_columns=False))
+
+
+def test_a_shallow_fold_is_hidden_by_a_wall() -> None:
+    camera = look_at((0.0, 0.0, 1.0), 1.0, perspective=False, size_px=LARGE_PX)
+    wall = of_quads(
+        np.array([[-0.9, -0.9, 1], [0.9, -0.9, 1], [0.9, 0.9, 1], [-0.9, 0.9, 1]]),
+        np.array([[0, 1, 2, 3]]),
+    )
+    prepared = prepared_of(shallow_fold(pixel=2 / LARGE_PX), wall, level=1)
+    graph = draw(prepared, camera, LINES).graph
+    folds = graph.arc_kind == ill.Kind.SILHOUETTE
+    assert (graph.node_kind == ill.Node.CUSP).sum() == 2
+    assert sorted(graph.arc_invisibility[folds]) == [1, 2]
 
 
 @pytest.mark.parametrize("name", list(SMOOTH))
