@@ -70,8 +70,9 @@ class Witness {
       return std::tie(a.layers, b.beside_nothing) < std::tie(b.layers, a.beside_nothing);
     });
     const double sure = std::min(beside_nothing_px, beside_nothing_share * arc.length_px);
-    const double extra = counts[1].beside_nothing ? sure : 0;
-    return {counts[1].layers, counts[1].unsure, arc.length_px + extra + least_weight};
+    const LayerCount& middle = counts[1];
+    const double weight = arc.length_px + (middle.beside_nothing ? sure : 0) + least_weight;
+    return {middle.layers, middle.unsure, weight, middle.beside_nothing};
   }
 
   const Arrangement& arrangement_;
@@ -85,7 +86,7 @@ std::vector<Evidence> outline_evidence(const Arrangement& arrangement,
                                        const std::vector<PathArc>& arcs) {
   std::vector<Evidence> evidence(arcs.size(), {0, 0, 0});
   for (std::size_t i = 0; i < arcs.size(); ++i) {
-    if (is_outline(arrangement, arcs[i])) evidence[i] = {0, 0, outline_weight};
+    if (is_outline(arrangement, arcs[i])) evidence[i] = {0, 0, outline_weight, true};
   }
   return evidence;
 }

@@ -17,12 +17,14 @@ struct Evidence {
   int layers;
   int unsure;
   double weight;
+  bool beside_nothing = false;
 
-  // Pixels of wrong label where the arc has `label` layers. A ray starts beside the curve: it rather
-  // misses a layer than that it meets one too many.
+  // Pixels of wrong label where the arc has `label` layers. A ray that starts beside the curve
+  // rather misses a layer than that it meets one too many.
   double against(int label) const {
     const int missed = std::max(label - layers - unsure, 0);
-    return weight * (std::max(layers - label, 0) + missed_share * missed);
+    const double share = beside_nothing ? 1 : missed_share;
+    return weight * (std::max(layers - label, 0) + share * missed);
   }
 };
 

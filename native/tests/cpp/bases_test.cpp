@@ -82,5 +82,15 @@ TEST(Bases, AreTheHigherOnesWhereRaysDisagree) {
   EXPECT_EQ(*std::min_element(path.along.begin(), path.along.end()), 1);
 }
 
+TEST(Bases, AreNoneWhereThePathRunsAlongTheOutsideWithTwoLabels) {
+  const CurveNetwork network = overlapping_squares();
+  Arrangement arrangement = arrange(network, one_px);
+  arrangement.outline[1] = {{1, 0, .1}, {1, 0, .9}, {1, 1, .5}, {1, 2, .1}, {1, 2, .9}, {1, 3, .5}};
+  LabelledPath path;
+  path.labels = relative_labels(arrangement, arrangement.paths[1]);
+  ASSERT_EQ(path.labels.arcs.size(), 2U);
+  EXPECT_FALSE(choose_base(outline_evidence(arrangement, path.labels.arcs), path));
+}
+
 }  // namespace
 }  // namespace illustrate
