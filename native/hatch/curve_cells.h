@@ -21,10 +21,11 @@ class CurveCells {
  public:
   // Cells of about `radius`; larger where there would be too many.
   CurveCells(const Vec3& size, double radius) {
-    const double least = std::cbrt(size.prod() / most_cells);
-    const double cell = std::max({radius, least, size.maxCoeff() / most_along});
+    const double cell = cell_size(size, radius);
     per_unit_ = static_cast<float>(1 / cell);
-    for (int axis = 0; axis < 3; ++axis) count_[axis] = 1 + static_cast<int>(size[axis] / cell);
+    for (int axis = 0; axis < 3; ++axis) {
+      count_[idx(axis)] = 1 + static_cast<int>(size[axis] / cell);
+    }
     first_.assign(idx(count_[0]) * idx(count_[1]) * idx(count_[2]), none);
   }
 
@@ -65,7 +66,16 @@ class CurveCells {
   }
 
  private:
-  static constexpr double most_cells = 2e6, most_along = 4096;
+  static constexpr double most_cells = 2e6;
+
+  // The least that is not below `radius`: of long and of flat boxes the thin sides need few cells.
+  static double cell_size(const Vec3& size, double radius) {
+    const auto count = [&](double cell) { return (size.array() / cell).floor() + 1; };
+    double cell = std::max(radius, size.maxCoeff() / most_cells);
+    while (count(cell).prod() > most_cells) cell *= 1.125;
+    return cell;
+  }
+
   struct Entry {
     CurveNode node;
     int next;

@@ -12,6 +12,7 @@
 #include "hatch/merge_streamlines.h"
 #include "hatch/place_curves.h"
 #include "hatch/relax_streamlines.h"
+#include "hatch/thin_streamlines.h"
 
 namespace illustrate {
 namespace {
@@ -87,6 +88,7 @@ void place_anew(StreamlineSet& set, const HatchView& view, const Ragged<SurfaceP
   set.drop_shorter(view, 1.5);
   fill_streamlines(set, view, seeds, {0.75, 0.55, 1}, progress.part(0.75, 0.8));
   merge_streamlines(set, view);
+  thin_streamlines(set, view, 1.1);
   relax_streamlines(set, view, 2, threads, progress.part(0.8, 1));
   cut_streamlines(set, view, 0.5, 1);
 }
@@ -110,12 +112,14 @@ void place_after(StreamlineSet& set, const HatchView& view, const Ragged<Surface
 void finish_ends(StreamlineSet& set, const HatchView& view,
                  const std::vector<StreamlineNode>& seeds, const Progress& progress) {
   progress.report(0);
-  extend_tips(set, view, 0.72, 0.6);
+  extend_tips(set, view, 0.7, 0.59);
   merge_streamlines(set, view);
   set.drop_shorter(view, 0.5);
   fill_streamlines(set, view, seeds, {0.77, 0.55, 0.75}, progress.part(0.3, 0.6));
   fill_streamlines(set, view, edge_seeds(set, view), {0.75, 0.5, 0.4}, progress.part(0.6, 0.9));
-  extend_tips(set, view, 0.72, 0.6);
+  merge_streamlines(set, view);
+  thin_streamlines(set, view, 1);
+  extend_tips(set, view, 0.7, 0.59);
   merge_streamlines(set, view);
 }
 

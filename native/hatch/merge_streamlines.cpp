@@ -11,16 +11,15 @@ namespace {
 // In spacings.
 constexpr double most_along = 3;
 constexpr double most_across = 0.5;
-constexpr double bridge_clear = 0.5;
+constexpr double bridge_clear = 0.45;
 constexpr double bridge_error = 0.25;  // how far from the other end a bridge may come out
 
 constexpr double least_opposite = 0.755;  // cosine of 41 degrees
 
-// Cosine between a bridge and the end it starts from.
-constexpr double least_straightness = 0.9;
-
-// Ends give up nodes until the gap is so many times longer than the offset across: no kinks.
-constexpr double least_slope = 5;
+// Ends give up nodes until a bridge turns aside by no more than this, in radians: no kinks.
+constexpr double most_offset = 0.15;
+// The bridge of two ends that bend towards each other makes a greater angle with both.
+constexpr double most_bend = 0.6;
 constexpr std::size_t most_given_up = 6;
 
 // An end of a streamline: number 2 s is its front, 2 s + 1 its back.
@@ -33,6 +32,7 @@ struct EndPair {
 };
 
 using Nodes = std::vector<StreamlineNode>;
+using GivenUp = std::array<std::size_t, 2>;  // nodes of both ends
 
 // What joins an end to its mate.
 struct Join {
@@ -118,36 +118,54 @@ class Merger {
     const int one = group_of(a / 2), other = group_of(b / 2);
     if (joins_[idx(a)].mate != none || joins_[idx(b)].mate != none || one == other) return;
     if (set_.streamlines[idx(a / 2)].object != set_.streamlines[idx(b / 2)].object) return;
-    const std::size_t given_up = nodes_to_give_up(a, b);
+    const GivenUp given_up = nodes_to_give_up(a, b);
     Nodes bridge;
     if (!build_bridge(a, b, given_up, bridge)) return;
     for (const StreamlineNode& node : bridge) {
       set_.grid.add(node, spacing_of(a) * node_step / 2, a / 2, 0);
     }
-    joins_[idx(b)] = {a, given_up, bridge};
+    joins_[idx(b)] = {a, given_up[1], bridge};
     std::reverse(joins_[idx(b)].bridge.begin(), joins_[idx(b)].bridge.end());
-    joins_[idx(a)] = {b, given_up, std::move(bridge)};
+    joins_[idx(a)] = {b, given_up[0], std::move(bridge)};
     groups_[idx(std::max(one, other))] = std::min(one, other);
   }
 
-  // Of each end: until the gap is long enough for its offset.
-  std::size_t nodes_to_give_up(int a, int b) const {
-    const std::size_t shorter = std::min(nodes_of(a).size(), nodes_of(b).size());
-    const StreamlineNode end = outward(a);
-    const Vec2 offset = node_from(b, 0).image - end.image;
-    const double lack =
-        least_slope * std::abs(offset.dot(end.left())) - std::abs(offset.dot(end.heading));
-    const double step = 2 * spacing_of(a) * node_step;
-    const auto wanted = static_cast<std::size_t>(std::max(0.0, std::ceil(lack / step)));
-    return std::min({wanted, most_given_up, (shorter - 1) / 3});
+  // Angles in the image from the ends' directions to the bridge, counted the same way round.
+  struct Bend {
+    double from, to;
+    double offset() const { return std::abs(from + to) / 2; }
+    double most() const { return std::max(std::abs(from), std::abs(to)); }
+  };
+
+  Bend bend_between(int a, int b, const GivenUp& given_up) const {
+    const StreamlineNode &from = node_from(a, given_up[0]), &to = node_from(b, given_up[1]);
+    const Vec2 way = to.image - from.image;
+    const auto angle = [&](const Vec2& heading) {
+      return std::atan2(cross(heading, way), heading.dot(way));
+    };
+    return {angle((a % 2 == 0 ? -1 : 1) * from.heading), angle((b % 2 == 0 ? 1 : -1) * to.heading)};
   }
 
-  bool build_bridge(int a, int b, std::size_t given_up, Nodes& bridge) const {
+  // Nodes of both ends, in turn, until the bridge turns aside little enough.
+  GivenUp nodes_to_give_up(int a, int b) const {
+    GivenUp given_up{0, 0};
+    const auto may_give = [&](int end, std::size_t count) {
+      return count < std::min(most_given_up, (nodes_of(end).size() - 1) / 2);
+    };
+    while (bend_between(a, b, given_up).offset() > most_offset) {
+      const bool can_a = may_give(a, given_up[0]), can_b = may_give(b, given_up[1]);
+      if (!can_a && !can_b) break;
+      const bool is_a = can_a && (!can_b || given_up[0] <= given_up[1]);
+      ++given_up[is_a ? 0 : 1];
+    }
+    return given_up;
+  }
+
+  bool build_bridge(int a, int b, const GivenUp& given_up, Nodes& bridge) const {
     const double spacing = spacing_of(a);
-    const StreamlineNode &from = node_from(a, given_up), &to = node_from(b, given_up);
+    const StreamlineNode &from = node_from(a, given_up[0]), &to = node_from(b, given_up[1]);
+    if (bend_between(a, b, given_up).most() > most_bend) return false;
     const double gap = (to.image - from.image).norm();
-    const Vec3 way = to.position - from.position, along = outward(a).tangent;
-    if (way.dot(along) < least_straightness * way.norm()) return false;
     const int parts = std::max(1, static_cast<int>(std::lround(gap / (spacing * node_step))));
     const FieldWalker& walker = view_.walker.on_surface();
     SurfacePoint on = from.on;

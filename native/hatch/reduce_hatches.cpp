@@ -15,8 +15,12 @@ namespace {
 // In spacings: shorter strokes are specks where no longer one runs parallel within `company`,
 // unless they lie in an undercut; still shorter ones are nowhere worth a stroke.
 constexpr double speck = 1.5;
+constexpr double shadow_speck = 3;  // the same for what lies in shadows only
 constexpr double company = 2;
 constexpr double least_stroke = 0.5;
+
+// In spacings: a hatch that is shorter in a shadow, and goes on outside, is no cross-hatch there.
+constexpr double least_shadow = 1.5;
 
 // Hatches cross from about 42 degrees on (squared cosine), also a little farther away: what lies
 // between their points counts too.
@@ -91,6 +95,7 @@ class Reducer {
       if (region_[i] == Region::neither && i > begin(hatch)) region_[i] = region_[i - 1];
     }
     if (is_undercut(hatch)) return;
+    pass_slight_shadows(hatch);
     const auto is_single = [&](int i) { return region_[i] == Region::single; };
     for (const Run& run : runs({begin(hatch), end(hatch)}, is_single)) {
       for (int i = run.from; i < run.to; ++i) {
@@ -99,6 +104,19 @@ class Reducer {
         grid_.add({points_[i].image, tangent_at(i), i});
       }
       pieces_.push_back(run);
+    }
+  }
+
+  // A patch of shadow that a hatch hardly touches is too small to cross anything in.
+  void pass_slight_shadows(int hatch) {
+    const auto is_single = [&](int i) {
+      return i >= begin(hatch) && i < end(hatch) && region_[i] == Region::single;
+    };
+    const auto is_shadow = [&](int i) { return region_[i] == Region::shadow; };
+    for (const Run& run : runs({begin(hatch), end(hatch)}, is_shadow)) {
+      const bool goes_on = is_single(run.from - 1) || is_single(run.to);
+      if (!goes_on || length_of(run) >= least_shadow * spacing_of(hatch)) continue;
+      std::fill(&region_[run.from], &region_[run.to - 1] + 1, Region::single);
     }
   }
 
@@ -318,7 +336,9 @@ class Reducer {
   // Whether a run, or a parallel one of another hatch near its middle, is in `grid`.
   bool is_beside(const NeighbourGrid& longer, const Run& run) const {
     const double spacing = spacing_of(owner_[run.from]);
-    if (length_of(run) >= speck * spacing) return true;
+    const bool in_shadow = std::all_of(&region_[run.from], &region_[run.to - 1] + 1,
+                                       [](Region region) { return region == Region::shadow; });
+    if (length_of(run) >= (in_shadow ? shadow_speck : speck) * spacing) return true;
     return any_neighbour(longer, (run.from + run.to) / 2, company * spacing,
                          [&](int, bool parallel) { return parallel; });
   }

@@ -31,7 +31,7 @@ constexpr int own_nodes = 6;
 constexpr double most_overshoot = 1.3;
 
 // Angles of streamlines to the cross grow no further than this: what is beyond weighs more.
-constexpr double most_drift = 0.06;  // radians
+constexpr double most_drift = 0.055;  // radians
 constexpr double most_stiffening = 30;
 
 struct Pull {

@@ -55,7 +55,7 @@ TEST(EvenHatches, KeepToTheCross) {
       far_off += std::min(around, std::sqrt(1 - std::min(1.0, around * around))) > std::sin(0.1);
     }
   }
-  EXPECT_LT(far_off, all / 50);
+  EXPECT_LT(far_off, all / 40);
 }
 
 // A hundredth of the plane fills the frame: neither curves nor seeds lie so densely.

@@ -141,6 +141,21 @@ TEST(ReduceHatches, ShadowsKeepBothAndDeletedHatchesAreClippedToThem) {
   EXPECT_NEAR(crossed_px / double(in_midtone.curves.values.size()), 2, 0.4);
 }
 
+TEST(ReduceHatches, NothingIsCrossedInSpecksOfShadow) {
+  Scene scene = plane_scene();
+  const auto distance_across = [&](int low, int high) {
+    scene.tone = uniform_tone(scene.visible, Tone::midtone);
+    for (int row = low; row < high; ++row) {
+      for (int column = low; column < high; ++column) {
+        scene.tone.level[scene.visible.index(column, row)] = Tone::shadow;
+      }
+    }
+    return least_distance(scene.reduce(scene.place()), perpendicular);
+  };
+  EXPECT_GT(distance_across(110, 120), 2 * 8) << "a spacing and a quarter wide";
+  EXPECT_LT(distance_across(90, 140), 1);
+}
+
 TEST(ReduceHatches, CriticalCurvesKeepRegionsApart) {
   Scene scene = plane_scene();
   scene.tone = uniform_tone(scene.visible, Tone::midtone);

@@ -4,6 +4,7 @@
 #include "hatch/merge_streamlines.h"
 #include "hatch/place_curves.h"
 #include "hatch/relax_streamlines.h"
+#include "hatch/thin_streamlines.h"
 #include "surface/locate.h"
 #include "tests/cpp/hatch_scene.h"
 
@@ -141,6 +142,43 @@ TEST(CutStreamlines, CutsWhereNoHatchMayRun) {
       EXPECT_TRUE(node.image.x() < 100 || node.image.x() >= 120);
     }
   }
+}
+
+TEST(MergeStreamlines, ShortEndsGiveUpLessThanLongOnes) {
+  const Sheet sheet;
+  const HatchView view = sheet.view();
+  StreamlineSet set(view);
+  set.add(sheet.line(view, 100, 40, 100));
+  set.add(sheet.line(view, 103.6, 102, 106));
+  merge_streamlines(set, view);
+  ASSERT_EQ(set.streamlines.size(), 1U);
+  const auto& nodes = set.streamlines[0].nodes;
+  EXPECT_NEAR(nodes.front().image.x(), 40, 1e-6);
+  EXPECT_NEAR(nodes.back().image.x(), 106, 1e-6);
+  for (std::size_t i = 1; i < nodes.size(); ++i) {
+    const Vec2 run = nodes[i].image - nodes[i - 1].image;
+    EXPECT_LT(std::abs(run.y()), 0.25 * run.x()) << "no kinks";
+  }
+}
+
+TEST(ThinStreamlines, ShortOnesGoWhereTheGapIsNarrow) {
+  Sheet sheet;
+  const auto rows_left = [&](double apart, double from, double to) {
+    const HatchView view = sheet.view();
+    StreamlineSet set(view);
+    set.add(sheet.line(view, 100, 40, 200));
+    set.add(sheet.line(view, 100 + apart, from, to));
+    set.add(sheet.line(view, 100 + 2 * apart, 40, 200));
+    thin_streamlines(set, view, 1.1);
+    return set.streamlines.size();
+  };
+  EXPECT_EQ(rows_left(6.7, 60, 180), 3U) << "long ones stay";
+  EXPECT_EQ(rows_left(6.7, 100, 144), 2U);
+  EXPECT_EQ(rows_left(8.4, 100, 108), 2U) << "the shorter, the wider the gap may be";
+  EXPECT_EQ(rows_left(8.4, 100, 132), 3U);
+  EXPECT_EQ(rows_left(9, 100, 108), 3U) << "the gap would be empty";
+  sheet.scene.add_arc(Kind::crease, {Vec3(-1, 0.16, 0), Vec3(1, 0.16, 0)});
+  EXPECT_EQ(rows_left(6.7, 100, 144), 3U) << "a curve between";
 }
 
 TEST(PlaceCurves, ThinsAndFillsCurvesAndKeepsThemApart) {
