@@ -62,14 +62,6 @@ Vec2 leaving_direction(const LabelledGraph& graph, const ArcEnd& end) {
   return length > 0 ? Vec2(away / length) : Vec2(Vec2::Zero());
 }
 
-double image_length(const LabelledGraph& graph, int arc) {
-  const Span<const Vec2> image = graph.image[idx(arc)];
-  double length = 0;
-  for (std::size_t i = 1; i < image.size(); ++i) length += (image[i] - image[i - 1]).norm();
-  if (graph.arcs[idx(arc)].start_node == none) length += (image.back() - image.front()).norm();
-  return length;
-}
-
 class Mates {
  public:
   Mates(const LabelledGraph& graph, const std::vector<std::uint8_t>& drawn)
@@ -104,21 +96,33 @@ class Mates {
 
   // Where a line goes on for less than `speck_px` after a node and then ends freely, and another
   // one starts at that node in its direction: that one is its continuation, and the tail a speck.
-  // Of several such nodes, the one nearest to the free end.
-  void cut_tail(const ArcEnd& free_end, const Ragged<ArcEnd>& ends, double speck_px) {
+  // Of several such nodes, the one nearest to the free end. Whether there is one.
+  bool cut_tail(const ArcEnd& free_end, const Ragged<ArcEnd>& ends, double speck_px) {
     double length = 0;
     ArcEnd end = free_end;  // of the tail
     while (true) {
       length += image_length(graph_, end.arc);
       end.at_start = !end.at_start;
       const ArcEnd before = of(end);
-      if (before.arc == none || length >= speck_px) return;
+      if (before.arc == none || length >= speck_px) return false;
       const ArcEnd onward = continuation(before, ends[idx(node_of(graph_, before))]);
       if (onward.arc != none && !dangles(onward, ends, speck_px)) {
         mates_[idx(number_of(end))] = mates_[idx(number_of(before))] = none;
-        return join(before, onward);
+        join(before, onward);
+        return true;
       }
       end = before;
+    }
+  }
+
+  // A line that runs on from swallowtail to swallowtail does not dangle once the later tails are
+  // cut.
+  void cut_tails(const Ragged<ArcEnd>& ends, double speck_px) {
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
+        if (ends[n].size() == 1) changed |= cut_tail(ends[n][0], ends, speck_px);
+      }
     }
   }
 
@@ -254,87 +258,15 @@ Chain follow(const LabelledGraph& graph, const Mates& mates, const ArcEnd& first
   return chain;
 }
 
-double image_length(const LabelledGraph& graph, const Chain& chain) {
+}  // namespace
+
+double image_length(const LabelledGraph& graph, int arc) {
+  const Span<const Vec2> image = graph.image[idx(arc)];
   double length = 0;
-  for (const int arc : chain.arcs) length += image_length(graph, arc);
+  for (std::size_t i = 1; i < image.size(); ++i) length += (image[i] - image[i - 1]).norm();
+  if (graph.arcs[idx(arc)].start_node == none) length += (image.back() - image.front()).norm();
   return length;
 }
-
-// Drops dangling specks one after another: dropping one may leave the next dangling.
-class SpeckFilter {
- public:
-  SpeckFilter(const LabelledGraph& graph, const std::vector<Chain>& chains,
-              const Ragged<ArcEnd>& ends)
-      : graph_(graph),
-        chains_(chains),
-        ends_(ends),
-        chain_of_(graph.arcs.size(), none),
-        kept_(chains.size(), 1) {
-    for (std::size_t c = 0; c < chains.size(); ++c) {
-      for (const int arc : chains[c].arcs) chain_of_[idx(arc)] = static_cast<int>(c);
-    }
-  }
-
-  std::vector<std::uint8_t> drop(double speck_px) {
-    std::vector<std::size_t> specks;
-    for (std::size_t c = 0; c < chains_.size(); ++c) {
-      if (image_length(graph_, chains_[c]) < speck_px) specks.push_back(c);
-    }
-    for (bool changed = true; changed;) {
-      changed = false;
-      for (const std::size_t c : specks) {
-        if (!kept_[c] || closes_a_gap(c)) continue;
-        kept_[c] = 0;
-        changed = true;
-      }
-    }
-    return kept_;
-  }
-
- private:
-  static constexpr double slit_px = 1;
-
-  bool closes_a_gap(std::size_t c) const {
-    const Chain& chain = chains_[c];
-    if (!chain.closed) {
-      return meets_another(c, chain.start_node) && meets_another(c, chain.end_node) &&
-             !is_in_a_slit(chain);
-    }
-    return std::any_of(chain.arcs.begin(), chain.arcs.end(), [&](int arc) {
-      const int node = graph_.arcs[idx(arc)].start_node;
-      return node != none && meets_another(c, node);
-    });
-  }
-
-  // Whether it shows between two curves that pass in front of it, hardly apart.
-  bool is_in_a_slit(const Chain& chain) const {
-    const auto passes_behind = [&](int arc, int at) {
-      const GraphNode& n = graph_.nodes[idx(at)];
-      return n.kind == NodeKind::crossing && (n.arcs[2] == arc || n.arcs[3] == arc);
-    };
-    return image_length(graph_, chain) < slit_px &&
-           passes_behind(chain.arcs.front(), chain.start_node) &&
-           passes_behind(chain.arcs.back(), chain.end_node);
-  }
-
-  bool meets_another(std::size_t c, int node) const {
-    const int layers = graph_.arcs[idx(chains_[c].arcs[0])].invisibility;
-    for (const ArcEnd& end : ends_[idx(node)]) {
-      const int other = chain_of_[idx(end.arc)];
-      const bool is_kept = other != static_cast<int>(c) && kept_[idx(other)];
-      if (is_kept && graph_.arcs[idx(end.arc)].invisibility <= layers) return true;
-    }
-    return false;
-  }
-
-  const LabelledGraph& graph_;
-  const std::vector<Chain>& chains_;
-  const Ragged<ArcEnd>& ends_;
-  std::vector<int> chain_of_;
-  std::vector<std::uint8_t> kept_;
-};
-
-}  // namespace
 
 std::vector<std::uint8_t> drawn_arcs(const LabelledGraph& graph,
                                      const std::vector<std::uint8_t>& undrawn,
@@ -377,9 +309,7 @@ std::vector<Chain> chain_arcs(const LabelledGraph& graph, const std::vector<std:
       mates.pair_by_turn(ends[n]);
     }
   }
-  for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
-    if (ends[n].size() == 1) mates.cut_tail(ends[n][0], ends, speck_px);
-  }
+  mates.cut_tails(ends, speck_px);
   mates.close_gaps(ends);
   std::vector<Chain> chains;
   std::vector<std::uint8_t> chained(graph.arcs.size(), 0);
@@ -389,12 +319,6 @@ std::vector<Chain> chain_arcs(const LabelledGraph& graph, const std::vector<std:
     for (const int arc : chains.back().arcs) chained[idx(arc)] = 1;
   }
   return chains;
-}
-
-std::vector<std::uint8_t> chains_without_specks(const LabelledGraph& graph,
-                                                const std::vector<Chain>& chains,
-                                                const Ragged<ArcEnd>& ends, double speck_px) {
-  return SpeckFilter(graph, chains, ends).drop(speck_px);
 }
 
 }  // namespace illustrate

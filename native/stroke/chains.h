@@ -21,6 +21,9 @@ struct Chain {
   int end_node = none;
 };
 
+// In pixels, round the whole loop where it is closed.
+double image_length(const LabelledGraph& graph, int arc);
+
 // (arcs) 1 where the arc is drawn: its kind, object and number of layers are asked for. Seams never
 // are.
 std::vector<std::uint8_t> drawn_arcs(const LabelledGraph& graph,

@@ -7,9 +7,9 @@ namespace illustrate {
 namespace {
 
 constexpr double contradiction_px = 40;  // a layer missing behind a crossing
-constexpr double broken_px = 10;         // with a path that has breaks: its labels follow rays alone
-constexpr double impossible = 1e12;      // the price of a negative label
-constexpr int highest_move = 3;          // above the highest base that a ray speaks for
+constexpr double broken_px = 10;     // with a path that has breaks: its labels follow rays alone
+constexpr double impossible = 1e12;  // the price of a negative label
+constexpr int highest_move = 3;      // above the highest base that a ray speaks for
 
 // What the paths say at a crossing; `back` is the smaller of the labels before and behind it.
 struct CrossingLabels {

@@ -74,7 +74,8 @@ LayerCount LayerRays::count(const Arrangement& arrangement, const StrandPlace& p
   LayerCount result = count_from(beside(p, along, asides_px[0]), blind);
   for (std::size_t k = 1; k < asides_px.size() && result.before() > 0; ++k) {
     const LayerCount farther = count_from(beside(p, along, asides_px[k]), blind);
-    const bool leaves_own_rim = farther.before() < result.before() && farther.behind < result.behind;
+    const bool leaves_own_rim =
+        farther.before() < result.before() && farther.behind < result.behind;
     if (leaves_own_rim) result = farther;
   }
   return result;

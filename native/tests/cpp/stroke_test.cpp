@@ -266,6 +266,31 @@ TEST(MakeStrokes, OutlineRunsOnPastASwallowtail) {
   EXPECT_EQ(drawing.image[drawing.points.size() / 2], Vec2(50, 50));
 }
 
+// Each line between two swallowtails is shorter than a speck, with its tail too.
+TEST(MakeStrokes, OutlineRunsOnPastASeriesOfSwallowtails) {
+  GraphBuilder b;
+  const auto arcs_of = [&](int n) -> auto& { return b.graph.nodes[idx(n)].arcs; };
+  const int left = b.node(NodeKind::joint, {10, 50});
+  int last = left;
+  for (const double x : {50., 51.5, 53.}) {
+    const int crossing = b.node(NodeKind::crossing, {x, 50});
+    const int near_cusp = b.node(NodeKind::cusp, {x + 1, 50});
+    const int far_cusp = b.node(NodeKind::cusp, {x - 1, 50});
+    const int in = b.line(last, crossing), tail = b.line(crossing, near_cusp);
+    const int folded = b.line(near_cusp, far_cusp, 1), hidden = b.line(far_cusp, crossing, 2);
+    if (last != left) arcs_of(last)[3] = in;
+    arcs_of(crossing) = {in, tail, hidden, none};
+    arcs_of(near_cusp) = {tail, folded, none, none};
+    arcs_of(far_cusp) = {folded, hidden, none, none};
+    last = crossing;
+  }
+  arcs_of(last)[3] = b.line(last, b.node(NodeKind::joint, {90, 50}));
+  const Drawing drawing = strokes_of(b.graph);
+  ASSERT_EQ(count_of(drawing), 1U);
+  EXPECT_EQ(first_of(drawing, 0), Vec2(10, 50));
+  EXPECT_EQ(last_of(drawing, 0), Vec2(90, 50));
+}
+
 // A hole of two pixels: each of its sides is shorter than a speck, and one of them ends in a tail.
 TEST(MakeStrokes, OutlineOfATinyHoleStays) {
   GraphBuilder b;
