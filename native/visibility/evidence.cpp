@@ -7,7 +7,8 @@
 namespace illustrate {
 namespace {
 
-constexpr int most_rays = 60'000;              // of a view; a dense scan needs some thousands
+constexpr std::int64_t most_rays = 60'000;     // of a view; a dense scan needs some thousands
+constexpr std::int64_t pile = 250'000;         // so many crossings, of needles, halve it
 constexpr std::size_t most_arcs_asked = 1000;  // of one path, the longest ones
 constexpr double asked_thrice_px = 30;         // longer arcs are asked at three places
 constexpr double beside_nothing_px = 100;   // an arc next to the empty background is nearly certain
@@ -34,7 +35,11 @@ bool is_outline(const Arrangement& arrangement, const PathArc& arc) {
 class Witness {
  public:
   Witness(const Arrangement& arrangement, LayerRays& rays, KnownEvidence& known)
-      : arrangement_(arrangement), rays_(rays), known_(known) {}
+      : arrangement_(arrangement),
+        most_rays_(most_rays /
+                   (1 + static_cast<std::int64_t>(arrangement.crossings.size()) / pile)),
+        rays_(rays),
+        known_(known) {}
 
   void gather(const std::vector<PathArc>& arcs, std::vector<Evidence>& evidence) {
     std::vector<std::size_t> order(arcs.size());
@@ -57,7 +62,7 @@ class Witness {
     const std::array<int, 3> key{arc.strand, crossing(arc.begin), crossing(arc.end)};
     const auto found = known_.find(key);
     if (found != known_.end()) return found->second;
-    return rays_.rays() < most_rays ? known_[key] = ask(arc) : Evidence{0, 0, 0};
+    return rays_.rays() < most_rays_ ? known_[key] = ask(arc) : Evidence{0, 0, 0};
   }
 
   // The middle one of three counts; one on the outline counts for more than its length.
@@ -76,6 +81,7 @@ class Witness {
   }
 
   const Arrangement& arrangement_;
+  std::int64_t most_rays_;
   LayerRays& rays_;
   KnownEvidence& known_;
 };
