@@ -287,7 +287,7 @@ std::vector<int> labels_past_a_demoted_crossing(const std::vector<Evidence>& evi
 TEST(Demoted, CrossingsYieldToRaysAtAPrice) {
   const std::vector<int> by_rule{0, 2, 2}, by_rays{0, 1, 1};
   EXPECT_EQ(labels_past_a_demoted_crossing({{0, 0, 100}, {1, 0, 4}, {2, 0, .5}}), by_rule);
-  EXPECT_EQ(labels_past_a_demoted_crossing({{0, 0, 100}, {1, 0, 4}, {1, 0, 2}}), by_rays);
+  EXPECT_EQ(labels_past_a_demoted_crossing({{0, 0, 100}, {1, 0, 4}, {1, 0, 4}}), by_rays);
 }
 
 }  // namespace
