@@ -9,7 +9,7 @@ namespace {
 // runs up to a pixel inside their outline; a farther ray then finds fewer layers, in front and
 // behind. Fewer in front alone: another curve runs between.
 constexpr std::array<double, 3> asides_px{0.2, 0.7, 2.0};
-constexpr double blind_px = 3;     // hits nearer than this are the curve's own surface
+constexpr double blind_px = 3;     // hits nearer than this may be the curve's own surface
 constexpr double blind_edges = 3;  // so may those be that are nearer than so many edges of the
                                    // curve's triangle, for silhouettes
 constexpr double blind_diagonals = 0.01;  // and never more than this share of everything's diagonal
