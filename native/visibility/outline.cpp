@@ -24,14 +24,12 @@ struct RowEnd {
   double fraction = 0;
 
   void offer(double distance, int candidate, double at) {
-    if (distance < first) {
-      second = first;
-      first = distance;
-      segment = candidate;
-      fraction = at;
-    } else {
-      second = std::min(second, distance);
-    }
+    if (!(distance < second)) return;  // most are neither
+    second = std::max(first, distance);
+    if (!(distance < first)) return;
+    first = distance;
+    segment = candidate;
+    fraction = at;
   }
 };
 
@@ -60,6 +58,7 @@ class OutlineScan {
       : segments_(segments),
         points_(points),
         rows_(points.size()),
+        along_(points.size()),
         next_line_(points.size()),
         hits_(segments.size(), -1) {}
 
@@ -80,6 +79,7 @@ class OutlineScan {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (std::size_t p = 0; p < points_.size(); ++p) {
       rows_[p] = points_[p].dot(across_);
+      along_[p] = cross(across_, points_[p]);
       low = std::min(low, rows_[p]);
       high = std::max(high, rows_[p]);
     }
@@ -99,8 +99,8 @@ class OutlineScan {
   void cross_rows(int i) {
     const Segment& s = segments_[idx(i)];
     const auto [first, end] = std::minmax(next_line_[idx(s.a)], next_line_[idx(s.b)]);
-    const double a = rows_[idx(s.a)], b = rows_[idx(s.b)];
-    for (int row = first; row < end; ++row) offer(i, (row + 0.5 - a) / (b - a), idx(row));
+    const double a = rows_[idx(s.a)], per_row = 1 / (rows_[idx(s.b)] - a);
+    for (int row = first; row < end; ++row) offer(i, (row + 0.5 - a) * per_row, idx(row));
   }
 
   void note_hits() {
@@ -155,8 +155,7 @@ class OutlineScan {
 
   void offer(int i, double fraction, std::size_t row) {
     const Segment& s = segments_[idx(i)];
-    const Vec2 &a = points_[idx(s.a)], &b = points_[idx(s.b)];
-    const double v = (a + fraction * (b - a)).dot(Vec2(-across_.y(), across_.x()));
+    const double a = along_[idx(s.a)], v = a + fraction * (along_[idx(s.b)] - a);
     lower_[row].offer(v, i, fraction);
     upper_[row].offer(-v, i, fraction);
   }
@@ -165,6 +164,7 @@ class OutlineScan {
   const std::vector<Vec2>& points_;
   Vec2 across_ = Vec2::UnitX();
   std::vector<double> rows_;    // (points) where each one is, in rows
+  std::vector<double> along_;   // (points) and along them, px
   std::vector<int> next_line_;  // (points) the first scan line that is not below
   std::vector<double> hits_;
   std::vector<RowEnd> lower_;  // the first curve of each row
