@@ -137,10 +137,13 @@ double read_number(const py::object& value, const std::string& name) {
   return *doubles(value, {}, name).data();
 }
 
-py::array view_of(const Owner& owner, const void* data, const py::dtype& dtype,
-                  const Shape& shape) {
+py::array view_of(const Owner& owner, const void* data, const py::dtype& dtype, const Shape& shape,
+                  std::size_t row_bytes) {
+  Shape strides;
+  if (row_bytes > 0) strides.push_back(length(row_bytes));
+  if (row_bytes > 0 && shape.size() > 1) strides.push_back(dtype.itemsize());
   const py::capsule keeper(new Owner(owner), [](void* held) { delete static_cast<Owner*>(held); });
-  py::array view(dtype, shape, {}, data, keeper);
+  py::array view(dtype, shape, strides, data, keeper);
   view.attr("setflags")(py::arg("write") = false);
   return view;
 }

@@ -31,8 +31,9 @@ double read_number(const py::object& value, const std::string& name);
 using Owner = std::shared_ptr<const void>;
 using Shape = std::vector<py::ssize_t>;
 
-// `data` of this dtype, kept alive by `owner`.
-py::array view_of(const Owner& owner, const void* data, const py::dtype& dtype, const Shape& shape);
+// `data` of this dtype, kept alive by `owner`. row_bytes: from row to row; 0: they are packed.
+py::array view_of(const Owner& owner, const void* data, const py::dtype& dtype, const Shape& shape,
+                  std::size_t row_bytes = 0);
 
 inline py::ssize_t length(std::size_t size) { return static_cast<py::ssize_t>(size); }
 
@@ -52,6 +53,20 @@ py::array view_of(const Owner& owner, const std::vector<Eigen::Matrix<double, co
   using Row = Eigen::Matrix<double, columns, 1>;
   static_assert(sizeof(Row) == columns * sizeof(double), "rows must be packed");
   return view_of(owner, rows.data(), py::dtype::of<double>(), {length(rows.size()), columns});
+}
+
+// One number of each row.
+template <class Row>
+py::array view_of(const Owner& owner, const std::vector<Row>& rows, double Row::*member) {
+  return view_of(owner, rows.empty() ? nullptr : &(rows[0].*member), py::dtype::of<double>(),
+                 {length(rows.size())}, sizeof(Row));
+}
+
+// One vector of each row.
+template <class Row>
+py::array view_of(const Owner& owner, const std::vector<Row>& rows, Vec3 Row::*member) {
+  return view_of(owner, rows.empty() ? nullptr : &(rows[0].*member), py::dtype::of<double>(),
+                 {length(rows.size()), 3}, sizeof(Row));
 }
 
 // Of bytes that are 0 or 1.

@@ -26,17 +26,18 @@ const Curvature& hatch_curvature(const SurfaceHandle& handle) {
 }
 
 // Line curvature; objects of scheme none have only the hatching curvature.
-template <class Values>
-py::array line_curvature(const SurfaceHandle& handle, Values Curvature::*member) {
+template <class Value>
+py::array line_curvature(const SurfaceHandle& handle, Value PrincipalCurvature::*member) {
   const Surface& surface = handle.surface();
   const auto& smooth = surface.object_is_smooth;
   if (std::find(smooth.begin(), smooth.end(), 0) == smooth.end()) {
-    return view_of(handle.prepared, surface.curvature.*member);
+    return view_of(handle.prepared, surface.curvature, member);
   }
-  Values values = surface.curvature.*member;
-  const Values& fitted = hatch_curvature(handle).*member;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!smooth[static_cast<std::size_t>(surface.objects[i])]) values[i] = fitted[i];
+  std::vector<Value> values;
+  const Curvature& fitted = hatch_curvature(handle);
+  for (std::size_t i = 0; i < fitted.size(); ++i) {
+    const bool is_smooth = smooth[static_cast<std::size_t>(surface.objects[i])] != 0;
+    values.push_back((is_smooth ? surface.curvature : fitted)[i].*member);
   }
   return array_of(std::move(values));
 }
@@ -127,13 +128,13 @@ void bind_surface(py::module_& m) {
       return line_curvature(handle, member);
     });
     bound.def_property_readonly(hatch_name, [member](const SurfaceHandle& handle) {
-      return view_of(handle.prepared, hatch_curvature(handle).*member);
+      return view_of(handle.prepared, hatch_curvature(handle), member);
     });
   };
-  curvature("k1", "hatch_k1", &Curvature::k1);
-  curvature("k2", "hatch_k2", &Curvature::k2);
-  curvature("w1", "hatch_w1", &Curvature::w1);
-  curvature("w2", "hatch_w2", &Curvature::w2);
+  curvature("k1", "hatch_k1", &PrincipalCurvature::k1);
+  curvature("k2", "hatch_k2", &PrincipalCurvature::k2);
+  curvature("w1", "hatch_w1", &PrincipalCurvature::w1);
+  curvature("w2", "hatch_w2", &PrincipalCurvature::w2);
 }
 
 void bind_field(py::module_& m) {

@@ -25,9 +25,9 @@ double ContourFunctions::zero_fraction(int triangle, int corner) const {
 
 double ContourFunctions::cusp_function(int vertex) const {
   const Vec3 view = camera_.to_eye(surface_.positions[idx(vertex)]);
-  const Curvature& c = surface_.curvature;
-  const double along1 = view.dot(c.w1[idx(vertex)]), along2 = view.dot(c.w2[idx(vertex)]);
-  return c.k1[idx(vertex)] * along1 * along1 + c.k2[idx(vertex)] * along2 * along2;
+  const PrincipalCurvature& c = surface_.curvature[idx(vertex)];
+  const double along1 = view.dot(c.w1), along2 = view.dot(c.w2);
+  return c.k1 * along1 * along1 + c.k2 * along2 * along2;
 }
 
 double zero_between(double low, double high) {

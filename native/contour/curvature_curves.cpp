@@ -105,10 +105,10 @@ class SuggestiveContours {
   void set_functions(const CurvatureDerivative& d, std::size_t v) {
     const Curvature& c = d.curvature;
     const Vec3& view = seen_.to_eye[v];
-    const double x = view.dot(c.w1[v]), y = view.dot(c.w2[v]), square = x * x + y * y;
-    radial_[v] = -(c.k1[v] * x * x + c.k2[v] * y * y);
+    const double x = view.dot(c[v].w1), y = view.dot(c[v].w2), square = x * x + y * y;
+    radial_[v] = -(c[v].k1 * x * x + c[v].k2 * y * y);
     if (!(square > 0)) return;
-    const double sine = std::sqrt(square), torsion = (c.k2[v] - c.k1[v]) * x * y / square;
+    const double sine = std::sqrt(square), torsion = (c[v].k2 - c[v].k1) * x * y / square;
     growth_[v] =
         -along(d.cubics[v], x / sine, y / sine) - 2 * torsion * torsion * seen_.facing[v] / sine;
   }
@@ -192,12 +192,12 @@ class RidgesAndValleys {
  private:
   // Derivative of |k1| along w1.
   double slope(int vertex) const {
-    const double k = derivative_.curvature.k1[idx(vertex)];
+    const double k = derivative_.curvature[idx(vertex)].k1;
     return (k < 0 ? -1 : 1) * derivative_.cubics[idx(vertex)][0];
   }
   // Its own derivative along w1.
   double second(int vertex) const {
-    const double k = derivative_.curvature.k1[idx(vertex)];
+    const double k = derivative_.curvature[idx(vertex)].k1;
     return (k < 0 ? -1 : 1) * derivative_.second[idx(vertex)];
   }
 
@@ -205,9 +205,9 @@ class RidgesAndValleys {
   void add_zero(int triangle, int corner, std::vector<ZeroPoint>& zeros) const {
     const DirectedEdge edge(surface_, triangle, corner);
     const Curvature& c = derivative_.curvature;
-    const double agreement = c.w1[idx(edge.low)].dot(c.w1[idx(edge.high)]);
-    const double k_low = edge.low_sign * c.k1[idx(edge.low)];
-    const double k_high = edge.high_sign * c.k1[idx(edge.high)];
+    const double agreement = c[idx(edge.low)].w1.dot(c[idx(edge.high)].w1);
+    const double k_low = edge.low_sign * c[idx(edge.low)].k1;
+    const double k_high = edge.high_sign * c[idx(edge.high)].k1;
     if (std::abs(agreement) < least_agreement || (k_low < 0) != (k_high < 0)) return;
     const double low = slope(edge.low);
     const double high = agreement < 0 ? -slope(edge.high) : slope(edge.high);

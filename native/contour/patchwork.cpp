@@ -70,10 +70,7 @@ int Patchwork::add_vertex_of(int whole_vertex) {
   surface_.positions.push_back(whole_.positions[v]);
   surface_.normals.push_back(whole_.normals[v]);
   surface_.places.push_back(place);
-  surface_.curvature.k1.push_back(whole_.curvature.k1[v]);
-  surface_.curvature.k2.push_back(whole_.curvature.k2[v]);
-  surface_.curvature.w1.push_back(whole_.curvature.w1[v]);
-  surface_.curvature.w2.push_back(whole_.curvature.w2[v]);
+  surface_.curvature.push_back(whole_.curvature[v]);
   return number;
 }
 
@@ -186,14 +183,10 @@ std::optional<LimitPoint> Patchwork::middle_of(const Piece& piece, int edge) con
 
 Patchwork::Middle Patchwork::new_middle(const LimitPoint& p, int place) {
   const Vec3 normal = p.du.cross(p.dv).normalized();
-  const PrincipalCurvature k = principal_curvature(p.du, p.dv, p.duu, p.duv, p.dvv, normal);
   surface_.positions.push_back(p.position);
   surface_.normals.push_back(normal);
   surface_.places.push_back(place);
-  surface_.curvature.k1.push_back(k.k1);
-  surface_.curvature.k2.push_back(k.k2);
-  surface_.curvature.w1.push_back(k.w1);
-  surface_.curvature.w2.push_back(k.w2);
+  surface_.curvature.push_back(principal_curvature(p.du, p.dv, p.duu, p.duv, p.dvv, normal));
   return {static_cast<int>(surface_.positions.size()) - 1, false};
 }
 

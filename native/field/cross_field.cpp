@@ -123,7 +123,7 @@ void turn_improved_parts(const FieldProblem& p, const Curvature& curvature,
     const std::size_t part = idx(p.parts.of_vertex[i]);
     if (p.guide_pulls[i] != CrossNumber(0)) improved[part] = 0;
     if (has_features[part]) continue;
-    const double anisotropy = std::abs(curvature.k1[i]) - std::abs(curvature.k2[i]);
+    const double anisotropy = std::abs(curvature[i].k1) - std::abs(curvature[i].k2);
     wanted[i] = p.principal.defined[i] ? anisotropy * p.principal.z[i] : CrossNumber(0);
   }
   turn_parts(p.parts, improved, wanted, z);

@@ -77,10 +77,10 @@ PrincipalCrosses principal_crosses(const TangentFrames& frames, const Curvature&
                           std::vector<std::uint8_t>(frames.size(), 0)};
   parallel_for(frames.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const Vec3 across = curvature.w2[i].cross(frames.normals[i]);
+      const Vec3 across = curvature[i].w2.cross(frames.normals[i]);
       const CrossNumber w = direction_in_frame(frames, i, across, 0, 0.5);
-      result.defined[i] = w != CrossNumber(0) && std::isfinite(curvature.k1[i]) &&
-                          std::isfinite(curvature.k2[i]) && curvature.k1[i] != 0;
+      result.defined[i] = w != CrossNumber(0) && std::isfinite(curvature[i].k1) &&
+                          std::isfinite(curvature[i].k2) && curvature[i].k1 != 0;
       if (!result.defined[i]) continue;
       result.directions[i] = w;
       result.z[i] = fourth_power(w);
@@ -112,7 +112,7 @@ std::vector<std::uint8_t> reliable_vertices(const Curvature& curvature,
   if (options.parabolic_ratio <= 0) return reliable;
   const std::vector<double> mean_energies = mean_edge_energies(edges, principal.z, progress);
   for (std::size_t i = 0; i < reliable.size(); ++i) {
-    const double k1 = std::abs(curvature.k1[i]), k2 = std::abs(curvature.k2[i]);
+    const double k1 = std::abs(curvature[i].k1), k2 = std::abs(curvature[i].k2);
     const bool is_parabolic = k2 <= options.parabolic_ratio * k1;
     const bool is_curved = k1 * diagonals[i] >= options.least_curvature;
     const bool is_regular = mean_energies[i] <= options.largest_energy;

@@ -201,10 +201,7 @@ class Assembler {
     SectorLimits& limits = object_.limits;
     move_to_vertices(limits.positions, surface_.positions);
     move_to_vertices(limits.normals, surface_.normals);
-    move_to_vertices(limits.curvature.k1, surface_.curvature.k1);
-    move_to_vertices(limits.curvature.k2, surface_.curvature.k2);
-    move_to_vertices(limits.curvature.w1, surface_.curvature.w1);
-    move_to_vertices(limits.curvature.w2, surface_.curvature.w2);
+    move_to_vertices(limits.curvature, surface_.curvature);
     const std::size_t count = surface_.positions.size();
     surface_.objects.resize(count, object_.object);
     surface_.base_faces.resize(count, none);

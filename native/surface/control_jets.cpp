@@ -145,13 +145,6 @@ PrincipalCurvature interpolate(const Surface& surface, const ControlNodes& nodes
   return principal_curvature(x, y, xx * normal, xy * normal, yy * normal, normal);
 }
 
-void store(const PrincipalCurvature& k, std::size_t v, Curvature& result) {
-  result.k1[v] = k.k1;
-  result.k2[v] = k.k2;
-  result.w1[v] = k.w1;
-  result.w2[v] = k.w2;
-}
-
 }  // namespace
 
 std::vector<int> control_jets(const Surface& surface, const JetOptions& options,
@@ -167,9 +160,8 @@ std::vector<int> control_jets(const Surface& surface, const JetOptions& options,
                                [](const ControlNodes::Weight& w) { return w.node == none; });
       if (is_left[v]) continue;
       const bool is_node = place[0].weight == 1;
-      store(is_node ? jets[idx(place[0].node)]
-                    : interpolate(surface, nodes, jets, place, surface.normals[v]),
-            v, result);
+      result[v] = is_node ? jets[idx(place[0].node)]
+                          : interpolate(surface, nodes, jets, place, surface.normals[v]);
     }
   });
   std::vector<int> left;

@@ -7,10 +7,6 @@
 namespace illustrate {
 
 // The two fundamental forms' eigenproblem, I^-1 II (paper eq. 2 with the inverse that it needs).
-struct PrincipalCurvature {
-  double k1 = 0, k2 = 0;
-  Vec3 w1 = Vec3::Zero(), w2 = Vec3::Zero();
-};
 PrincipalCurvature principal_curvature(const Vec3& du, const Vec3& dv, const Vec3& duu,
                                        const Vec3& duv, const Vec3& dvv, const Vec3& normal);
 

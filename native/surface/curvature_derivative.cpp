@@ -83,7 +83,7 @@ class Links {
 };
 
 // The neighbours of all vertices; frames are w1 and the normal times w1.
-Ragged<Neighbour> find_neighbours(const Surface& surface, const Points& w1) {
+Ragged<Neighbour> find_neighbours(const Surface& surface, const Curvature& curvature) {
   const Links links(surface);
   Ragged<Neighbour> result;
   std::size_t next = 0;
@@ -91,9 +91,9 @@ Ragged<Neighbour> find_neighbours(const Surface& surface, const Points& w1) {
     for (; next < links.size() && links.vertex(next) == v; ++next) {
       const std::size_t j = idx(links.neighbour(next));
       const double sign = links.sign(next);
-      const Vec3 x = turned(w1[v], surface.normals[v], sign * surface.normals[j]);
-      result.push(
-          {links.neighbour(next), sign, x.dot(w1[j]), x.dot(surface.normals[j].cross(w1[j]))});
+      const Vec3 x = turned(curvature[v].w1, surface.normals[v], sign * surface.normals[j]);
+      result.push({links.neighbour(next), sign, x.dot(curvature[j].w1),
+                   x.dot(surface.normals[j].cross(curvature[j].w1))});
     }
     result.close_list();
   }
@@ -129,12 +129,12 @@ class CubicFit {
 };
 
 CubicForm fit(const Surface& surface, Span<const Neighbour> around, const std::vector<Form>& forms,
-              const Points& w1, std::size_t v) {
+              const Vec3& w1, std::size_t v) {
   CubicFit result;
-  const Vec3 w2 = surface.normals[v].cross(w1[v]);
+  const Vec3 w2 = surface.normals[v].cross(w1);
   for (const Neighbour& n : around) {
     const Vec3 d = surface.positions[idx(n.vertex)] - surface.positions[v];
-    result.add(Vec2(d.dot(w1[v]), d.dot(w2)), n.seen(forms[idx(n.vertex)]) - forms[v]);
+    result.add(Vec2(d.dot(w1), d.dot(w2)), n.seen(forms[idx(n.vertex)]) - forms[v]);
   }
   return result.solve();
 }
@@ -147,7 +147,7 @@ double second_derivative(const Surface& surface, Span<const Neighbour> around,
   for (const Neighbour& n : around) {
     const std::size_t j = idx(n.vertex);
     const Vec3 step = surface.positions[j] - surface.positions[v];
-    const Vec2 flat(step.dot(d.curvature.w1[v]), step.dot(d.curvature.w2[v]));
+    const Vec2 flat(step.dot(d.curvature[v].w1), step.dot(d.curvature[v].w2));
     const double there = (n.cosine < 0 ? -n.sign : n.sign) * d.cubics[j][0];
     matrix += flat * flat.transpose();
     right += (there - d.cubics[v][0]) * flat;
@@ -236,19 +236,14 @@ void diffuse(const Ragged<Neighbour>& neighbours, const std::vector<double>& tim
 Curvature smoothed(const Surface& surface, const Curvature& rough, int threads,
                    const Progress& progress, std::vector<Form>& forms) {
   progress.report(0);
-  const Ragged<Neighbour> neighbours = find_neighbours(surface, rough.w1);
+  const Ragged<Neighbour> neighbours = find_neighbours(surface, rough);
   diffuse(neighbours, diffusion_times(surface, neighbours), threads, progress, forms);
   Curvature result = rough;
   for (std::size_t v = 0; v < forms.size(); ++v) {
     const Vec3& n = surface.normals[v];
-    const Vec3 w2 = n.cross(rough.w1[v]);
-    const PrincipalCurvature p =
-        principal_curvature(rough.w1[v], w2, forms[v][0] * n, forms[v][1] * n, forms[v][2] * n, n);
-    result.k1[v] = p.k1;
-    result.k2[v] = p.k2;
-    result.w1[v] = p.w1;
-    result.w2[v] = p.w2;
-    forms[v] = Form(p.k1, 0, p.k2);
+    const Vec3 &w1 = rough[v].w1, w2 = n.cross(w1);
+    result[v] = principal_curvature(w1, w2, forms[v][0] * n, forms[v][1] * n, forms[v][2] * n, n);
+    forms[v] = Form(result[v].k1, 0, result[v].k2);
   }
   return result;
 }
@@ -261,12 +256,12 @@ CurvatureDerivative curvature_derivative(const Surface& surface, const Curvature
   CurvatureDerivative result{curvature, std::vector<CubicForm>(count), std::vector<double>(count)};
   if (count == 0) return result;
   std::vector<Form> forms;
-  for (std::size_t v = 0; v < count; ++v) forms.emplace_back(curvature.k1[v], 0, curvature.k2[v]);
+  for (std::size_t v = 0; v < count; ++v) forms.emplace_back(curvature[v].k1, 0, curvature[v].k2);
   result.curvature = smoothed(surface, curvature, threads, progress.part(0, 0.6), forms);
-  const Ragged<Neighbour> neighbours = find_neighbours(surface, result.curvature.w1);
+  const Ragged<Neighbour> neighbours = find_neighbours(surface, result.curvature);
   parallel_for(count, threads, progress.part(0.6, 0.9), [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
-      result.cubics[v] = fit(surface, neighbours[v], forms, result.curvature.w1, v);
+      result.cubics[v] = fit(surface, neighbours[v], forms, result.curvature[v].w1, v);
     }
   });
   parallel_for(count, threads, progress.part(0.9, 1), [&](std::size_t begin, std::size_t end) {

@@ -89,20 +89,14 @@ void fit_jets(const Surface& surface, const std::vector<int>& vertices, const Je
   parallel_for(vertices.size(), options.threads, progress, [&](std::size_t begin, std::size_t end) {
     JetFitter::Workspace work;
     for (std::size_t i = begin; i < end; ++i) {
-      const std::size_t v = idx(vertices[i]);
-      const PrincipalCurvature k = fitter.fit(vertices[i], work);
-      result.k1[v] = k.k1;
-      result.k2[v] = k.k2;
-      result.w1[v] = k.w1;
-      result.w2[v] = k.w2;
+      result[idx(vertices[i])] = fitter.fit(vertices[i], work);
     }
   });
 }
 
 Curvature jet_curvature(const Surface& surface, const JetOptions& options,
                         const Progress& progress) {
-  const std::size_t n = surface.positions.size();
-  Curvature result{std::vector<double>(n), std::vector<double>(n), Points(n), Points(n)};
+  Curvature result(surface.positions.size());
   const std::vector<int> left = control_jets(surface, options, progress.part(0, .5), result);
   fit_jets(surface, left, options, progress.part(.5, 1), result);
   return result;

@@ -20,28 +20,20 @@ Vec3 normal_of(const LimitPoint& p) {
   return across.norm() > parallel_tangents ? across.normalized() : Vec3::Zero();
 }
 
-void set_curvature(std::size_t i, const LimitPoint& p, const Vec3& normal, Curvature& curvature) {
-  const PrincipalCurvature k = principal_curvature(p.du, p.dv, p.duu, p.duv, p.dvv, normal);
-  curvature.k1[i] = k.k1;
-  curvature.k2[i] = k.k2;
-  curvature.w1[i] = k.w1;
-  curvature.w2[i] = k.w2;
+PrincipalCurvature curvature_of(const LimitPoint& p, const Vec3& normal) {
+  return principal_curvature(p.du, p.dv, p.duu, p.duv, p.dvv, normal);
 }
 
 void resize(SectorLimits& result, std::size_t count) {
   result.positions.resize(count);
   result.normals.resize(count);
-  result.curvature.k1.resize(count);
-  result.curvature.k2.resize(count);
-  result.curvature.w1.resize(count);
-  result.curvature.w2.resize(count);
+  result.curvature.resize(count);
   result.needs_jet.resize(count);
 }
 
 void set_undefined(std::size_t i, SectorLimits& result) {
   result.normals[i].setZero();
-  result.curvature.w1[i].setZero();
-  result.curvature.w2[i].setZero();
+  result.curvature[i] = {};
 }
 
 void limit_of_sector(const RefinedMesh& mesh, const Sectors& sectors, std::size_t s, Ring& ring,
@@ -57,7 +49,7 @@ void limit_of_sector(const RefinedMesh& mesh, const Sectors& sectors, std::size_
   result.positions[s] = smooth ? p.position : limit_position(ring);
   if (fitted) {
     result.normals[s] = normal_of(p);
-    set_curvature(s, p, result.normals[s], result.curvature);
+    result.curvature[s] = curvature_of(p, result.normals[s]);
   } else {
     set_undefined(s, result);
     result.normals[s] = unit_or_zero(limit_normal(ring));
@@ -88,7 +80,7 @@ void evaluate_patches(const Subdivision& subdivision, const RefinedMesh& mesh,
       result.positions[s] = p->position;
       result.normals[s] = normal_of(*p);
       result.needs_jet[s] = 0;
-      set_curvature(s, *p, result.normals[s], result.curvature);
+      result.curvature[s] = curvature_of(*p, result.normals[s]);
     }
   });
 }
@@ -126,7 +118,7 @@ void inherit_extraordinary(const Subdivision& subdivision, const std::vector<int
     if (ring.rule != VertexRule::smooth) continue;
     fit_derivatives(ring, p);
     const std::size_t target = idx(heir(mesh.vertex(sectors.first_corners[s])));
-    set_curvature(target, p, result.normals[target], result.curvature);
+    result.curvature[target] = curvature_of(p, result.normals[target]);
   }
 }
 
@@ -135,7 +127,7 @@ void turn_directions(int threads, SectorLimits& result) {
   parallel_for(result.normals.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s) {
       const Vec3& n = result.normals[s];
-      Vec3 &w1 = result.curvature.w1[s], &w2 = result.curvature.w2[s];
+      auto& [k1, k2, w1, w2] = result.curvature[s];
       const bool is_tangent = std::abs(w1.dot(n)) < 1e-9 && std::abs(w2.dot(n)) < 1e-9;
       if (is_tangent && w1.squaredNorm() > .5) continue;
       w1 = tangent_towards(w1, n);

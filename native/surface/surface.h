@@ -12,13 +12,18 @@ namespace illustrate {
 // What an edge of a triangle is.
 enum class EdgeKind : std::uint8_t { smooth, boundary, crease, flat_outline, seam, mark, material };
 
-// Principal curvatures: |k1| >= |k2|, positive where the surface bends towards the normal's side;
-// w1, w2 unit tangents of the principal directions. Where undefined, k1 and k2 are 0 and w1, w2
-// any.
-struct Curvature {
-  std::vector<double> k1, k2;  // (n)
-  Points w1, w2;               // (n)
+// Principal curvatures at a vertex: |k1| >= |k2|, positive where the surface bends towards the
+// normal's side; w1, w2 unit tangents of the principal directions. Where undefined, k1 and k2 are 0
+// and w1, w2 any. One line of the processor's cache: silhouettes read few vertices, far apart.
+struct alignas(64) PrincipalCurvature {
+  double k1 = 0, k2 = 0;
+  Vec3 w1 = Vec3::Zero(), w2 = Vec3::Zero();
+
+  bool operator==(const PrincipalCurvature& other) const {
+    return k1 == other.k1 && k2 == other.k2 && w1 == other.w1 && w2 == other.w2;
+  }
 };
+using Curvature = std::vector<PrincipalCurvature>;  // (n)
 
 // Where a triangle lies on the limit surface: its corners on one ptex face, in steps of 2^-15.
 struct PatchTriangle {

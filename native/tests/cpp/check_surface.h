@@ -16,10 +16,8 @@ inline std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 inline void sizes(const Surface& s) {
   const std::size_t n = s.positions.size(), t = s.triangles.size();
-  for (const std::size_t size :
-       {s.normals.size(), s.objects.size(), s.places.size(), s.base_faces.size(), s.base_uv.size(),
-        s.curvature.k1.size(), s.curvature.k2.size(), s.curvature.w1.size(),
-        s.curvature.w2.size()}) {
+  for (const std::size_t size : {s.normals.size(), s.objects.size(), s.places.size(),
+                                 s.base_faces.size(), s.base_uv.size(), s.curvature.size()}) {
     ASSERT_EQ(size, n);
   }
   for (const std::size_t size :
@@ -48,14 +46,14 @@ inline void vertices(const Surface& s) {
 
 inline void curvature(const Surface& s, const Curvature& c) {
   for (std::size_t v = 0; v < s.positions.size(); ++v) {
-    ASSERT_TRUE(std::isfinite(c.k1[v]) && std::isfinite(c.k2[v])) << v;
-    ASSERT_GE(std::abs(c.k1[v]), std::abs(c.k2[v])) << v;
-    ASSERT_NEAR(c.w1[v].norm(), 1, 1e-9) << v;
-    ASSERT_NEAR(c.w2[v].norm(), 1, 1e-9) << v;
-    ASSERT_NEAR(c.w1[v].dot(c.w2[v]), 0, 1e-9) << v;
+    ASSERT_TRUE(std::isfinite(c[v].k1) && std::isfinite(c[v].k2)) << v;
+    ASSERT_GE(std::abs(c[v].k1), std::abs(c[v].k2)) << v;
+    ASSERT_NEAR(c[v].w1.norm(), 1, 1e-9) << v;
+    ASSERT_NEAR(c[v].w2.norm(), 1, 1e-9) << v;
+    ASSERT_NEAR(c[v].w1.dot(c[v].w2), 0, 1e-9) << v;
     if (!s.object_is_smooth[index(s.objects[v])]) continue;  // tangent to the jet
-    ASSERT_NEAR(c.w1[v].dot(s.normals[v]), 0, 1e-8) << v;
-    ASSERT_NEAR(c.w2[v].dot(s.normals[v]), 0, 1e-8) << v;
+    ASSERT_NEAR(c[v].w1.dot(s.normals[v]), 0, 1e-8) << v;
+    ASSERT_NEAR(c[v].w2.dot(s.normals[v]), 0, 1e-8) << v;
   }
 }
 

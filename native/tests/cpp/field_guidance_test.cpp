@@ -196,7 +196,7 @@ TEST(FieldOptions, NothingIsFreeWhereEverythingIsReliable) {
   EXPECT_EQ(std::count(field.reliable.begin(), field.reliable.end(), 0), 0);
   EXPECT_EQ(field.energy, field.energy_initial);
   for (std::size_t i = 0; i < field.directions.size(); ++i) {
-    EXPECT_LT(field.directions[i].cross(surface.curvature.w1[i]).norm(), 1e-9);
+    EXPECT_LT(field.directions[i].cross(surface.curvature[i].w1).norm(), 1e-9);
   }
 }
 

@@ -88,7 +88,7 @@ TEST(CrossFieldSolve, ReliableVerticesKeepTheirDirections) {
   EXPECT_GT(std::count(field.reliable.begin(), field.reliable.end(), 1), 500);
   for (std::size_t i = 0; i < field.directions.size(); ++i) {
     if (!field.reliable[i]) continue;
-    EXPECT_LT(off_cross(field.directions[i], surface.normals[i], surface.curvature.w1[i]), 1e-9);
+    EXPECT_LT(off_cross(field.directions[i], surface.normals[i], surface.curvature[i].w1), 1e-9);
   }
 }
 
@@ -104,7 +104,7 @@ TEST(CrossFieldSolve, EachThresholdMakesVerticesUnreliable) {
   EXPECT_EQ(count(flat), 0);
   const auto before = count({});
   const std::size_t odd = 7 * 20;  // turned by 45 degrees: its neighbours are irregular, too
-  Vec3 &w1 = surface.curvature.w1[odd], &w2 = surface.curvature.w2[odd];
+  Vec3 &w1 = surface.curvature[odd].w1, &w2 = surface.curvature[odd].w2;
   w1 = (w1 + w2).normalized();
   w2 = surface.normals[odd].cross(w1);
   const auto after = count({});
@@ -206,9 +206,9 @@ TEST(CrossFieldSolve, DegenerateInputGivesNoNaN) {
   surface.normals[3].setZero();
   surface.normals[8].setZero();
   surface.positions[10] = surface.positions[11];
-  surface.curvature.k1[5] = nan;
-  surface.curvature.w1[6] = Vec3(nan, nan, nan);
-  surface.curvature.k1[6] = 3;
+  surface.curvature[5].k1 = nan;
+  surface.curvature[6].w1 = Vec3(nan, nan, nan);
+  surface.curvature[6].k1 = 3;
   const int last = surface.triangles[7][0];
   surface.positions[index_of(last)] *= 1e9;
   check(surface, solve_cross_field(surface, surface.curvature, {}));

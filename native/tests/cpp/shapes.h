@@ -279,10 +279,7 @@ inline void complete(Surface& surface) {
   surface.base_uv.assign(n, Vec2::Zero());
   surface.object_is_smooth.assign(1, 1);
   surface.controls.assign(1, std::make_shared<const ControlMesh>());
-  surface.curvature.k1.resize(n, 0);
-  surface.curvature.k2.resize(n, 0);
-  surface.curvature.w1.resize(n, Vec3::Zero());
-  surface.curvature.w2.resize(n, Vec3::Zero());
+  surface.curvature.resize(n);
   Eigen::AlignedBox3d box;
   for (const Vec3& position : surface.positions) box.extend(position);
   surface.diagonal = box.isEmpty() ? 0 : box.diagonal().norm();
@@ -314,10 +311,8 @@ inline Surface plain_surface(const PolygonMesh& mesh) {
 inline void set_curvature(Surface& surface, std::size_t v, double ka, const Vec3& a, double kb,
                           const Vec3& b) {
   const bool a_first = std::abs(ka) >= std::abs(kb);
-  surface.curvature.k1[v] = a_first ? ka : kb;
-  surface.curvature.k2[v] = a_first ? kb : ka;
-  surface.curvature.w1[v] = a_first ? a : b;
-  surface.curvature.w2[v] = a_first ? b : a;
+  surface.curvature[v] =
+      a_first ? PrincipalCurvature{ka, kb, a, b} : PrincipalCurvature{kb, ka, b, a};
 }
 
 // torus_mesh with analytic normals and curvature.
@@ -382,10 +377,7 @@ inline Surface joined(Surface a, Surface b) {
   append(a.controls, b.controls);
   append(a.feature_edges, b.feature_edges);
   append(a.feature_kinds, b.feature_kinds);
-  append(a.curvature.k1, b.curvature.k1);
-  append(a.curvature.k2, b.curvature.k2);
-  append(a.curvature.w1, b.curvature.w1);
-  append(a.curvature.w2, b.curvature.w2);
+  append(a.curvature, b.curvature);
   Eigen::AlignedBox3d box;
   for (const Vec3& position : a.positions) box.extend(position);
   a.diagonal = box.isEmpty() ? 0 : box.diagonal().norm();

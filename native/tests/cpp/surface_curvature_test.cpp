@@ -18,7 +18,7 @@ double jet_error(const Surface& surface,
   double off = 0, size = 0;
   for (std::size_t v = 0; v < surface.positions.size(); ++v) {
     const auto [k1, k2] = exact(surface.positions[v]);
-    off += std::pow(jet.k1[v] - k1, 2) + std::pow(jet.k2[v] - k2, 2);
+    off += std::pow(jet[v].k1 - k1, 2) + std::pow(jet[v].k2 - k2, 2);
     size += k1 * k1 + k2 * k2;
   }
   return std::sqrt(off / size);
@@ -69,7 +69,7 @@ TEST(Jet, DirectionsOfPolygonsAreThoseOfTheSmoothSurface) {
     const Vec3 normal =
         Vec3(3 * (p.y() * p.y() - p.x() * p.x()), 6 * p.x() * p.y(), 1).normalized();
     worst_normal = std::max(worst_normal, (normal - surface.normals[v]).norm());
-    worst = std::max({worst, std::abs(jet.w1[v].dot(normal)), std::abs(jet.w2[v].dot(normal))});
+    worst = std::max({worst, std::abs(jet[v].w1.dot(normal)), std::abs(jet[v].w2.dot(normal))});
   }
   EXPECT_LT(worst, 1e-3);
   EXPECT_LT(worst, worst_normal / 3);
@@ -93,8 +93,8 @@ TEST(Jet, OneSidedAtCreasesAndBoundaries) {
   for (const Edge& e : surface.feature_edges) {
     const std::size_t v = index(e[0]);
     if (std::abs(surface.positions[v].x()) > 1e-9) continue;
-    flat += std::abs(surface.curvature.k1[v]) < 1e-6;
-    round += std::abs(surface.curvature.k1[v] + 1) < .05;
+    flat += std::abs(surface.curvature[v].k1) < 1e-6;
+    round += std::abs(surface.curvature[v].k1 + 1) < .05;
   }
   EXPECT_GE(flat, 12);
   EXPECT_GE(round, 12);

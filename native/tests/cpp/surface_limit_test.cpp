@@ -33,7 +33,7 @@ Deviation from_patches(const PolygonMesh& mesh, Scheme scheme, int level) {
     worst.position = std::max(worst.position, (p->position - surface.positions[v]).norm());
     worst.normal = std::max(worst.normal, (normal - surface.normals[v]).norm());
     worst.curvature =
-        std::max(worst.curvature, spread(k, surface.curvature.k1[v], surface.curvature.k2[v]));
+        std::max(worst.curvature, spread(k, surface.curvature[v].k1, surface.curvature[v].k2));
   }
   return worst;
 }
@@ -111,7 +111,7 @@ TEST(Limit, ConvergesToTheTorusThatTheCageSamples) {
       const double around = out.dot(core) / 2;  // cosine of the angle round the tube
       const double other = -around / (2 + around);
       worst =
-          std::max(worst, spread({surface.curvature.k1[v], surface.curvature.k2[v]}, -1, other));
+          std::max(worst, spread({surface.curvature[v].k1, surface.curvature[v].k2}, -1, other));
       EXPECT_GT(surface.normals[v].dot(out), .99);
     }
     if (last > 0) {
@@ -127,15 +127,15 @@ TEST(Limit, AppendixAStaysThatOfTheControlMesh) {
     const Surface coarse = refined(mesh, at_level(0));
     const Surface fine = refined(mesh, at_level(3));
     for (std::size_t v = 0; v < coarse.positions.size(); ++v) {
-      EXPECT_LT(coarse.curvature.k1[v], -.1);
+      EXPECT_LT(coarse.curvature[v].k1, -.1);
       const auto same = std::min_element(
           fine.positions.begin(), fine.positions.end(), [&](const Vec3& a, const Vec3& b) {
             return (a - coarse.positions[v]).norm() < (b - coarse.positions[v]).norm();
           });
       const auto w = static_cast<std::size_t>(same - fine.positions.begin());
       EXPECT_LT((fine.positions[w] - coarse.positions[v]).norm(), 1e-12);
-      EXPECT_NEAR(fine.curvature.k1[w], coarse.curvature.k1[v], 1e-9);
-      EXPECT_NEAR(fine.curvature.k2[w], coarse.curvature.k2[v], 1e-9);
+      EXPECT_NEAR(fine.curvature[w].k1, coarse.curvature[v].k1, 1e-9);
+      EXPECT_NEAR(fine.curvature[w].k2, coarse.curvature[v].k2, 1e-9);
     }
   }
 }
@@ -151,7 +151,7 @@ TEST(Creases, SharpCubeStaysACube) {
       for (std::size_t v = 0; v < cube.positions.size(); ++v) {
         EXPECT_NEAR(cube.normals[v].cwiseAbs().maxCoeff(), 1, 1e-12);
         EXPECT_NEAR(cube.normals[v].dot(cube.positions[v]), 1, 1e-12);
-        EXPECT_NEAR(cube.curvature.k1[v], 0, 1e-9);
+        EXPECT_NEAR(cube.curvature[v].k1, 0, 1e-9);
       }
     }
   }

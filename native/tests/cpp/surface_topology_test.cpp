@@ -198,7 +198,7 @@ TEST(Polygons, AreDrawnAsTheyAre) {
   EXPECT_FALSE(surface.object_is_smooth[0]);
   for (std::size_t v = 0; v < surface.positions.size(); ++v) {
     EXPECT_GT(surface.normals[v].dot(surface.positions[v]), 1 - 1e-3);
-    EXPECT_NEAR(surface.curvature.k1[v], -1, .01);
+    EXPECT_NEAR(surface.curvature[v].k1, -1, .01);
   }
 }
 
