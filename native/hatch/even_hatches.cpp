@@ -110,7 +110,7 @@ void place_after(StreamlineSet& set, const HatchView& view, const Ragged<Surface
 
 // Right up to what ends the streamlines, and into what is left.
 void finish_ends(StreamlineSet& set, const HatchView& view,
-                 const std::vector<StreamlineNode>& seeds, const Progress& progress) {
+                 const std::vector<StreamlineNode>& seeds, int threads, const Progress& progress) {
   progress.report(0);
   extend_tips(set, view, 0.7, 0.59);
   merge_streamlines(set, view);
@@ -121,6 +121,7 @@ void finish_ends(StreamlineSet& set, const HatchView& view,
   thin_streamlines(set, view, 1);
   extend_tips(set, view, 0.7, 0.59);
   merge_streamlines(set, view);
+  straighten_joined(set, view, 2, threads);
 }
 
 }  // namespace
@@ -144,7 +145,7 @@ Hatches even_hatches(const HatchScene& scene, const SurfaceCurves& curves,
   } else {
     place_after(set, view, first, seeds, threads, progress.part(0.1, 0.7));
   }
-  finish_ends(set, view, seeds, progress.part(0.7, 0.9));
+  finish_ends(set, view, seeds, threads, progress.part(0.7, 0.9));
   progress.report(0.9);
   Hatches hatches = finished(set.streamlines, view);
   fill_undercuts(hatches, scene, options, counts, progress.part(0.9, 1));

@@ -198,7 +198,9 @@ class Merger {
       if (done[idx(end / 2)] || joins_[idx(end)].mate != none) continue;
       Streamline streamline{{}, set_.streamlines[idx(end / 2)].object, spacing_of(end)};
       append_chain(end, streamline.nodes, done);
-      if (joins_[idx(end ^ 1)].mate != none) resample(streamline, view_);
+      const bool is_new = joins_[idx(end ^ 1)].mate != none;
+      streamline.is_joined = is_new || set_.streamlines[idx(end / 2)].is_joined;
+      if (is_new) resample(streamline, view_);
       result.push_back(std::move(streamline));
     }
     return result;

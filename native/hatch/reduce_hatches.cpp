@@ -15,7 +15,7 @@ namespace {
 // In spacings: shorter strokes are specks where no longer one runs parallel within `company`,
 // unless they lie in an undercut; still shorter ones are nowhere worth a stroke.
 constexpr double speck = 1.5;
-constexpr double shadow_speck = 3;  // the same for what lies in shadows only
+constexpr double shadow_speck = 3;  // the same for what a shadow leaves of a hatch
 constexpr double company = 2;
 constexpr double least_stroke = 0.5;
 
@@ -333,12 +333,18 @@ class Reducer {
            &region_[run.to - 1] + 1;
   }
 
+  bool in_shadow(const Run& run) const {
+    return std::all_of(&region_[run.from], &region_[run.to - 1] + 1,
+                       [](Region region) { return region == Region::shadow; });
+  }
+
   // Whether a run, or a parallel one of another hatch near its middle, is in `grid`.
   bool is_beside(const NeighbourGrid& longer, const Run& run) const {
     const double spacing = spacing_of(owner_[run.from]);
-    const bool in_shadow = std::all_of(&region_[run.from], &region_[run.to - 1] + 1,
-                                       [](Region region) { return region == Region::shadow; });
-    if (length_of(run) >= (in_shadow ? shadow_speck : speck) * spacing) return true;
+    const int hatch = owner_[run.from];
+    const bool is_clipped = run.from > begin(hatch) || run.to < end(hatch);
+    if (length_of(run) >= (is_clipped && in_shadow(run) ? shadow_speck : speck) * spacing)
+      return true;
     return any_neighbour(longer, (run.from + run.to) / 2, company * spacing,
                          [&](int, bool parallel) { return parallel; });
   }

@@ -24,6 +24,11 @@ constexpr double share_moved = 0.75;  // of the solution, in a sweep
 constexpr double full_weight = 2;
 constexpr double one_sided = 0.5;  // share of it for a pull that knows one neighbour only
 
+// Of a streamline that is straightened: how its nodes are drawn to where they are, and how far in
+// spacings it stays from others.
+constexpr double stay_weight = 12;
+constexpr double least_apart = 0.51;
+
 // Nodes of one streamline nearer along it are not its own neighbours.
 constexpr int own_nodes = 6;
 
@@ -44,7 +49,8 @@ class Relaxer {
   Relaxer(const StreamlineSet& set, const HatchView& view, int sweep)
       : set_(set), view_(view), sweep_(sweep) {}
 
-  std::vector<StreamlineNode> moved(int number) const {
+  // The nodes drawn to the middle between neighbours.
+  std::vector<StreamlineNode> evened(int number) const {
     const Streamline& streamline = set_.streamlines[idx(number)];
     const int count = static_cast<int>(streamline.nodes.size());
     std::vector<Pull> pulls;
@@ -52,6 +58,28 @@ class Relaxer {
       const bool is_drawn = (i + sweep_) % 2 == 0 || count == 2;
       pulls.push_back(is_drawn ? pull_at(streamline, number, i) : Pull{});
     }
+    return moved(streamline, pulls);
+  }
+
+  // The nodes drawn to where they are, if none comes too near to another streamline by that.
+  std::vector<StreamlineNode> straightened(int number) const {
+    const Streamline& streamline = set_.streamlines[idx(number)];
+    const std::vector<Pull> pulls(streamline.nodes.size(), Pull{0, stay_weight});
+    std::vector<StreamlineNode> nodes = moved(streamline, pulls);
+    const double radius = least_apart * streamline.spacing;
+    const auto is_near = [&](const StreamlineNode& node, std::size_t i) {
+      return view_.is_near(set_.grid, node, streamline.spacing, radius, number,
+                           static_cast<int>(i));
+    };
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (is_near(nodes[i], i) && !is_near(streamline.nodes[i], i)) return streamline.nodes;
+    }
+    return nodes;
+  }
+
+ private:
+  std::vector<StreamlineNode> moved(const Streamline& streamline,
+                                    const std::vector<Pull>& pulls) const {
     std::vector<double> bending = bending_of(streamline);
     std::vector<double> shift = solve(streamline, pulls, bending);
     if (stiffen(streamline, shift, bending)) shift = solve(streamline, pulls, bending);
@@ -64,7 +92,6 @@ class Relaxer {
     return nodes;
   }
 
- private:
   // Distances to the nearest parallel streamlines to the left and the right, infinite beyond
   // `reach`.
   std::array<double, 2> beside(const Streamline& streamline, int number, int index) const {
@@ -218,20 +245,47 @@ class Relaxer {
   int sweep_;
 };
 
+// Calls moved(relaxer, number) for the streamlines that are chosen.
+template <class Chosen, class Moved>
+void sweep(StreamlineSet& set, const HatchView& view, int number, int threads,
+           const Chosen& is_chosen, const Moved& moved) {
+  std::vector<std::vector<StreamlineNode>> nodes(set.streamlines.size());
+  const Relaxer relaxer(set, view, number);
+  parallel_for(nodes.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t s = begin; s < end; ++s) {
+      if (is_chosen(set.streamlines[s])) nodes[s] = moved(relaxer, static_cast<int>(s));
+    }
+  });
+  for (std::size_t s = 0; s < nodes.size(); ++s) {
+    if (is_chosen(set.streamlines[s])) set.streamlines[s].nodes = std::move(nodes[s]);
+  }
+  set.rebuild(view);
+}
+
+void forget_joins(StreamlineSet& set) {
+  for (Streamline& streamline : set.streamlines) streamline.is_joined = false;
+}
+
 }  // namespace
 
 void relax_streamlines(StreamlineSet& set, const HatchView& view, int sweeps, int threads,
                        const Progress& progress) {
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    progress.report(static_cast<double>(sweep) / sweeps);
-    std::vector<std::vector<StreamlineNode>> moved(set.streamlines.size());
-    const Relaxer relaxer(set, view, sweep);
-    parallel_for(moved.size(), threads, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t s = begin; s < end; ++s) moved[s] = relaxer.moved(static_cast<int>(s));
-    });
-    for (std::size_t s = 0; s < moved.size(); ++s) set.streamlines[s].nodes = std::move(moved[s]);
-    set.rebuild(view);
+  for (int k = 0; k < sweeps; ++k) {
+    progress.report(static_cast<double>(k) / sweeps);
+    sweep(
+        set, view, k, threads, [](const Streamline&) { return true; },
+        [](const Relaxer& relaxer, int number) { return relaxer.evened(number); });
   }
+  forget_joins(set);
+}
+
+void straighten_joined(StreamlineSet& set, const HatchView& view, int sweeps, int threads) {
+  for (int k = 0; k < sweeps; ++k) {
+    sweep(
+        set, view, k, threads, [](const Streamline& streamline) { return streamline.is_joined; },
+        [](const Relaxer& relaxer, int number) { return relaxer.straightened(number); });
+  }
+  forget_joins(set);
 }
 
 }  // namespace illustrate

@@ -14,4 +14,8 @@ namespace illustrate {
 void relax_streamlines(StreamlineSet& set, const HatchView& view, int sweeps, int threads,
                        const Progress& progress = {});
 
+// Those that were joined since they were relaxed bend where they are, so that no bridge shows:
+// nodes are drawn to their own places. One stays as it is where it would come too near to another.
+void straighten_joined(StreamlineSet& set, const HatchView& view, int sweeps, int threads);
+
 }  // namespace illustrate

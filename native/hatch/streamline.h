@@ -22,7 +22,8 @@ struct StreamlineNode {
 struct Streamline {
   std::vector<StreamlineNode> nodes;
   int object = none;
-  double spacing = 1;  // px
+  double spacing = 1;      // px
+  bool is_joined = false;  // of others, since it was relaxed
 };
 using Streamlines = std::vector<Streamline>;
 

@@ -88,6 +88,36 @@ TEST(RelaxStreamlines, KeepsToTheFieldAndIsTheSameOnAllThreads) {
   }
 }
 
+double greatest_bend(const Streamline& line) {
+  double bend = 0;
+  for (std::size_t i = 2; i < line.nodes.size(); ++i) {
+    const Vec2 a = line.nodes[i - 1].image - line.nodes[i - 2].image;
+    const Vec2 b = line.nodes[i].image - line.nodes[i - 1].image;
+    bend = std::max(bend, std::abs(std::atan2(cross(a, b), a.dot(b))));
+  }
+  return bend;
+}
+
+TEST(StraightenJoined, TakesTheKinksOutOfBridgesAndMovesNothingElse) {
+  const Sheet sheet;
+  const HatchView view = sheet.view();
+  StreamlineSet set(view);
+  set.add(sheet.line(view, 100, 40, 100));
+  set.add(sheet.line(view, 103, 120, 200));
+  set.add(sheet.line(view, 122, 40, 200));
+  merge_streamlines(set, view);
+  const Streamlines before = set.streamlines;
+  ASSERT_EQ(before.size(), 2U);
+  straighten_joined(set, view, 2, 1);
+  EXPECT_LT(greatest_bend(set.streamlines[0]), 0.7 * greatest_bend(before[0]));
+  for (std::size_t i = 0; i < before[1].nodes.size(); ++i) {
+    EXPECT_EQ(set.streamlines[1].nodes[i].image, before[1].nodes[i].image);
+  }
+  const Streamlines once = set.streamlines;
+  straighten_joined(set, view, 2, 1);
+  EXPECT_EQ(greatest_bend(set.streamlines[0]), greatest_bend(once[0])) << "joins are forgotten";
+}
+
 std::size_t lines_after_merging(Sheet& sheet, double row, double from) {
   const HatchView view = sheet.view();
   StreamlineSet set(view);
