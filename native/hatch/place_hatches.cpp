@@ -112,7 +112,7 @@ class Placer {
   // The seed under an image point, `none` where no hatch is wanted.
   SurfacePoint seed_at(const Vec2& image, Area area) const {
     const int cell = visible_.cell_of(image);
-    if (cell == none || visible_.triangle[cell] == none || !area_.wanted(cell, area)) return {};
+    if (cell == none || !area_.wanted(cell, area) || visible_.triangle[cell] == none) return {};
     const int object = surface_.triangle_objects[visible_.triangle[cell]];
     return scene_.is_hatched(object) ? area_.visible_point(image) : SurfacePoint{};
   }

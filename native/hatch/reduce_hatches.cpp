@@ -263,9 +263,11 @@ class Reducer {
     const Vec3 tangent = tangent_at(point);
     const double radius = crossing_reach(point);
     return grid_.any_within(points_[point].image, radius, [&](const HatchNode& node) {
-      const double along = tangent.dot(tangent_at(node.point));
-      return owner_[node.point] == owner_[point] && run_of[node.point] != run_of[point] &&
-             kept_[node.point] && along * along < most_crossing && is_same_sheet(point, node.point);
+      const bool is_other_part =
+          owner_[node.point] == owner_[point] && run_of[node.point] != run_of[point];
+      if (!is_other_part || !kept_[node.point]) return false;
+      const double along = tangent.dot(node.tangent);
+      return along * along < most_crossing && is_same_sheet(point, node.point);
     });
   }
 
@@ -292,12 +294,14 @@ class Reducer {
   }
 
   bool is_crossed_at(int point) const {
-    const Vec3 tangent = tangent_at(point);
-    return any_neighbour(grid_, point, crossing_reach(point), [&](int other, bool parallel) {
-      if (!kept_[other]) return false;
-      const double along = tangent.dot(tangent_at(other));
-      return (!parallel || along * along < most_crossing) && is_same_sheet(point, other);
-    });
+    const Vec3 tangent = tangent_at(point), normal = normal_at(surface_, points_[point].on);
+    return grid_.any_within(
+        points_[point].image, crossing_reach(point), [&](const HatchNode& node) {
+          if (!kept_[node.point] || owner_[node.point] == owner_[point]) return false;
+          const double along = tangent.dot(node.tangent);
+          return (along * along < most_crossing || !are_parallel(tangent, normal, node.tangent)) &&
+                 is_same_sheet(point, node.point);
+        });
   }
 
   bool is_same_sheet(int a, int b) const {
