@@ -15,6 +15,10 @@ constexpr int dilation = 3;
 constexpr double dilation_edges = 1;
 constexpr double most_dilation_px = 3;
 
+// Where the image of a linear chain bends by more than the angle with this tangent, its segments
+// are to run no farther than this off the contour's direction.
+constexpr double least_bend = 0.2, most_drift_px = 0.5;
+
 // Of the angle between a chord and the contour that only a triangle with too much in it has: 50
 // degrees.
 constexpr double troubled_cos = 0.643;
@@ -95,14 +99,29 @@ int ExactChain::sign_at_end(std::size_t i) const {
 
 bool ExactChain::is_suspect(std::size_t i) const {
   if (!closed_ && (i == 0 || i + 1 == segments())) return true;
-  return linear_[i].has_both_signs || sign(i) != sign_at_end(i) || turns_back(i);
+  return linear_[i].has_both_signs || sign(i) != sign_at_end(i) || turns_off(i);
 }
 
-// Whether the image turns back where the segment ends: as if at a cusp that nothing else tells of.
-bool ExactChain::turns_back(std::size_t i) const {
+// Whether the image turns back where the segment ends, as if at a cusp that nothing else tells of,
+// or bends there to or from a segment that drifts.
+bool ExactChain::turns_off(std::size_t i) const {
   if (!closed_ && i + 1 == segments()) return false;
-  const Vec2 &from = images_[i], &here = images_[after(i)], &to = images_[after(after(i))];
-  return (here - from).dot(to - here) < 0;
+  const std::size_t next = after(i);
+  const Vec2 in = images_[next] - images_[i], out = images_[after(next)] - images_[next];
+  const double ahead = in.dot(out);
+  if (ahead < 0) return true;
+  return std::abs(cross(in, out)) > least_bend * ahead && (drifts(i) || drifts(next));
+}
+
+// Whether the segment leaves the contour's direction, that of the tangent planes: where the surface
+// is nearly edge-on far and wide, a zero that is a little wrong lies far from the contour, in the
+// image too, inside the outline.
+bool ExactChain::drifts(std::size_t i) const {
+  const EdgePoint &from = linear_[i], &to = linear_[after(i)];
+  const double sheet = stations_[i].turns_over ? -1 : 1;
+  const Vec3 normal = (normal_at(surface_, from.on) + sheet * normal_at(surface_, to.on)) / 2;
+  const double off = normal.dot(to.position - from.position);
+  return std::abs(off) > most_drift_px * camera_.pixel_size(from.position);
 }
 
 double ExactChain::dilation_reach(const EdgePoint& p) const {

@@ -105,7 +105,8 @@ class ExactChain {
 
   bool is_cusp_lost(std::size_t segment) const;
   bool is_suspect(std::size_t segment) const;
-  bool turns_back(std::size_t segment) const;
+  bool turns_off(std::size_t segment) const;
+  bool drifts(std::size_t segment) const;
   double dilation_reach(const EdgePoint& point) const;
   void want_around(std::size_t station, bool forward, std::vector<std::uint8_t>& wanted) const;
   std::vector<std::size_t> near_suspects() const;

@@ -144,6 +144,37 @@ TEST(ExactSilhouettes, LieOnTheContourOfTheLimitSurface) {
   }
 }
 
+// A ridge so flat on top that a view along x meets it nearly edge-on far and wide: linear zeros lie
+// off its contour, but for rows that are the same on both sides of the top. One row in eight is
+// moved along the ridge's slope.
+PolygonMesh uneven_ridge() {
+  PolygonMesh mesh = shapes::plane(8, 200);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    Vec3& p = mesh.positions[v];
+    if (v % 201 % 8 == 0) p.x() += .07;
+    p.z() = -25 * std::pow(p.x(), 4);
+  }
+  return mesh;
+}
+
+TEST(ExactSilhouettes, StayOnTheOutlineWhereLinearOnesDrift) {
+  const Surface surface = refined(uneven_ridge(), at_level(0));
+  const Camera camera = cameras::orthographic(Vec3(1, 0, 0), 1);
+  const Drawn drawn = draw(surface, camera);
+  const dense::Contour truth = dense::contour(surface, camera, drawn.linear.triangles);
+  const dense::Nearest contour(truth.segments);
+  const auto farthest = [&](const auto& chains) {
+    double result = 0;
+    for (const auto& p : chains.values) {
+      if (std::abs(p.position.y()) > .9) continue;
+      result = std::max(result, contour(camera.project(p.position).xy));
+    }
+    return result;
+  };
+  EXPECT_GT(farthest(drawn.linear.chains), 1.5);
+  EXPECT_LT(farthest(drawn.exact.chains), .5);
+}
+
 TEST(ExactSilhouettes, CuspsStandClearOfTheirStrands) {
   const Surface torus = refined(shapes::torus_mesh(1, .4, 24, 12), at_level(-1));
   for (const double b : {.6, .5, .3}) {
