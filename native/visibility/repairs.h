@@ -23,9 +23,10 @@ int drop_touches(Arrangement& arrangement, double& moved_px);
 int drop_lenses(Arrangement& arrangement, const std::vector<int>& crossings, double& moved_px);
 
 // Joins pairs of cusps that turn the same way with no more than a pixel of strand between them, on
-// cycles whose changes do not sum to zero: swallowtails whose crossing the interpolation has lost.
-// The smallest go first. Single cusps go where an open path ends, a tenth of a pixel from there.
-// Returns the number of pairs and single ones; the cusps' jumps become 0.
+// cycles whose changes do not sum to zero: swallowtails whose crossing the interpolation has lost;
+// those that have it, within a pixel, stay. The smallest go first. Single cusps go where an open
+// path ends, a tenth of a pixel from there. Returns the number of pairs and single ones; the cusps'
+// jumps become 0.
 int collapse_swallowtails(Arrangement& arrangement, double& moved_px);
 
 }  // namespace illustrate

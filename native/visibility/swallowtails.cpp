@@ -16,14 +16,31 @@ struct Swallowtail {
   std::size_t step;
 };
 
+// Whether the strands before and behind a swallowtail cross next to it in the way that makes up for
+// its two cusps: such a one keeps all rules, whatever else is wrong with its path.
+bool has_its_crossing(const Arrangement& arrangement, int before, int tail, int behind, int jump) {
+  const Vec2& tip = arrangement.image.image[arrangement.point(tail, 0)];
+  const std::vector<Visit>& visits = arrangement.visits[idx(before)];
+  return std::any_of(visits.begin(), visits.end(), [&](const Visit& visit) {
+    const Crossing& x = arrangement.crossings[idx(visit.crossing)];
+    const int other = visit.front ? x.back.strand : x.front.strand;
+    return other == behind && arrangement.is_live(visit.crossing) &&
+           back_change(arrangement, x) == -2 * jump && (x.image - tip).norm() <= swallowtail_px;
+  });
+}
+
 std::vector<Swallowtail> swallowtails_of(const Arrangement& arrangement, const Path& path,
                                          int jump) {
   std::vector<Swallowtail> result;
   const std::size_t count = path.strands.size();
   for (std::size_t i = 0; count > 1 && i < count; ++i) {
     if (path.jumps[i] != jump || path.jumps[(i + 1) % count] != jump) continue;
-    const double reach = arrangement.reach_px(path.strands[i]);
-    if (reach <= swallowtail_px) result.push_back({reach, i});
+    const int tail = path.strands[i];
+    const double reach = arrangement.reach_px(tail);
+    if (reach > swallowtail_px) continue;
+    const int before = path.strands[(i + count - 1) % count];
+    if (has_its_crossing(arrangement, before, tail, path.strands[(i + 1) % count], jump)) continue;
+    result.push_back({reach, i});
   }
   std::sort(result.begin(), result.end(), [](const Swallowtail& a, const Swallowtail& b) {
     return a.reach_px != b.reach_px ? a.reach_px < b.reach_px : a.step < b.step;

@@ -82,6 +82,39 @@ TEST(Imbalance, IsTheResidualOfTheLabels) {
   }
 }
 
+// The edge of a square hole with two swallowtails: the one above, of 0.4 px, crosses itself next to
+// its tail, the crossing of the one below, of 0.6 px, is lost.
+CurveNetwork hole_with_two_swallowtails() {
+  const std::vector<Points> strands{
+      {{.3, -50, 0}, {50, -50, 0}, {50, 50, 0}, {.5, 49.9, 0}, {-.2, 50.2, 0}},
+      {{-.2, 50.2, 0}, {.2, 50.2, -1}},
+      {{.2, 50.2, -1}, {-.5, 49.9, -1}, {-50, 50, -1}, {-50, -50, -1}, {-.3, -50, 0}},
+      {{-.3, -50, 0}, {.3, -50, 0}}};
+  CurveNetwork network;
+  for (int s = 0; s < 4; ++s) {
+    const int next = (s + 1) % 4;
+    network.nodes.push_back({NodeKind::cusp, strands[idx(s)].front()});
+    network.ties.push_back({next, s, next, 1});
+    for (const Vec3& p : strands[idx(s)]) network.points.push({p, {}});
+    network.points.close_list();
+    network.strands.push_back({Kind::silhouette, 0, s, next, 0, 2});
+  }
+  return network;
+}
+
+TEST(Swallowtails, ThatCrossThemselvesStay) {
+  const CurveNetwork network = hole_with_two_swallowtails();
+  Arrangement arrangement = arrange(network, one_px);
+  ASSERT_EQ(arrangement.crossings.size(), 1U);
+  const Path& path = arrangement.paths[0];
+  ASSERT_EQ(imbalance(arrangement, path), 2);
+  double moved_px = 0;
+  EXPECT_EQ(collapse_swallowtails(arrangement, moved_px), 1);
+  EXPECT_EQ(path.jumps, (std::vector<int>{0, 1, 1, 0}));
+  EXPECT_EQ(imbalance(arrangement, path), 0);
+  EXPECT_NEAR(moved_px, .6, 1e-3);
+}
+
 // A contour along the x axis, its surface above it, and a curve that comes from above, runs through
 // it at the origin and leaves with this slope, to cross it again, 0.3 px further on, past a node.
 CurveNetwork contour_run_through(double slope) {
