@@ -65,11 +65,13 @@ class Witness {
     return rays_.rays() < most_rays_ ? known_[key] = ask(arc) : Evidence{0, 0, 0};
   }
 
-  // The middle one of three counts; one on the outline counts for more than its length.
+  // The middle one of three counts; one on the outline counts for more than its length. So a ray
+  // that meets nothing is not believed alone: the mesh may end before the contour does.
   Evidence ask(const PathArc& arc) {
     std::array<LayerCount, 3> counts{rays_.count(arrangement_, arc.samples[2])};
     counts[1] = counts[2] = counts[0];
-    if (arc.length_px >= asked_thrice_px) counts[1] = rays_.count(arrangement_, arc.samples[1]);
+    const bool is_long = arc.length_px >= asked_thrice_px;
+    if (is_long || counts[0].beside_nothing) counts[1] = rays_.count(arrangement_, arc.samples[1]);
     if (counts[1].layers != counts[0].layers) counts[2] = rays_.count(arrangement_, arc.samples[3]);
     std::sort(counts.begin(), counts.end(), [](const LayerCount& a, const LayerCount& b) {
       return std::tie(a.layers, b.beside_nothing) < std::tie(b.layers, a.beside_nothing);

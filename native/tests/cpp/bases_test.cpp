@@ -92,5 +92,43 @@ TEST(Bases, AreNoneWhereThePathRunsAlongTheOutsideWithTwoLabels) {
   EXPECT_FALSE(choose_base(outline_evidence(arrangement, path.labels.arcs), path));
 }
 
+// What rays say of a boundary of 18 px behind a plate that has a slot of this width at its middle.
+Evidence behind_a_slotted_plate(double slot_px) {
+  CurveNetwork network;
+  network.nodes = {{NodeKind::end, Vec3(-9, 0, 0)}, {NodeKind::end, Vec3(9, 0, 0)}};
+  for (const NetworkNode& node : network.nodes) network.points.push({node.position, {}});
+  network.points.close_list();
+  network.strands.push_back({Kind::boundary, 0, 0, 1, 1, 0});
+  Surface surface;
+  surface.diagonal = 200;
+  for (const double side : {-1., 1.}) {
+    const int first = static_cast<int>(surface.positions.size());
+    const double near = side * slot_px / 2, far = side * (slot_px / 2 + 40);
+    for (const Vec2& p : {Vec2(near, -40), Vec2(far, -40), Vec2(far, 40), Vec2(near, 40)}) {
+      surface.positions.emplace_back(p.x(), p.y(), 50);
+    }
+    surface.triangles.push_back({first, first + 1, first + 2});
+    surface.triangles.push_back({first, first + 2, first + 3});
+  }
+  const Arrangement arrangement = arrange(network, one_px);
+  const Bvh bvh(surface.positions, surface.triangles);
+  LayerRays rays(surface, bvh, one_px);
+  KnownEvidence known;
+  std::vector<Evidence> evidence{{0, 0, 0}};
+  ask_rays(arrangement, relative_labels(arrangement, arrangement.paths[0]).arcs, rays, known,
+           evidence);
+  return evidence.front();
+}
+
+TEST(Evidence, OneRayThatMeetsNothingIsNotBelievedAlone) {
+  const Evidence hidden = behind_a_slotted_plate(2), free = behind_a_slotted_plate(30);
+  EXPECT_EQ(hidden.layers, 1);
+  EXPECT_FALSE(hidden.beside_nothing);
+  EXPECT_NEAR(hidden.weight, 18, 1e-3);
+  EXPECT_EQ(free.layers, 0);
+  EXPECT_TRUE(free.beside_nothing);
+  EXPECT_NEAR(free.weight, 18 + 3 * 18, 1e-3);
+}
+
 }  // namespace
 }  // namespace illustrate
