@@ -3,9 +3,14 @@
 #include <algorithm>
 
 #include "contour/contour_functions.h"
+#include "contour/steady_signs.h"
 
 namespace illustrate {
 namespace {
+
+// Of a chain whose triangles tell another nearer side than they did before: a pinch point lies
+// between, less is noise.
+constexpr double pinch_px = 5;
 
 // -1 where two triangles side by side belong to different sheets of a double cover: their normals
 // are opposite.
@@ -19,22 +24,38 @@ int turn_between(const Surface& surface, int s, int t) {
   return 1;
 }
 
-// Whether the front of a chain's surface is its nearer strand, segment by segment.
+// Whether the front of a chain's surface is its nearer strand, segment by segment: another one
+// behind each cusp, and behind a pinch point, which is known by nothing else.
 std::vector<std::uint8_t> nearness_along(const Surface& surface, const Camera& camera,
-                                         Span<const ChainPoint> chain) {
-  std::vector<int> turns(chain.size(), 1);
-  double sum = 0;
+                                         const Silhouettes& silhouettes, int number) {
+  const Span<const ChainPoint> chain = silhouettes.chains[idx(number)];
+  auto passed = std::lower_bound(silhouettes.passed.begin(), silhouettes.passed.end(), number,
+                                 [](const PassedEdge& p, int n) { return p.chain < n; });
+  int turn = 1, here = chain[0].on.triangle;
+  const auto enter = [&](int triangle) {
+    turn *= turn_between(surface, here, triangle);
+    here = triangle;
+  };
+  std::vector<int> turns;
+  std::vector<double> sides_px;
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    const int triangle = chain[i].on.triangle;
-    if (i > 0) turns[i] = turns[i - 1] * turn_between(surface, chain[i - 1].on.triangle, triangle);
-    if (i > 0 && chain[i].cusp_jump != 0) turns[i] = -turns[i];
+    enter(chain[i].on.triangle);
+    if (i > 0 && chain[i].cusp_jump != 0) turn = -turn;
+    turns.push_back(turn);
     // The image of the contour runs as that of n x r, r the line of sight, if the front is near.
-    const Vec3 along = chain[(i + 1) % chain.size()].position - chain[i].position;
-    const Vec3 normal = face_normal(surface, triangle);
-    sum += turns[i] * along.dot(camera.to_eye(chain[i].position).cross(normal));
+    const Vec3& from = chain[i].position;
+    const Vec3 along = chain[(i + 1) % chain.size()].position - from;
+    const Vec3 across = camera.to_eye(from).normalized().cross(face_normal(surface, here));
+    sides_px.push_back(turn * along.dot(across) / camera.pixel_size(from));
+    for (;
+         passed != silhouettes.passed.end() && passed->chain == number && idx(passed->segment) == i;
+         ++passed) {
+      enter(passed->point.on.triangle);
+    }
   }
+  const std::vector<int> signs = steady_signs(sides_px, pinch_px);
   std::vector<std::uint8_t> front_is_near;
-  for (const int turn : turns) front_is_near.push_back(turn * sum >= 0);
+  for (std::size_t i = 0; i < turns.size(); ++i) front_is_near.push_back(turns[i] * signs[i] > 0);
   return front_is_near;
 }
 
@@ -82,8 +103,7 @@ class CurveMeetings {
     for (Pass& pass : passes_) {
       std::vector<std::uint8_t>& front_is_near = near[idx(pass.meeting.chain)];
       if (front_is_near.empty()) {
-        front_is_near =
-            nearness_along(surface_, camera_, silhouettes_.chains[idx(pass.meeting.chain)]);
+        front_is_near = nearness_along(surface_, camera_, silhouettes_, pass.meeting.chain);
       }
       const bool is_near = front_is_near[idx(pass.meeting.chain_segment)];
       pass.meeting.curve_change = pass.to_front == is_near ? -1 : 1;

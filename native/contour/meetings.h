@@ -25,7 +25,8 @@ struct Meeting {
 // All of them, by intersection curve and its segment. Signs do not come from the triangles at the
 // place, whose facing says little next to a contour. They are told from whole curves: along an
 // intersection curve each of its sheets turns from front to back at its meetings with that sheet's
-// contours and nowhere else; along a chain the nearer strand is another one behind each cusp.
+// contours and nowhere else; along a chain the nearer strand is another one behind each cusp, and
+// behind pinch points.
 std::vector<Meeting> find_meetings(const Surface& surface, const Silhouettes& silhouettes,
                                    const PiecesByTriangle& pieces,
                                    const IntersectionCurves& intersections, const Camera& camera);
