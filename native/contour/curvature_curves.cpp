@@ -103,12 +103,12 @@ class SuggestiveContours {
   // On the side of the normal. Curvature counts as positive where the surface bulges here, so its
   // sign is turned.
   void set_functions(const CurvatureDerivative& d, std::size_t v) {
-    const Curvature& c = d.curvature;
+    const PrincipalCurvature& c = d.curvature[v];
     const Vec3& view = seen_.to_eye[v];
-    const double x = view.dot(c[v].w1), y = view.dot(c[v].w2), square = x * x + y * y;
-    radial_[v] = -(c[v].k1 * x * x + c[v].k2 * y * y);
+    const double x = view.dot(c.w1), y = view.dot(c.w2), square = x * x + y * y;
+    radial_[v] = -(c.k1 * x * x + c.k2 * y * y);
     if (!(square > 0)) return;
-    const double sine = std::sqrt(square), torsion = (c[v].k2 - c[v].k1) * x * y / square;
+    const double sine = std::sqrt(square), torsion = (c.k2 - c.k1) * x * y / square;
     growth_[v] =
         -along(d.cubics[v], x / sine, y / sine) - 2 * torsion * torsion * seen_.facing[v] / sine;
   }
@@ -204,10 +204,10 @@ class RidgesAndValleys {
   // Directions have no sign: that of the higher vertex is turned to agree with the lower one's.
   void add_zero(int triangle, int corner, std::vector<ZeroPoint>& zeros) const {
     const DirectedEdge edge(surface_, triangle, corner);
-    const Curvature& c = derivative_.curvature;
-    const double agreement = c[idx(edge.low)].w1.dot(c[idx(edge.high)].w1);
-    const double k_low = edge.low_sign * c[idx(edge.low)].k1;
-    const double k_high = edge.high_sign * c[idx(edge.high)].k1;
+    const PrincipalCurvature& at_low = derivative_.curvature[idx(edge.low)];
+    const PrincipalCurvature& at_high = derivative_.curvature[idx(edge.high)];
+    const double agreement = at_low.w1.dot(at_high.w1);
+    const double k_low = edge.low_sign * at_low.k1, k_high = edge.high_sign * at_high.k1;
     if (std::abs(agreement) < least_agreement || (k_low < 0) != (k_high < 0)) return;
     const double low = slope(edge.low);
     const double high = agreement < 0 ? -slope(edge.high) : slope(edge.high);

@@ -186,7 +186,7 @@ Patchwork::Middle Patchwork::new_middle(const LimitPoint& p, int place) {
   surface_.positions.push_back(p.position);
   surface_.normals.push_back(normal);
   surface_.places.push_back(place);
-  surface_.curvature.push_back(principal_curvature(p.du, p.dv, p.duu, p.duv, p.dvv, normal));
+  surface_.curvature.push_back(principal_curvature(p, normal));
   return {static_cast<int>(surface_.positions.size()) - 1, false};
 }
 

@@ -344,8 +344,8 @@ class Reducer {
 
   // Whether a run, or a parallel one of another hatch near its middle, is in `grid`.
   bool is_beside(const NeighbourGrid& longer, const Run& run) const {
-    const double spacing = spacing_of(owner_[run.from]);
     const int hatch = owner_[run.from];
+    const double spacing = spacing_of(hatch);
     const bool is_clipped = run.from > begin(hatch) || run.to < end(hatch);
     if (length_of(run) >= (is_clipped && in_shadow(run) ? shadow_speck : speck) * spacing)
       return true;

@@ -20,10 +20,6 @@ Vec3 normal_of(const LimitPoint& p) {
   return across.norm() > parallel_tangents ? across.normalized() : Vec3::Zero();
 }
 
-PrincipalCurvature curvature_of(const LimitPoint& p, const Vec3& normal) {
-  return principal_curvature(p.du, p.dv, p.duu, p.duv, p.dvv, normal);
-}
-
 void resize(SectorLimits& result, std::size_t count) {
   result.positions.resize(count);
   result.normals.resize(count);
@@ -49,7 +45,7 @@ void limit_of_sector(const RefinedMesh& mesh, const Sectors& sectors, std::size_
   result.positions[s] = smooth ? p.position : limit_position(ring);
   if (fitted) {
     result.normals[s] = normal_of(p);
-    result.curvature[s] = curvature_of(p, result.normals[s]);
+    result.curvature[s] = principal_curvature(p, result.normals[s]);
   } else {
     set_undefined(s, result);
     result.normals[s] = unit_or_zero(limit_normal(ring));
@@ -80,7 +76,7 @@ void evaluate_patches(const Subdivision& subdivision, const RefinedMesh& mesh,
       result.positions[s] = p->position;
       result.normals[s] = normal_of(*p);
       result.needs_jet[s] = 0;
-      result.curvature[s] = curvature_of(*p, result.normals[s]);
+      result.curvature[s] = principal_curvature(*p, result.normals[s]);
     }
   });
 }
@@ -118,7 +114,7 @@ void inherit_extraordinary(const Subdivision& subdivision, const std::vector<int
     if (ring.rule != VertexRule::smooth) continue;
     fit_derivatives(ring, p);
     const std::size_t target = idx(heir(mesh.vertex(sectors.first_corners[s])));
-    result.curvature[target] = curvature_of(p, result.normals[target]);
+    result.curvature[target] = principal_curvature(p, result.normals[target]);
   }
 }
 
@@ -127,7 +123,7 @@ void turn_directions(int threads, SectorLimits& result) {
   parallel_for(result.normals.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s) {
       const Vec3& n = result.normals[s];
-      auto& [k1, k2, w1, w2] = result.curvature[s];
+      Vec3 &w1 = result.curvature[s].w1, &w2 = result.curvature[s].w2;
       const bool is_tangent = std::abs(w1.dot(n)) < 1e-9 && std::abs(w2.dot(n)) < 1e-9;
       if (is_tangent && w1.squaredNorm() > .5) continue;
       w1 = tangent_towards(w1, n);

@@ -15,6 +15,10 @@ constexpr int highest_move = 3;      // above the highest base that a ray speaks
 struct CrossingLabels {
   std::size_t front_path = 0, back_path = 0;
   int front = 0, back = 0;
+
+  std::size_t other_path(std::size_t path) const {
+    return front_path == path ? back_path : front_path;
+  }
 };
 
 std::vector<CrossingLabels> labels_at_crossings(const Arrangement& arrangement,
@@ -101,10 +105,7 @@ class BaseSettler {
 
   std::vector<std::size_t> neighbours_of(std::size_t p) const {
     std::vector<std::size_t> result;
-    for (const std::size_t c : crossings_of_[p]) {
-      const CrossingLabels& labels = labels_[c];
-      result.push_back(labels.front_path == p ? labels.back_path : labels.front_path);
-    }
+    for (const std::size_t c : crossings_of_[p]) result.push_back(labels_[c].other_path(p));
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
@@ -117,9 +118,8 @@ class BaseSettler {
       const CrossingLabels& labels = labels_[c];
       const int by = base - path.base;
       const int missing = missing_layers(labels) + (labels.front_path == p ? by : -by);
-      const std::size_t other = labels.front_path == p ? labels.back_path : labels.front_path;
-      const double each = paths_[other].is_balanced() ? contradiction_px : broken_px;
-      sum += each * std::max(missing, 0);
+      const bool is_sure = paths_[labels.other_path(p)].is_balanced();
+      sum += (is_sure ? contradiction_px : broken_px) * std::max(missing, 0);
     }
     return sum;
   }

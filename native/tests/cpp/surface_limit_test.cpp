@@ -29,7 +29,7 @@ Deviation from_patches(const PolygonMesh& mesh, Scheme scheme, int level) {
     const auto p = patches.evaluate({surface.base_faces[v], surface.base_uv[v]});
     EXPECT_TRUE(p.has_value());
     const Vec3 normal = p->du.cross(p->dv).normalized();
-    const PrincipalCurvature k = principal_curvature(p->du, p->dv, p->duu, p->duv, p->dvv, normal);
+    const PrincipalCurvature k = principal_curvature(*p, normal);
     worst.position = std::max(worst.position, (p->position - surface.positions[v]).norm());
     worst.normal = std::max(worst.normal, (normal - surface.normals[v]).norm());
     worst.curvature =
