@@ -117,7 +117,7 @@ class FacePatches {
     }
     surface_.ComputePatchPoints(patch_points_.data(), 3);
     if (surface_.IsRegular()) {
-      simplify();
+      simplify(std::move(controls));
     } else if (with_leaves && made.tree) {
       leaves_ = std::make_unique<const LeafPolynomials>(std::move(made.tree), patch_points_);
     }
@@ -162,8 +162,18 @@ class FacePatches {
     for (Vec3* second : {&p.duu, &p.duv, &p.dvv}) *second /= 4;
   }
 
-  void simplify() {
-    if (surface_.GetFaceSize() == 4) {
+  // Beyond a border OpenSubdiv repeats a control point where there is none.
+  static bool all_differ(std::vector<int> controls) {
+    std::sort(controls.begin(), controls.end());
+    return std::adjacent_find(controls.begin(), controls.end()) == controls.end();
+  }
+
+  void simplify(std::vector<int> controls) {
+    if (surface_.GetFaceSize() == 4 && all_differ(std::move(controls))) {
+      std::array<Vec3, 16> points;
+      std::copy_n(patch_points_.data(), 48, points[0].data());
+      polynomial_ = PolynomialPatch::b_spline(points);
+    } else if (surface_.GetFaceSize() == 4) {
       polynomial_ =
           PolynomialPatch::bicubic({evaluate_patches(0, {0, 0}), evaluate_patches(0, {1, 0}),
                                     evaluate_patches(0, {0, 1}), evaluate_patches(0, {1, 1})});

@@ -10,6 +10,19 @@ using Mat4x4 = std::array<std::array<double, 4>, 4>;
 // From values and slopes at 0 and 1 to the coefficients of a cubic.
 constexpr Mat4x4 hermite{{{1, 0, 0, 0}, {0, 0, 1, 0}, {-3, 3, -2, -1}, {2, -2, 1, 1}}};
 
+// From four control points of a uniform B-spline, six times.
+constexpr Mat4x4 spline{{{1, 4, 1, 0}, {-3, 0, 3, 0}, {3, -6, 3, 0}, {-1, 3, -3, 1}}};
+
+// The coefficients of a cubic from four points that lie `step` apart.
+std::array<Vec3, 4> spline_cubic(const Vec3* controls, std::size_t step) {
+  std::array<Vec3, 4> cubic;
+  for (std::size_t i = 0; i < 4; ++i) {
+    cubic[i] = spline[i][0] / 6 * controls[0];
+    for (std::size_t a = 1; a < 4; ++a) cubic[i] += spline[i][a] / 6 * controls[a * step];
+  }
+  return cubic;
+}
+
 const std::array<Vec2, 15>& quartic_places() {
   static const std::array<Vec2, 15> places = [] {
     std::array<Vec2, 15> result;
@@ -75,6 +88,20 @@ LimitPoint join(const std::array<Row, rows>& row, double u) {
 }
 
 }  // namespace
+
+PolynomialPatch PolynomialPatch::b_spline(const std::array<Vec3, 16>& controls) {
+  std::array<Vec3, 16> columns;  // column i: the coefficients of u^i, of the four rows
+  for (std::size_t row = 0; row < 4; ++row) {
+    const std::array<Vec3, 4> cubic = spline_cubic(controls.data() + 4 * row, 1);
+    for (std::size_t i = 0; i < 4; ++i) columns[4 * row + i] = cubic[i];
+  }
+  PolynomialPatch patch;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::array<Vec3, 4> cubic = spline_cubic(columns.data() + i, 4);
+    std::copy(cubic.begin(), cubic.end(), patch.coefficients_.begin() + static_cast<int>(4 * i));
+  }
+  return patch;
+}
 
 PolynomialPatch PolynomialPatch::bicubic(const std::array<LimitPoint, 4>& c) {
   // Rows: at u = 0, at u = 1, du there; columns the same of v.

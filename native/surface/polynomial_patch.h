@@ -10,6 +10,9 @@ namespace illustrate {
 
 class PolynomialPatch {
  public:
+  // The bicubic of a uniform B-spline's 16 control points, four of each row in direction u.
+  static PolynomialPatch b_spline(const std::array<Vec3, 16>& controls);
+
   // A bicubic is known by position, du, dv and duv at (0, 0), (1, 0), (0, 1), (1, 1).
   static PolynomialPatch bicubic(const std::array<LimitPoint, 4>& corners);
 
