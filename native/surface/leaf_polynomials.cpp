@@ -30,9 +30,10 @@ PolynomialPatch bicubic(const At& at, const Far::PatchParam& place) {
 
 }  // namespace
 
-LeafPolynomials::LeafPolynomials(Tree tree, const std::vector<double>& patch_points)
+LeafPolynomials::LeafPolynomials(Tree tree, const std::vector<double>& patch_points, LeafRoom& room)
     : tree_(std::move(tree)),
       patch_points_(patch_points),
+      room_(room),
       triangular_(false),
       leaves_(idx(std::min(tree_->GetNumPatches(), most_leaves))) {
   for (int i = 0; i < tree_->GetNumPatches(); ++i) {
@@ -42,14 +43,19 @@ LeafPolynomials::LeafPolynomials(Tree tree, const std::vector<double>& patch_poi
 }
 
 LeafPolynomials::~LeafPolynomials() {
-  for (const auto& slot : leaves_) delete slot.load();
+  for (const auto& slot : leaves_) {
+    const Leaf* leaf = slot.load();
+    if (leaf) room_.give_back(sizeof(Leaf));
+    delete leaf;
+  }
 }
 
 std::optional<LimitPoint> LeafPolynomials::evaluate(int sub_face, const Vec2& uv) const {
   const int index = tree_->FindSubPatch(uv.x(), uv.y(), sub_face);
-  const bool kept = index >= 0 && idx(index) < leaves_.size();
-  if (!kept || !tree_->GetSubPatchParam(index).IsRegular()) return {};
-  return leaf(index).evaluate(uv);
+  const bool may_be_kept = index >= 0 && idx(index) < leaves_.size();
+  if (!may_be_kept || !tree_->GetSubPatchParam(index).IsRegular()) return {};
+  const Leaf* leaf = leaves_[idx(index)].load(std::memory_order_acquire);
+  return leaf ? leaf->evaluate(uv) : make_and_evaluate(index, uv);
 }
 
 LimitPoint LeafPolynomials::Leaf::evaluate(const Vec2& uv) const {
@@ -59,13 +65,17 @@ LimitPoint LeafPolynomials::Leaf::evaluate(const Vec2& uv) const {
   return p;
 }
 
-const LeafPolynomials::Leaf& LeafPolynomials::leaf(int index) const {
-  std::atomic<const Leaf*>& slot = leaves_[idx(index)];
-  const Leaf* found = slot.load(std::memory_order_acquire);
-  if (found) return *found;
+LimitPoint LeafPolynomials::make_and_evaluate(int index, const Vec2& uv) const {
   std::unique_ptr<const Leaf> made = make(index);
-  if (slot.compare_exchange_strong(found, made.get())) found = made.release();
-  return *found;
+  const LimitPoint p = made->evaluate(uv);
+  if (!room_.take(sizeof(Leaf))) return p;
+  const Leaf* other = nullptr;
+  if (leaves_[idx(index)].compare_exchange_strong(other, made.get())) {
+    made.release();
+  } else {
+    room_.give_back(sizeof(Leaf));
+  }
+  return p;
 }
 
 std::unique_ptr<const LeafPolynomials::Leaf> LeafPolynomials::make(int index) const {
@@ -74,12 +84,12 @@ std::unique_ptr<const LeafPolynomials::Leaf> LeafPolynomials::make(int index) co
     triangular_ ? place.UnnormalizeTriangle(uv.x(), uv.y()) : place.Unnormalize(uv.x(), uv.y());
     return uv;
   };
-  const auto at = [&](const Vec2& uv) { return evaluate_tree(index, face_uv(uv)); };
+  const auto position = [&](const Vec2& uv) { return position_in_tree(index, face_uv(uv)); };
+  const auto corner = [&](const Vec2& uv) { return evaluate_tree(index, face_uv(uv)); };
   const Vec2 first = face_uv({0, 0});
   return std::make_unique<const Leaf>(
       Leaf{first, face_uv({1, 0}).x() - first.x(),
-           triangular_ ? PolynomialPatch::quartic([&](const Vec2& uv) { return at(uv).position; })
-                       : bicubic(at, place)});
+           triangular_ ? PolynomialPatch::quartic(position) : bicubic(corner, place)});
 }
 
 LimitPoint LeafPolynomials::evaluate_tree(int index, const Vec2& uv) const {
@@ -89,15 +99,24 @@ LimitPoint LeafPolynomials::evaluate_tree(int index, const Vec2& uv) const {
                            weights[5].data());
   LimitPoint p;
   const std::array<Vec3*, 6> sums{&p.position, &p.du, &p.dv, &p.duu, &p.duv, &p.dvv};
-  const auto points = tree_->GetSubPatchPoints(index);
-  for (std::size_t d = 0; d < sums.size(); ++d) {
-    *sums[d] = Vec3::Zero();
-    for (int i = 0; i < points.size(); ++i) {
-      *sums[d] +=
-          weights[d][idx(i)] * Eigen::Map<const Vec3>(patch_points_.data() + 3 * idx(points[i]));
-    }
-  }
+  for (std::size_t d = 0; d < sums.size(); ++d) *sums[d] = sum(index, weights[d]);
   return p;
+}
+
+Vec3 LeafPolynomials::position_in_tree(int index, const Vec2& uv) const {
+  std::array<double, 16> weights;
+  tree_->EvalSubPatchBasis<double>(index, uv.x(), uv.y(), weights.data(), nullptr, nullptr, nullptr,
+                                   nullptr, nullptr);
+  return sum(index, weights);
+}
+
+Vec3 LeafPolynomials::sum(int index, const std::array<double, 16>& weights) const {
+  const auto points = tree_->GetSubPatchPoints(index);
+  Vec3 total = Vec3::Zero();
+  for (int i = 0; i < points.size(); ++i) {
+    total += weights[idx(i)] * Eigen::Map<const Vec3>(patch_points_.data() + 3 * idx(points[i]));
+  }
+  return total;
 }
 
 }  // namespace illustrate

@@ -1,6 +1,6 @@
 // An irregular face of the limit surface (OpenSubdiv Bfr) is a tree of patches whose regular leaves
 // are polynomials: evaluated as such they take a tenth of the time. Each is made when it is first
-// asked for, the same whoever asks.
+// asked for, the same whoever asks, and kept while there is room.
 #pragma once
 
 #include <opensubdiv/bfr/irregularPatchType.h>
@@ -14,13 +14,32 @@
 
 namespace illustrate {
 
+// What all faces of one mesh may keep in leaves, in bytes; safe between threads.
+class LeafRoom {
+ public:
+  explicit LeafRoom(std::size_t bytes) : left_(static_cast<std::ptrdiff_t>(bytes)) {}
+
+  // Whether so many were left; they are taken then.
+  bool take(std::size_t bytes) {
+    const auto wanted = static_cast<std::ptrdiff_t>(bytes);
+    if (left_.fetch_sub(wanted) >= wanted) return true;
+    left_ += wanted;
+    return false;
+  }
+
+  void give_back(std::size_t bytes) { left_ += static_cast<std::ptrdiff_t>(bytes); }
+
+ private:
+  std::atomic<std::ptrdiff_t> left_;
+};
+
 class LeafPolynomials {
  public:
   using Tree = OpenSubdiv::Bfr::internal::IrregularPatchSharedPtr;
 
-  // patch_points: three coordinates of each of the tree's points, control points first; they are to
-  // outlive this.
-  LeafPolynomials(Tree tree, const std::vector<double>& patch_points);
+  // patch_points: three coordinates of each of the tree's points, control points first; they and
+  // the room are to outlive this.
+  LeafPolynomials(Tree tree, const std::vector<double>& patch_points, LeafRoom& room);
   ~LeafPolynomials();
 
   // At uv of the face, or of its sub-face, as the tree has them. Nothing where the leaf is no
@@ -41,12 +60,15 @@ class LeafPolynomials {
     LimitPoint evaluate(const Vec2& uv) const;
   };
 
-  const Leaf& leaf(int index) const;
+  LimitPoint make_and_evaluate(int index, const Vec2& uv) const;
   std::unique_ptr<const Leaf> make(int index) const;
   LimitPoint evaluate_tree(int index, const Vec2& uv) const;
+  Vec3 position_in_tree(int index, const Vec2& uv) const;
+  Vec3 sum(int index, const std::array<double, 16>& weights) const;
 
   Tree tree_;
   const std::vector<double>& patch_points_;
+  LeafRoom& room_;
   bool triangular_;
   mutable std::vector<std::atomic<const Leaf*>> leaves_;
 };

@@ -28,9 +28,6 @@ constexpr int most_edges = 100;
 // irregular faces would take five times as much.
 constexpr std::size_t most_kept_bytes = std::size_t{160} << 20;
 constexpr int recent_faces = 256;
-// Whether leaves are kept as polynomials is decided by the mesh alone, and so the last bits of what
-// is evaluated: a face of them may come to 28 kB.
-constexpr std::size_t most_faces_with_leaves = 4096;
 // Of trees that wait for other faces of the same kind. Where every edge is semi-sharp in its own
 // way each face has one of its own, of about a megabyte.
 constexpr std::size_t most_tree_bytes = std::size_t{128} << 20;
@@ -105,7 +102,7 @@ class SurfaceMaker {
 class FacePatches {
  public:
   // Points are taken from the first of them, so that nothing is lost far from the world's origin.
-  FacePatches(FaceSurface made, bool with_leaves, const Points& points)
+  FacePatches(FaceSurface made, LeafRoom& room, const Points& points)
       : surface_(made.surface), shared_bytes_(made.shared_bytes) {
     if (!surface_.IsValid()) return;
     std::vector<int> controls(static_cast<std::size_t>(surface_.GetNumControlPoints()));
@@ -118,8 +115,8 @@ class FacePatches {
     surface_.ComputePatchPoints(patch_points_.data(), 3);
     if (surface_.IsRegular()) {
       simplify(std::move(controls));
-    } else if (with_leaves && made.tree) {
-      leaves_ = std::make_unique<const LeafPolynomials>(std::move(made.tree), patch_points_);
+    } else if (made.tree) {
+      leaves_ = std::make_unique<const LeafPolynomials>(std::move(made.tree), patch_points_, room);
     }
   }
 
@@ -216,6 +213,7 @@ struct LimitPatches::Data {
   Scheme scheme;
   Points points;
   std::unique_ptr<Far::TopologyRefiner> refiner;
+  LeafRoom room;                // outlives the faces that take of it
   std::vector<int> ptex_faces;  // first of each base face
   std::vector<int> base_faces;  // of each ptex face
   std::optional<SurfaceMaker> maker;
@@ -225,10 +223,11 @@ struct LimitPatches::Data {
   std::vector<std::atomic<const FacePatches*>> faces;  // those that are kept
   std::array<std::pair<int, std::shared_ptr<const FacePatches>>, recent_faces> recent;
 
-  Data(const SoundMesh& mesh, Scheme s)
+  Data(const SoundMesh& mesh, Scheme s, std::size_t leaf_bytes)
       : scheme(s),
         points(mesh.positions),
         refiner(make_refiner(mesh, s)),
+        room(leaf_bytes),
         ptex_faces(illustrate::ptex_faces(mesh, s)),
         faces(mesh.face_sizes.size()) {
     if (!refiner) return;
@@ -266,10 +265,8 @@ struct LimitPatches::Data {
   // Under lock.
   std::unique_ptr<const FacePatches> make(int f) {
     FaceSurface made = is_small_enough(f) ? maker->make(f) : FaceSurface{};
-    return std::make_unique<const FacePatches>(std::move(made), with_leaves(), points);
+    return std::make_unique<const FacePatches>(std::move(made), room, points);
   }
-
-  bool with_leaves() const { return faces.size() <= most_faces_with_leaves; }
 
   // What the patches of a face need grows with the square of the edges round its corners.
   bool is_small_enough(int f) const {
@@ -295,8 +292,8 @@ struct LimitPatches::Data {
   }
 };
 
-LimitPatches::LimitPatches(const SoundMesh& mesh, Scheme scheme)
-    : data_(std::make_unique<Data>(mesh, scheme)) {}
+LimitPatches::LimitPatches(const SoundMesh& mesh, Scheme scheme, std::size_t leaf_bytes)
+    : data_(std::make_unique<Data>(mesh, scheme, leaf_bytes)) {}
 
 LimitPatches::~LimitPatches() = default;
 

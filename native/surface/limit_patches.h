@@ -3,10 +3,10 @@
 // kept with them, and up to 128 MB more of it for faces to come.
 //
 // Regular faces without creases are one polynomial. Others are OpenSubdiv's adaptive patches (Bfr);
-// in meshes of up to 4,096 faces those that are asked for become polynomials too. They go 7 levels
-// deep: beyond, within 1/64 of an extraordinary vertex, second derivatives are those of a filling
-// patch and have no meaning. Third derivatives jump between its patches. Faces with more than 100
-// corners, or with more than 100 edges at one of them, have no patches here.
+// those that are asked for become polynomials too. They go 7 levels deep: beyond, within 1/64 of an
+// extraordinary vertex, second derivatives are those of a filling patch and have no meaning. Third
+// derivatives jump between its patches. Faces with more than 100 corners, or with more than 100
+// edges at one of them, have no patches here.
 #pragma once
 
 #include <memory>
@@ -19,8 +19,10 @@ namespace illustrate {
 
 class LimitPatches {
  public:
-  // scheme: catmull_clark, or loop for a mesh of triangles.
-  LimitPatches(const SoundMesh& mesh, Scheme scheme);
+  // scheme: catmull_clark, or loop for a mesh of triangles. leaf_bytes: what polynomials of
+  // irregular faces may take; more are made again each time, which takes six times as long.
+  LimitPatches(const SoundMesh& mesh, Scheme scheme,
+               std::size_t leaf_bytes = std::size_t{64} << 20);
   ~LimitPatches();
 
   // Outside of the face (the square, or the triangle u, v, 1 - u - v >= 0) the surface is continued
