@@ -278,7 +278,7 @@ ExactPolyline ExactChain::polyline() {
     add_station(i, here, line);
     if (here && next) {
       add_between(i, *here, *next, line);
-    } else {
+    } else if (sign(i) != sign_at_end(i)) {
       add_linear_cusp(i, line);
     }
     here = std::move(next);
@@ -354,8 +354,7 @@ void ExactChain::add_between(std::size_t i, const ExactKnot& start, const ExactK
 
 // Where the signs at the ends of a segment differ, at least one of which is not exact.
 void ExactChain::add_linear_cusp(std::size_t i, ExactPolyline& line) const {
-  const bool straight_on = stations_[i].at_pinch || stations_[after(i)].at_pinch;
-  if (sign(i) == sign_at_end(i) || straight_on) return;
+  if (stations_[i].at_pinch || stations_[after(i)].at_pinch) return;
   const EdgePoint &from = point(i), &to = point(after(i));
   const double at_end = stations_[i].turns_over ? -to.cusp_function : to.cusp_function;
   const double span = from.cusp_function - at_end;

@@ -90,9 +90,9 @@ class ExactChain {
     ContourSample sample;
   };
 
-  std::size_t segments() const { return stations_.size() - (closed_ ? 0 : 1); }
+  std::size_t segments() const { return linear_.size() - (closed_ ? 0 : 1); }
   std::size_t after(std::size_t station) const {
-    return station + 1 < stations_.size() ? station + 1 : 0;
+    return station + 1 < linear_.size() ? station + 1 : 0;
   }
   bool turns_over(const EdgePoint& from, const EdgePoint& to) const;
 
@@ -134,8 +134,8 @@ class ExactChain {
   ExactSegment segment_;
   bool closed_ = false;
   Span<const EdgePoint> linear_;
-  std::vector<Station> stations_;
-  std::vector<Vec2> images_;  // of the linear points
+  std::vector<Station> stations_;  // (points of the linear chain)
+  std::vector<Vec2> images_;       // of the linear points
   std::vector<Exact> exact_;
   std::vector<ContourKnot> between_;
 };
