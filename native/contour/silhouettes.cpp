@@ -186,12 +186,10 @@ SilhouetteSearch search(const Surface& surface, const ContourFunctions& function
   for (std::size_t i = 0; i < visited.size(); ++i) {
     prefetch_corners(surface, visited, i);
     const int t = visited[i];
-    std::array<double, 3> g;
+    const Triangle& v = surface.triangles[idx(t)];
+    const std::array<double, 3> g{functions.g(v[0]), functions.g(v[1]), functions.g(v[2])};
     int fronts = surface.flips[idx(t)] & 7;  // a bit for each corner
-    for (int k = 0; k < 3; ++k) {
-      g[idx(k)] = functions.g(surface.triangles[idx(t)][idx(k)]);
-      fronts ^= (g[idx(k)] >= 0) << k;
-    }
+    for (int k = 0; k < 3; ++k) fronts ^= (g[idx(k)] >= 0) << k;
     if (fronts == 0 || fronts == 7) continue;
     prefetch_segment(surface, t);
     result.triangles.push_back(t);
