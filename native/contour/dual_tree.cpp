@@ -19,6 +19,9 @@ constexpr double least_component = 0.25;
 // Fewer items to a leaf visit fewer triangles, more save nodes.
 constexpr int leaf_items = 4;
 
+// Of nodes and items: far more than fit in memory.
+constexpr std::uint32_t largest_index = (1U << 30) - 1;
+
 // Of the grid on which a face's boxes are rounded outward.
 constexpr double most_steps = 65535;
 
@@ -193,7 +196,7 @@ class DualTree::Builder {
     const std::size_t first = is_leaf ? begin : tree_.nodes_.size();
     tree_.nodes_[node].is_leaf = is_leaf;
     tree_.nodes_[node].is_last = is_last;
-    tree_.nodes_[node].first = static_cast<std::uint32_t>(first);
+    tree_.nodes_[node].first = static_cast<std::uint32_t>(first) & largest_index;
     if (is_leaf) {
       leaves_.push_back({node, begin, end, entries_[begin].key >> 3 * octree_levels});
       return;
