@@ -1,16 +1,6 @@
 #include "contour/contour_functions.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace illustrate {
-namespace {
-
-// Of an edge: far below what can be seen.
-constexpr double least_fraction = 1e-5;
-
-}  // namespace
-
 bool ContourFunctions::front(int triangle, int corner) const {
   const int v = surface_.triangles[idx(triangle)][idx(corner)];
   return (g(v) >= 0) == (surface_.corner_sign(triangle, corner) > 0);
@@ -21,18 +11,6 @@ double ContourFunctions::zero_fraction(int triangle, int corner) const {
   const int b = surface_.triangles[idx(triangle)][idx(next_corner(corner))];
   const double zero = zero_between(g(std::min(a, b)), g(std::max(a, b)));
   return a < b ? zero : 1 - zero;
-}
-
-double ContourFunctions::cusp_function(int vertex) const {
-  const Vec3 view = camera_.to_eye(surface_.positions[idx(vertex)]);
-  const PrincipalCurvature& c = surface_.curvature[idx(vertex)];
-  const double along1 = view.dot(c.w1), along2 = view.dot(c.w2);
-  return c.k1 * along1 * along1 + c.k2 * along2 * along2;
-}
-
-double zero_between(double low, double high) {
-  const double sum = std::abs(low) + std::abs(high);
-  return std::clamp(sum > 0 ? std::abs(low) / sum : 0.5, least_fraction, 1 - least_fraction);
 }
 
 Vec3 winding_normal(const Surface& surface, int triangle) {

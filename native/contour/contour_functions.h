@@ -1,6 +1,7 @@
 // g and the cusp function C at the corners of triangles, with the one rule for ties.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/tolerances.h"
@@ -42,7 +43,12 @@ class ContourFunctions {
   double zero_fraction(int triangle, int corner) const;
 
   // C = k1 (v.w1)^2 + k2 (v.w2)^2, v towards the eye, at a vertex, on its own sheet.
-  double cusp_function(int vertex) const;
+  double cusp_function(int vertex) const {
+    const Vec3 view = camera_.to_eye(surface_.positions[idx(vertex)]);
+    const PrincipalCurvature& c = surface_.curvature[idx(vertex)];
+    const double along1 = view.dot(c.w1), along2 = view.dot(c.w2);
+    return c.k1 * along1 * along1 + c.k2 * along2 * along2;
+  }
 
  private:
   const Surface& surface_;
@@ -52,7 +58,11 @@ class ContourFunctions {
 // Where a linear function that is `low` and `high` at the ends of an edge, of different signs,
 // vanishes: a share of the edge from `low`, kept off its ends, so that curves through the triangles
 // of a fan never meet at its vertex.
-double zero_between(double low, double high);
+inline double zero_between(double low, double high) {
+  constexpr double least = 1e-5;  // of an edge: far below what can be seen
+  const double sum = std::abs(low) + std::abs(high);
+  return std::clamp(sum > 0 ? std::abs(low) / sum : 0.5, least, 1 - least);
+}
 
 // Normal of a triangle's plane as it is wound, twice as long as its area.
 Vec3 winding_normal(const Surface& surface, int triangle);

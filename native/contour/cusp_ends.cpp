@@ -20,7 +20,11 @@ class Walk {
   bool step() {
     if (++steps_ >= count_) return false;
     if (!closed_ && at_ == (forward_ ? count_ - 1 : 0)) return false;
-    at_ = forward_ ? (at_ + 1) % count_ : (at_ + count_ - 1) % count_;
+    if (forward_) {
+      at_ = at_ + 1 < count_ ? at_ + 1 : 0;
+    } else {
+      at_ = (at_ > 0 ? at_ : count_) - 1;
+    }
     return true;
   }
   std::size_t at() const { return at_; }
@@ -46,6 +50,7 @@ class Drawn {
   }
   Vec2 image(std::size_t i) const { return camera_.project(line_.points[i].position).xy; }
   double distance(std::size_t i, std::size_t j) const { return (image(i) - image(j)).norm(); }
+  bool closed() const { return line_.closed; }
   Walk walk(std::size_t from, bool forward) const { return {size(), line_.closed, from, forward}; }
 
   // Cusps, ends, and points on edges that may be curves.
@@ -63,15 +68,6 @@ class Drawn {
       if (line_.points[i].is_cusp()) result.push_back(i);
     }
     return result;
-  }
-
-  // The next cusp along the chain, nothing where there is no other.
-  std::optional<std::size_t> next_cusp(std::size_t from) const {
-    Walk steps = walk(from, true);
-    while (steps.step()) {
-      if (line_.points[steps.at()].is_cusp()) return steps.at();
-    }
-    return {};
   }
 
  private:
@@ -310,12 +306,14 @@ struct Swallowtail {
 // Those small enough to be one point, the smallest first.
 std::vector<Swallowtail> small_swallowtails(const Drawn& drawn) {
   std::vector<Swallowtail> result;
-  for (const std::size_t i : drawn.cusps()) {
-    const std::optional<std::size_t> j = drawn.next_cusp(i);
-    if (!j || drawn[*j].cusp_jump != drawn[i].cusp_jump) continue;
-    const double apart = drawn.distance(i, *j);
-    if (apart > swallowtail_px || !stays_near(drawn, i, *j, swallowtail_px)) continue;
-    result.push_back({apart, i, *j});
+  const std::vector<std::size_t> cusps = drawn.cusps();
+  if (cusps.size() < 2) return result;
+  for (std::size_t c = 0; c + (drawn.closed() ? 0 : 1) < cusps.size(); ++c) {
+    const std::size_t i = cusps[c], j = cusps[(c + 1) % cusps.size()];
+    if (drawn[j].cusp_jump != drawn[i].cusp_jump) continue;
+    const double apart = drawn.distance(i, j);
+    if (apart > swallowtail_px || !stays_near(drawn, i, j, swallowtail_px)) continue;
+    result.push_back({apart, i, j});
   }
   std::sort(result.begin(), result.end(), [](const Swallowtail& a, const Swallowtail& b) {
     return a.apart != b.apart ? a.apart < b.apart : a.first < b.first;

@@ -155,7 +155,7 @@ DualSurface::DualSurface(const Surface& surface, int threads, const Progress& pr
       },
       threads, progress.part(0, 0.2));
   const std::vector<std::vector<int>> ids = ids_of(surface);
-  ids_end_ = surface.triangles.size() * 3;
+  triangles_ = surface.triangles.size();
   const auto count = static_cast<double>(ids.size());
   for (std::size_t o = 0; o < ids.size(); ++o) {
     if (ids[o].empty()) continue;
@@ -179,7 +179,7 @@ std::vector<int> DualSurface::find(const Camera& camera, bool smooth) const {
     const double farthest = viewpoint.head<3>().norm() + viewpoint[3];
     part.tree.find(viewpoint, tolerance::facing_noise * farthest * (1 + rounding), found);
   }
-  sort_unique(found, ids_end_);
+  sort_unique(found, smooth ? triangles_ : 3 * triangles_);
   return found;
 }
 

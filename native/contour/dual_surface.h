@@ -39,7 +39,7 @@ class DualSurface {
   std::vector<int> find(const Camera& camera, bool smooth) const;
 
   std::vector<Part> parts_;
-  std::size_t ids_end_ = 0;  // above every id
+  std::size_t triangles_ = 0;  // of the surface
 };
 
 }  // namespace illustrate

@@ -19,6 +19,12 @@ constexpr double least_component = 0.25;
 // Fewer items to a leaf visit fewer triangles, more save nodes.
 constexpr int leaf_items = 4;
 
+// Of nodes and items: far more than fit in memory.
+constexpr std::uint32_t largest_index = (1U << 30) - 1;
+
+// Of the grid on which a face's boxes are rounded outward.
+constexpr double most_steps = 65535;
+
 constexpr int octree_levels = 16;
 constexpr int key_bits = 3 * octree_levels + 3;
 
@@ -68,6 +74,20 @@ std::uint64_t key_of(const DualItem& item) {
   return key;
 }
 
+// The face's steps that the box reaches, rounded outward.
+std::array<std::uint16_t, 6> in_steps(const DualItem& item, const std::array<double, 3>& origin,
+                                      const std::array<double, 3>& step) {
+  std::array<std::uint16_t, 6> box{};
+  for (std::size_t j = 0; j < 3; ++j) {
+    if (!(step[j] > 0)) continue;
+    const double low = std::floor((item.low[j] - origin[j]) / step[j]);
+    const double high = std::ceil((item.high[j] - origin[j]) / step[j]);
+    box[j] = static_cast<std::uint16_t>(std::clamp(low, 0., most_steps));
+    box[j + 3] = static_cast<std::uint16_t>(std::clamp(high, 0., most_steps));
+  }
+  return box;
+}
+
 struct Entry {
   std::uint64_t key;
   int item;
@@ -107,24 +127,49 @@ class DualTree::Builder {
       }
     });
     radix_sort(entries_, key_bits, [](const Entry& e) { return e.key; });
-    add_roots();
-    fit_leaves();
-    fit_parents();
     tree_.ids_.reserve(entries_.size());
     for (const Entry& e : entries_) tree_.ids_.push_back(items_[idx(e.item)].id);
+    add_faces();
+    fit_leaves();
+    fit_parents();
+    for (const Leaf& leaf : leaves_) tree_.ids_[leaf.end - 1] = ~tree_.ids_[leaf.end - 1];
   }
 
  private:
-  void add_roots() {
+  // The entries of a leaf.
+  struct Leaf {
+    std::size_t node, begin, end;
+    std::size_t face;
+  };
+
+  void add_faces() {
     tree_.nodes_.reserve(entries_.size() / 2);
     std::size_t begin = 0;
     for (std::size_t face = 0; face < 8; ++face) {
       const std::size_t end = end_of(begin, entries_.size(), face, octree_levels);
-      if (begin < end) add_node(begin, end, octree_levels);
-      tree_.roots_[face + 1] = static_cast<int>(tree_.nodes_.size());
+      tree_.roots_[face] = none;
+      if (begin < end) {
+        set_grid(face, begin, end);
+        tree_.roots_[face] = static_cast<int>(tree_.nodes_.size());
+        tree_.nodes_.emplace_back();
+        fill_node(idx(tree_.roots_[face]), begin, end, octree_levels, true);
+      }
       begin = end;
     }
-    tree_.nodes_.push_back({{}, {}, 0, static_cast<int>(entries_.size())});
+  }
+
+  void set_grid(std::size_t face, std::size_t begin, std::size_t end) {
+    Grid& grid = tree_.grids_[face];
+    for (std::size_t j = 0; j < 3; ++j) {
+      double low = items_[idx(entries_[begin].item)].low[j], high = low;
+      for (std::size_t i = begin; i < end; ++i) {
+        const DualItem& item = items_[idx(entries_[i].item)];
+        low = std::min(low, double{item.low[j]});
+        high = std::max(high, double{item.high[j]});
+      }
+      grid.origin[j] = low;
+      grid.step[j] = (high - low) / most_steps;
+    }
   }
 
   std::uint64_t octant(std::size_t entry, int level) const {
@@ -141,57 +186,62 @@ class DualTree::Builder {
                                     first);
   }
 
-  // A node for the entries of one octant of `level` (0: the finest). Octants with a single child
-  // are passed over.
-  void add_node(std::size_t begin, std::size_t end, int level) {
-    const std::size_t node = tree_.nodes_.size();
-    tree_.nodes_.push_back({{}, {}, 0, static_cast<int>(begin)});
-    if (end - begin > leaf_items) {
-      while (level > 0 && octant(begin, level - 1) == octant(end - 1, level - 1)) --level;
-      for (std::size_t b = begin, e = begin; level > 0 && b < end; b = e) {
-        e = end_of(b, end, octant(b, level - 1), level - 1);
-        add_node(b, e, level - 1);
-      }
+  // A node for the entries of one octant of `level` (0: the finest), with all below it. Octants
+  // with a single child are passed over.
+  void fill_node(std::size_t node, std::size_t begin, std::size_t end, int level, bool is_last) {
+    const auto is_one = [&](int l) { return octant(begin, l) == octant(end - 1, l); };
+    if (end - begin <= leaf_items) level = 0;
+    while (level > 0 && is_one(level - 1)) --level;
+    const bool is_leaf = level == 0;
+    const std::size_t first = is_leaf ? begin : tree_.nodes_.size();
+    tree_.nodes_[node].is_leaf = is_leaf;
+    tree_.nodes_[node].is_last = is_last;
+    tree_.nodes_[node].first = static_cast<std::uint32_t>(first) & largest_index;
+    if (is_leaf) {
+      leaves_.push_back({node, begin, end, entries_[begin].key >> 3 * octree_levels});
+      return;
     }
-    tree_.nodes_[node].next = static_cast<int>(tree_.nodes_.size());
+    std::array<std::size_t, 9> ends{begin};
+    std::size_t count = 0;
+    while (ends[count] < end) {
+      ends[count + 1] = end_of(ends[count], end, octant(ends[count], level - 1), level - 1);
+      ++count;
+    }
+    tree_.nodes_.resize(first + count);
+    for (std::size_t i = 0; i < count; ++i) {
+      fill_node(first + i, ends[i], ends[i + 1], level - 1, i + 1 == count);
+    }
   }
 
-  template <class Box>
-  static void grow(Node& node, const Box& box) {
+  using Box = std::array<std::uint16_t, 6>;
+  static void grow(Box& box, const Box& other) {
     for (std::size_t j = 0; j < 3; ++j) {
-      node.low[j] = std::min(node.low[j], box.low[j]);
-      node.high[j] = std::max(node.high[j], box.high[j]);
+      box[j] = std::min(box[j], other[j]);
+      box[j + 3] = std::max(box[j + 3], other[j + 3]);
     }
-  }
-
-  bool is_leaf(std::size_t node) const {
-    return tree_.nodes_[node].next == static_cast<int>(node) + 1;
   }
 
   void fit_leaves() {
-    std::vector<Node>& nodes = tree_.nodes_;
-    parallel_for(nodes.size() - 1, threads_, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n) {
-        if (!is_leaf(n)) continue;
-        const DualItem& first = items_[idx(entries_[idx(nodes[n].first)].item)];
-        nodes[n].low = first.low;
-        nodes[n].high = first.high;
-        for (int i = nodes[n].first + 1; i < nodes[n + 1].first; ++i) {
-          grow(nodes[n], items_[idx(entries_[idx(i)].item)]);
+    parallel_for(leaves_.size(), threads_, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t l = begin; l < end; ++l) {
+        const Leaf& leaf = leaves_[l];
+        const Grid& grid = tree_.grids_[leaf.face];
+        Box& box = tree_.nodes_[leaf.node].box;
+        box = in_steps(items_[idx(entries_[leaf.begin].item)], grid.origin, grid.step);
+        for (std::size_t i = leaf.begin + 1; i < leaf.end; ++i) {
+          grow(box, in_steps(items_[idx(entries_[i].item)], grid.origin, grid.step));
         }
       }
     });
   }
 
   void fit_parents() {
-    std::vector<Node>& nodes = tree_.nodes_;
-    for (std::size_t n = nodes.size() - 1; n-- > 0;) {
-      if (is_leaf(n)) continue;
-      nodes[n].low = nodes[n + 1].low;
-      nodes[n].high = nodes[n + 1].high;
-      for (int child = nodes[n + 1].next; child < nodes[n].next; child = nodes[idx(child)].next) {
-        grow(nodes[n], nodes[idx(child)]);
-      }
+    for (std::size_t n = tree_.nodes_.size(); n-- > 0;) {
+      Node& node = tree_.nodes_[n];
+      if (node.is_leaf) continue;
+      const Node* child = &tree_.nodes_[node.first];
+      node.box = child->box;
+      while (!child->is_last) grow(node.box, (++child)->box);
     }
   }
 
@@ -199,6 +249,7 @@ class DualTree::Builder {
   int threads_;
   DualTree& tree_;
   std::vector<Entry> entries_;
+  std::vector<Leaf> leaves_;
 };
 
 DualTree::DualTree(const std::vector<DualItem>& items, std::vector<int> always, int threads)
@@ -206,33 +257,68 @@ DualTree::DualTree(const std::vector<DualItem>& items, std::vector<int> always, 
   Builder(items, threads, *this).run();
 }
 
+// The plane viewpoint . x = 0 on one face, in its steps.
+class DualTree::Plane {
+ public:
+  Plane(const Vec4& viewpoint, int face, const Grid& grid, double reach) : reach_(reach) {
+    const int axis = face / 2;
+    offset_ = face % 2 ? -viewpoint[axis] : viewpoint[axis];
+    for (int i = 0, j = 0; i < 4; ++i) {
+      if (i == axis) continue;
+      const std::size_t k = idx(j++);
+      offset_ += viewpoint[i] * grid.origin[k];
+      slopes_[k] = viewpoint[i] * grid.step[k];
+      least_[k] = slopes_[k] < 0 ? k + 3 : k;
+      most_[k] = slopes_[k] < 0 ? k : k + 3;
+    }
+  }
+
+  // Whether the box comes within reach of the plane; so it does where that is not a number.
+  bool meets(const Node& node) const {
+    return !(value(node, least_) > reach_ || value(node, most_) < -reach_);
+  }
+
+ private:
+  double value(const Node& node, const std::array<std::size_t, 3>& corner) const {
+    return offset_ + slopes_[0] * node.box[corner[0]] + slopes_[1] * node.box[corner[1]] +
+           slopes_[2] * node.box[corner[2]];
+  }
+
+  double reach_;
+  double offset_;
+  std::array<double, 3> slopes_;
+  std::array<std::size_t, 3> least_, most_;  // which sides of a box bound the values in it
+};
+
+// Level by level, so that what is looked at next was asked for long before.
+void DualTree::find_leaves(int root, const Plane& plane, std::vector<int>& leaves) const {
+  std::vector<int> families{root};
+  for (std::size_t i = 0; i < families.size(); ++i) {
+    for (const Node* node = &nodes_[idx(families[i])];; ++node) {
+      if (plane.meets(*node)) {
+        const auto first = static_cast<int>(node->first);
+        (node->is_leaf ? leaves : families).push_back(first);
+        node->is_leaf ? prefetch(&ids_[node->first]) : prefetch(&nodes_[node->first]);
+      }
+      if (node->is_last) break;
+    }
+  }
+}
+
 void DualTree::find(const Vec4& viewpoint, double margin, std::vector<int>& found) const {
   found.insert(found.end(), always_.begin(), always_.end());
-  if (ids_.empty()) return;
   const double reach = margin / least_component;
+  std::vector<int> leaves;
   for (int face = 0; face < 8; ++face) {
-    const int axis = face / 2;
-    const double offset = face % 2 ? -viewpoint[axis] : viewpoint[axis];
-    const std::array<double, 3> slope{viewpoint[axis > 0 ? 0 : 1], viewpoint[axis > 1 ? 1 : 2],
-                                      viewpoint[axis > 2 ? 2 : 3]};
-    for (int n = roots_[idx(face)]; n < roots_[idx(face) + 1];) {
-      const Node& node = nodes_[idx(n)];
-      prefetch(&nodes_[idx(node.next)]);
-      double least = offset, most = offset;
-      for (std::size_t j = 0; j < 3; ++j) {
-        const double a = slope[j] * node.low[j], b = slope[j] * node.high[j];
-        least += std::min(a, b);
-        most += std::max(a, b);
-      }
-      if (least > reach || most < -reach) {  // never where they are not numbers
-        n = node.next;
-        continue;
-      }
-      ++n;
-      if (n == node.next) {
-        for (int i = node.first; i < nodes_[idx(n)].first; ++i) found.push_back(ids_[idx(i)]);
-      }
+    const int root = roots_[idx(face)];
+    if (root != none) {
+      find_leaves(root, Plane(viewpoint, face, grids_[idx(face)], reach), leaves);
     }
+  }
+  for (const int leaf : leaves) {
+    const int* id = &ids_[idx(leaf)];
+    for (; *id >= 0; ++id) found.push_back(*id);
+    found.push_back(~*id);
   }
 }
 

@@ -33,8 +33,6 @@ std::optional<DualItem> dual_item(int id, const std::array<Vec4, 3>& corners);
 
 class DualTree {
  public:
-  DualTree() = default;
-
   // An id may have several items. `always`: ids that every view has to look at. The same tree for
   // any number of threads.
   DualTree(const std::vector<DualItem>& items, std::vector<int> always, int threads);
@@ -47,18 +45,26 @@ class DualTree {
   std::size_t always_count() const { return always_.size(); }
 
  private:
-  // Each node is followed by its descendants; `next` is the node after the last of them, so a leaf
-  // is a node that is followed by `next`.
+  // A box in steps of its face's grid, rounded outward: a quarter of a line of the processor's
+  // cache, since a view looks at many of them, far apart. Children stand side by side.
   struct Node {
-    std::array<float, 3> low, high;
-    int next;
-    int first;  // of its items, which end where those of `next` begin
+    std::array<std::uint16_t, 6> box{};      // low, high
+    std::uint32_t is_leaf : 1, is_last : 1;  // of its parent's children
+    std::uint32_t first : 30;                // child, or item of a leaf
+  };
+  // Step s of a face lies at origin + s * step.
+  struct Grid {
+    std::array<double, 3> origin{}, step{};
   };
   class Builder;
+  class Plane;
 
-  std::vector<Node> nodes_;     // of all faces, then one that ends the items
-  std::array<int, 9> roots_{};  // face f has the nodes roots_[f] .. roots_[f + 1]
-  std::vector<int> ids_;        // those of a leaf side by side
+  void find_leaves(int root, const Plane& plane, std::vector<int>& leaves) const;
+
+  std::vector<Node> nodes_;
+  std::array<int, 8> roots_{};  // of each face, none where it has no items
+  std::array<Grid, 8> grids_;
+  std::vector<int> ids_;  // of the items; the last one of a leaf as its complement
   std::vector<int> always_;
 };
 

@@ -86,20 +86,11 @@ const EdgePoint& ExactChain::point(std::size_t i) const {
   return exact == none ? linear_[i] : exact_[idx(exact)].point;
 }
 
-int ExactChain::sign(std::size_t i) const {
-  const int exact = stations_[i].exact;
-  const double convex = exact == none ? -linear_[i].cusp_function : exact_[idx(exact)].sample.kappa;
-  return convex < 0 ? -1 : 1;
-}
-
-int ExactChain::sign_at_end(std::size_t i) const {
-  const int at_end = sign(after(i));
-  return stations_[i].turns_over ? -at_end : at_end;
-}
-
 bool ExactChain::is_suspect(std::size_t i) const {
   if (!closed_ && (i == 0 || i + 1 == segments())) return true;
-  return linear_[i].has_both_signs || sign(i) != sign_at_end(i) || turns_off(i);
+  const EdgePoint &from = linear_[i], &to = linear_[after(i)];
+  const bool changes_sign = (from.cusp_function > 0) != (to.cusp_function > 0);
+  return from.has_both_signs || changes_sign != stations_[i].turns_over || turns_off(i);
 }
 
 // Whether the image turns back where the segment ends, as if at a cusp that nothing else tells of,
@@ -209,19 +200,24 @@ SolvedEdge ExactChain::solve_edge(const EdgePoint& p) {
   const Vec2 along = patch.uv(next_corner(k)) - patch.uv(k);
   const bool low_front = functions_.front(t, k);
   double low = end, high = 1 - end, f = p.fraction;
-  std::optional<ContourValue> value;
-  for (int i = 0; i < most_steps; ++i) {
-    value = contour_.at({patch.ptex_face, patch_uv(patch, k, f)});
+  for (int i = 1;; ++i) {
+    const std::optional<ContourValue> value = contour_.at({patch.ptex_face, patch_uv(patch, k, f)});
     if (!value) return {};
-    if (std::abs(value->g) < on_contour || high - low < 1e-12) break;
+    if (std::abs(value->g) < on_contour || high - low < 1e-12 || i == most_steps) {
+      if (std::abs(value->g) > flat) return {0, 1, {}, value->spread() < pinch_spread};
+      return solved_at(f, *value, p);
+    }
     ((value->g >= 0) == low_front ? low : high) = f;
     f -= value->g / value->gradient.dot(along);
     if (!(f > low && f < high)) f = (low + high) / 2;
   }
-  if (std::abs(value->g) > flat) return {0, 1, {}, value->spread() < pinch_spread};
-  const ContourSample sample = LimitContour::sample(*value);
+}
+
+SolvedEdge ExactChain::solved_at(double fraction, const ContourValue& value,
+                                 const EdgePoint& p) const {
+  const ContourSample sample = LimitContour::sample(value);
   if (sample.tangent.isZero()) return {};
-  return {ascends(p) ? f : 1 - f, sheet_of(p), sample, false};
+  return {ascends(p) ? fraction : 1 - fraction, sheet_of(p), sample, false};
 }
 
 // Where an exact point and a linear one beside it disagree, the linear one must become exact too.
@@ -278,7 +274,7 @@ ExactPolyline ExactChain::polyline() {
     add_station(i, here, line);
     if (here && next) {
       add_between(i, *here, *next, line);
-    } else {
+    } else if (sign(i) != sign_at_end(i)) {
       add_linear_cusp(i, line);
     }
     here = std::move(next);
@@ -354,8 +350,7 @@ void ExactChain::add_between(std::size_t i, const ExactKnot& start, const ExactK
 
 // Where the signs at the ends of a segment differ, at least one of which is not exact.
 void ExactChain::add_linear_cusp(std::size_t i, ExactPolyline& line) const {
-  const bool straight_on = stations_[i].at_pinch || stations_[after(i)].at_pinch;
-  if (sign(i) == sign_at_end(i) || straight_on) return;
+  if (stations_[i].at_pinch || stations_[after(i)].at_pinch) return;
   const EdgePoint &from = point(i), &to = point(after(i));
   const double at_end = stations_[i].turns_over ? -to.cusp_function : to.cusp_function;
   const double span = from.cusp_function - at_end;

@@ -90,9 +90,9 @@ class ExactChain {
     ContourSample sample;
   };
 
-  std::size_t segments() const { return stations_.size() - (closed_ ? 0 : 1); }
+  std::size_t segments() const { return linear_.size() - (closed_ ? 0 : 1); }
   std::size_t after(std::size_t station) const {
-    return station + 1 < stations_.size() ? station + 1 : 0;
+    return station + 1 < linear_.size() ? station + 1 : 0;
   }
   bool turns_over(const EdgePoint& from, const EdgePoint& to) const;
 
@@ -100,10 +100,18 @@ class ExactChain {
   bool is_exact(std::size_t station) const { return stations_[station].exact != none; }
 
   // Of kappa, as seen from the station's own triangle, and at the end of a segment.
-  int sign(std::size_t station) const;
-  int sign_at_end(std::size_t segment) const;
+  int sign(std::size_t station) const {
+    const int exact = stations_[station].exact;
+    if (exact == none) return linear_[station].cusp_function > 0 ? -1 : 1;
+    return exact_[idx(exact)].sample.kappa < 0 ? -1 : 1;
+  }
+  int sign_at_end(std::size_t segment) const {
+    const int at_end = sign(after(segment));
+    return stations_[segment].turns_over ? -at_end : at_end;
+  }
 
   bool is_cusp_lost(std::size_t segment) const;
+  // As long as nothing is solved.
   bool is_suspect(std::size_t segment) const;
   bool turns_off(std::size_t segment) const;
   bool drifts(std::size_t segment) const;
@@ -114,6 +122,7 @@ class ExactChain {
   void solve_station(std::size_t station);
   SolvedEdge solved_edge(const EdgePoint& point);
   SolvedEdge solve_edge(const EdgePoint& point);
+  SolvedEdge solved_at(double fraction, const ContourValue& value, const EdgePoint& point) const;
   bool ascends(const EdgePoint& point) const;
   double sheet_of(const EdgePoint& point) const;
   void spread();
@@ -134,8 +143,8 @@ class ExactChain {
   ExactSegment segment_;
   bool closed_ = false;
   Span<const EdgePoint> linear_;
-  std::vector<Station> stations_;
-  std::vector<Vec2> images_;  // of the linear points
+  std::vector<Station> stations_;  // (points of the linear chain)
+  std::vector<Vec2> images_;       // of the linear points
   std::vector<Exact> exact_;
   std::vector<ContourKnot> between_;
 };

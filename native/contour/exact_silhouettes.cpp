@@ -107,7 +107,7 @@ void restore(const Patchwork& patchwork, ExactChains& drawn) {
 class Finer {
  public:
   Finer(const Surface& surface, const LimitSurface& limit, const LinearSilhouettes& linear)
-      : patchwork_(surface, limit),
+      : patchwork_(surface, limit, linear.triangles.size() / 2),
         linear_(linear),
         is_redrawn_(linear.chains.size(), 0),
         chain_of_(linear.triangles.size()) {

@@ -47,8 +47,14 @@ std::uint16_t mean(std::uint16_t a, std::uint16_t b) {
 
 }  // namespace
 
-Patchwork::Patchwork(const Surface& whole, const LimitSurface& limit)
-    : whole_(whole), limit_(limit) {
+Patchwork::Patchwork(const Surface& whole, const LimitSurface& limit, std::size_t expected)
+    : whole_(whole),
+      limit_(limit),
+      numbers_(expected),
+      vertices_(expected),
+      places_(expected),
+      rim_(expected) {
+  pieces_.reserve(expected);
   surface_.object_is_smooth = whole.object_is_smooth;
   surface_.diagonal = whole.diagonal;
 }

@@ -16,7 +16,8 @@ namespace illustrate {
 
 class Patchwork {
  public:
-  Patchwork(const Surface& whole, const LimitSurface& limit);
+  // `expected`: about how many triangles it will have.
+  Patchwork(const Surface& whole, const LimitSurface& limit, std::size_t expected = 0);
 
   // Adds those of these triangles of the whole that are not there yet, uncut, in this order.
   void add(const std::vector<int>& triangles);

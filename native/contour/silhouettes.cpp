@@ -13,12 +13,23 @@ bool is_passage(EdgeKind kind) {
   return kind != EdgeKind::crease && kind != EdgeKind::boundary && kind != EdgeKind::seam;
 }
 
+// By the corners that are front, a bit for each: the edge from a front corner to a back one, and
+// that from a back corner to a front one.
+constexpr std::array<int, 8> edge_in{none, 0, 1, 1, 2, 0, 2, none};
+constexpr std::array<int, 8> edge_out{none, 2, 0, 2, 1, 1, 0, none};
+
 // One triangle's segment: in over the edge that turns from front to back, out over the other.
 struct Segment {
   int in = none;
   int out = none;
   int next = none;            // segment beyond `out`
   bool has_previous = false;  // a segment beyond `in`
+};
+
+// C at a vertex, on its own sheet.
+struct CuspFunction {
+  int vertex = none;
+  double value = 0;
 };
 
 // Follows the segments of triangles from one to the next.
@@ -30,6 +41,7 @@ class Tracer {
         functions_(functions),
         triangles_(found.triangles),
         g_(found.g),
+        fronts_(found.fronts),
         traced_(triangles_.size(), 0),
         result_(result) {}
 
@@ -37,7 +49,7 @@ class Tracer {
     segments_.reserve(triangles_.size());
     result_.chains.values.reserve(triangles_.size() + triangles_.size() / 16);
     const int count = static_cast<int>(triangles_.size());
-    for (int i = 0; i < count; ++i) segments_.push_back(segment_of(i));
+    for (const std::uint8_t f : fronts_) segments_.push_back({edge_in[f], edge_out[f]});
     link();
     for (int i = 0; i < count; ++i) {
       if (!traced_[idx(i)] && !segments_[idx(i)].has_previous) trace(i);
@@ -48,18 +60,6 @@ class Tracer {
   }
 
  private:
-  Segment segment_of(int i) const {
-    Segment segment;
-    int fronts = surface_.flips[idx(triangles_[idx(i)])];  // a bit for each corner
-    for (int k = 0; k < 3; ++k) fronts ^= (g_[idx(i)][idx(k)] >= 0) << k;
-    for (int k = 0; k < 3; ++k) {
-      const int here = fronts >> k & 1, next = fronts >> next_corner(k) & 1;
-      if (here > next) segment.in = k;
-      if (here < next) segment.out = k;
-    }
-    return segment;
-  }
-
   void link() {
     const int count = static_cast<int>(triangles_.size());
     IndexMap index(triangles_.size());
@@ -93,25 +93,26 @@ class Tracer {
     result_.closed.push_back(closed);
   }
 
-  // C at the corners of segment i's triangle, which has two of them with the last one in common.
+  // C at the corners of segment i's triangle, which has two of them with the last one in common:
+  // those of the edge between them, which runs the other way there.
   std::array<double, 3> cusp_functions(int i) {
     const int triangle = triangles_[idx(i)];
     const Triangle& corners = surface_.triangles[idx(triangle)];
-    std::array<double, 3> own, values;
-    for (int k = 0; k < 3; ++k) {
-      own[idx(k)] = cusp_function(corners[idx(k)]);
-      values[idx(k)] = surface_.corner_sign(triangle, k) * own[idx(k)];
+    const int in = segments_[idx(i)].in, out = segments_[idx(i)].out;
+    std::array<double, 3> values;
+    values[idx(in)] = cusp_function(corners[idx(in)], passed_[1]);
+    values[idx(next_corner(in))] = cusp_function(corners[idx(next_corner(in))], passed_[0]);
+    values[idx(previous_corner(in))] = functions_.cusp_function(corners[idx(previous_corner(in))]);
+    passed_[0] = {corners[idx(out)], values[idx(out)]};
+    passed_[1] = {corners[idx(next_corner(out))], values[idx(next_corner(out))]};
+    if (surface_.flips[idx(triangle)] != 0) {
+      for (int k = 0; k < 3; ++k) values[idx(k)] *= surface_.corner_sign(triangle, k);
     }
-    last_corners_ = corners;
-    last_cusp_functions_ = own;
     return values;
   }
 
-  double cusp_function(int vertex) const {
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (last_corners_[k] == vertex) return last_cusp_functions_[k];
-    }
-    return functions_.cusp_function(vertex);
+  double cusp_function(int vertex, const CuspFunction& known) const {
+    return vertex == known.vertex ? known.value : functions_.cusp_function(vertex);
   }
 
   void push_segment(int i) {
@@ -130,19 +131,18 @@ class Tracer {
     const std::array<double, 3>& g = g_[idx(i)];
     const Triangle& corners = surface_.triangles[idx(triangle)];
     const int next = next_corner(corner);
-    const Vec3& a = surface_.positions[idx(corners[idx(corner)])];
-    const Vec3& b = surface_.positions[idx(corners[idx(next)])];
-    // Both triangles of an edge compute the same bits: from its lower vertex to its higher one.
+    // Both triangles of an edge go from its lower vertex to its higher one.
     const bool ascending = corners[idx(corner)] < corners[idx(next)];
-    const double fraction = ascending ? zero_between(g[idx(corner)], g[idx(next)])
-                                      : 1 - zero_between(g[idx(next)], g[idx(corner)]);
+    const int low = ascending ? corner : next, high = ascending ? next : corner;
+    const double zero = zero_between(g[idx(low)], g[idx(high)]), rest = 1 - zero;
+    const Vec3& a = surface_.positions[idx(corners[idx(low)])];
+    const Vec3& b = surface_.positions[idx(corners[idx(high)])];
     EdgePoint p;
-    p.position = ascending ? Vec3(a + fraction * (b - a)) : Vec3(b + (1 - fraction) * (a - b));
-    p.on = on_edge(triangle, corner, fraction);
-    p.fraction = fraction;
+    p.fraction = ascending ? zero : rest;
+    p.position = a + (ascending ? zero : 1 - rest) * (b - a);
+    p.on = on_edge(triangle, corner, p.fraction);
     p.edge = corner;
-    p.cusp_function =
-        (1 - fraction) * values[idx(corner)] + fraction * values[idx(next_corner(corner))];
+    p.cusp_function = (1 - p.fraction) * values[idx(corner)] + p.fraction * values[idx(next)];
     return p;
   }
 
@@ -150,12 +150,19 @@ class Tracer {
   const ContourFunctions& functions_;
   const std::vector<int>& triangles_;
   const std::vector<std::array<double, 3>>& g_;  // at their corners
-  std::vector<Segment> segments_;                // in them
+  const std::vector<std::uint8_t>& fronts_;
+  std::vector<Segment> segments_;  // in them
   std::vector<std::uint8_t> traced_;
-  Triangle last_corners_{none, none, none};      // of the segment looked at last,
-  std::array<double, 3> last_cusp_functions_{};  // and C there, on their own sheets
+  std::array<CuspFunction, 2> passed_;  // at the ends of the edge that was left last
   LinearSilhouettes& result_;
 };
+
+// What following the segment of a triangle looks at later.
+void prefetch_segment(const Surface& surface, int triangle) {
+  prefetch(&surface.neighbours[idx(triangle)]);
+  prefetch(&surface.edge_kinds[idx(triangle)]);
+  for (const int v : surface.triangles[idx(triangle)]) prefetch(&surface.curvature[idx(v)]);
+}
 
 // What `search` looks at later.
 void prefetch_corners(const Surface& surface, const std::vector<int>& triangles, std::size_t i) {
@@ -175,18 +182,19 @@ SilhouetteSearch search(const Surface& surface, const ContourFunctions& function
   result.visited = static_cast<std::int64_t>(visited.size());
   result.triangles.reserve(visited.size());
   result.g.reserve(visited.size());
+  result.fronts.reserve(visited.size());
   for (std::size_t i = 0; i < visited.size(); ++i) {
     prefetch_corners(surface, visited, i);
     const int t = visited[i];
-    std::array<double, 3> g;
+    const Triangle& v = surface.triangles[idx(t)];
+    const std::array<double, 3> g{functions.g(v[0]), functions.g(v[1]), functions.g(v[2])};
     int fronts = surface.flips[idx(t)] & 7;  // a bit for each corner
-    for (int k = 0; k < 3; ++k) {
-      g[idx(k)] = functions.g(surface.triangles[idx(t)][idx(k)]);
-      fronts ^= (g[idx(k)] >= 0) << k;
-    }
+    for (int k = 0; k < 3; ++k) fronts ^= (g[idx(k)] >= 0) << k;
     if (fronts == 0 || fronts == 7) continue;
+    prefetch_segment(surface, t);
     result.triangles.push_back(t);
     result.g.push_back(g);
+    result.fronts.push_back(static_cast<std::uint8_t>(fronts));
   }
   return result;
 }
@@ -204,6 +212,7 @@ SilhouetteSearch scan(const Surface& surface, const ContourFunctions& functions)
     if (fronts == 0 || fronts == 7) continue;
     result.triangles.push_back(t);
     result.g.push_back({functions.g(v[0]), functions.g(v[1]), functions.g(v[2])});
+    result.fronts.push_back(static_cast<std::uint8_t>(fronts));
   }
   return result;
 }

@@ -45,6 +45,7 @@ struct LinearSilhouettes {
 struct SilhouetteSearch {
   std::vector<int> triangles;            // ascending
   std::vector<std::array<double, 3>> g;  // at their corners, each on its vertex's own sheet
+  std::vector<std::uint8_t> fronts;      // bit k: corner k is front, on the triangle's sheet
   std::int64_t visited = 0;              // triangles whose corners were looked at
 };
 

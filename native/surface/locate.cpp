@@ -15,13 +15,6 @@ Vec2 barycentrics(const Surface& surface, int triangle, const Vec3& p) {
   return Vec2(pu * vv - pv * uv, pv * uu - pu * uv) / determinant;
 }
 
-SurfacePoint on_edge(int triangle, int corner, double fraction) {
-  std::array<double, 3> weights{0, 0, 0};
-  weights[idx(corner)] = 1 - fraction;
-  weights[idx(next_corner(corner))] = fraction;
-  return {triangle, weights[1], weights[2]};
-}
-
 SurfacePoint locate(const Surface& surface, int triangle, const Vec3& p) {
   const Vec2 weights = barycentrics(surface, triangle, p);
   return {triangle, weights.x(), weights.y()};

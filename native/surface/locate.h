@@ -10,7 +10,16 @@ namespace illustrate {
 Vec2 barycentrics(const Surface& surface, int triangle, const Vec3& p);
 
 // At `fraction` of the edge from `corner` to the next one.
-SurfacePoint on_edge(int triangle, int corner, double fraction);
+inline SurfacePoint on_edge(int triangle, int corner, double fraction) {
+  const double rest = 1 - fraction;
+  return {triangle,
+          corner == 0   ? fraction
+          : corner == 1 ? rest
+                        : 0,
+          corner == 1   ? fraction
+          : corner == 2 ? rest
+                        : 0};
+}
 
 // Whether the segments a b and c d of a plane cross, at f and h of their ways, each in [0, 1).
 bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, double& f,

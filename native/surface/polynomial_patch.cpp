@@ -52,37 +52,64 @@ Mat15 inverse_vandermonde() {
   return values.inverse();
 }
 
-// A polynomial in v with its derivatives.
-struct Row {
-  Vec3 f, fv, fvv;
+// The rows of a polynomial, those of the powers of u, at one v, with their derivatives.
+template <int count>
+struct Rows {
+  using Block = Eigen::Matrix<double, 3, count>;
+  Block f, fv, fvv;
 };
 
-// Horner's rule, without the products with what is still zero.
-template <int length>
-Row row_at(const Vec3* coefficients, double v) {
-  Row row{coefficients[length - 1], Vec3::Zero(), Vec3::Zero()};
-  for (int j = length - 2; j >= 0; --j) {
-    if (j < length - 3) row.fvv = v * row.fvv + 2 * row.fv;
-    if (j == length - 3) row.fvv = 2 * row.fv;
-    row.fv = j < length - 2 ? Vec3(v * row.fv + row.f) : row.f;
-    row.f = v * row.f + coefficients[j];
-  }
-  return row;
+// Horner's rule in v, of all rows of a bicubic at once; c: coefficients of v^0, v^1, ...
+Rows<4> cubic_rows(const Vec3* c, double v) {
+  using Block = Rows<4>::Block;
+  const auto power = [c](int j) {
+    return Eigen::Map<const Block, Eigen::Aligned16>(c[4 * j].data());
+  };
+  Rows<4> rows;
+  rows.f = v * power(3) + power(2);
+  rows.fv = v * power(3) + rows.f;
+  rows.fvv = v * (2 * power(3)) + 2 * rows.fv;
+  rows.f = v * rows.f + power(1);
+  rows.fv = v * rows.fv + rows.f;
+  rows.f = v * rows.f + power(0);
+  return rows;
 }
 
-// Horner's rule in u, of rows from that of the highest power to that of the lowest.
-template <std::size_t rows>
-LimitPoint join(const std::array<Row, rows>& row, double u) {
+// Horner's rule in v, without the products with what is still zero; c: of row i the coefficients of
+// u^i v^0 to u^i v^(4 - i), and then those of the next row.
+Rows<5> quartic_rows(const Vec3* c, double v) {
+  Rows<5> rows;
+  for (int i = 0; i < 5; c += 5 - i, ++i) {
+    Vec3 f = c[4 - i], fv = Vec3::Zero(), fvv = Vec3::Zero();
+    for (int j = 3 - i; j >= 0; --j) {
+      const int done = 4 - i - j;
+      if (done > 2) fvv = v * fvv + 2 * fv;
+      if (done == 2) fvv = 2 * fv;
+      fv = done > 1 ? Vec3(v * fv + f) : f;
+      f = v * f + c[j];
+    }
+    rows.f.col(i) = f;
+    rows.fv.col(i) = fv;
+    rows.fvv.col(i) = fvv;
+  }
+  return rows;
+}
+
+// Horner's rule in u.
+template <int count>
+LimitPoint join(const Rows<count>& rows, double u) {
   const Vec3 zero = Vec3::Zero();
-  LimitPoint p{row[0].f, zero, row[0].fv, zero, zero, row[0].fvv};
-  for (std::size_t i = 1; i < rows; ++i) {
-    if (i > 2) p.duu = u * p.duu + 2 * p.du;
-    if (i == 2) p.duu = 2 * p.du;
-    p.du = i > 1 ? Vec3(u * p.du + p.position) : p.position;
-    p.position = u * p.position + row[i].f;
-    p.duv = i > 1 ? Vec3(u * p.duv + p.dv) : p.dv;
-    p.dv = u * p.dv + row[i].fv;
-    p.dvv = u * p.dvv + row[i].fvv;
+  const int top = count - 1;
+  LimitPoint p{rows.f.col(top), zero, rows.fv.col(top), zero, zero, rows.fvv.col(top)};
+  for (int i = top - 1; i >= 0; --i) {
+    const int done = top - i;
+    if (done > 2) p.duu = u * p.duu + 2 * p.du;
+    if (done == 2) p.duu = 2 * p.du;
+    p.du = done > 1 ? Vec3(u * p.du + p.position) : p.position;
+    p.position = u * p.position + rows.f.col(i);
+    p.duv = done > 1 ? Vec3(u * p.duv + p.dv) : p.dv;
+    p.dv = u * p.dv + rows.fv.col(i);
+    p.dvv = u * p.dvv + rows.fvv.col(i);
   }
   return p;
 }
@@ -116,7 +143,7 @@ PolynomialPatch PolynomialPatch::bicubic(const std::array<LimitPoint, 4>& c) {
       for (std::size_t a = 0; a < 4; ++a) {
         for (std::size_t b = 0; b < 4; ++b) sum += hermite[i][a] * hermite[j][b] * data[a][b];
       }
-      patch.coefficients_[4 * i + j] = sum;
+      patch.coefficients_[4 * j + i] = sum;
     }
   }
   return patch;
@@ -136,15 +163,8 @@ PolynomialPatch PolynomialPatch::quartic(const std::function<Vec3(const Vec2& uv
 }
 
 LimitPoint PolynomialPatch::evaluate(const Vec2& uv) const {
-  const double u = uv.x(), v = uv.y();
   const Vec3* c = coefficients_.data();
-  if (!triangular_) {
-    return join<4>(
-        {row_at<4>(c + 12, v), row_at<4>(c + 8, v), row_at<4>(c + 4, v), row_at<4>(c, v)}, u);
-  }
-  return join<5>({row_at<1>(c + 14, v), row_at<2>(c + 12, v), row_at<3>(c + 9, v),
-                  row_at<4>(c + 5, v), row_at<5>(c, v)},
-                 u);
+  return triangular_ ? join(quartic_rows(c, uv.y()), uv.x()) : join(cubic_rows(c, uv.y()), uv.x());
 }
 
 }  // namespace illustrate

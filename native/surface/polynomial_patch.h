@@ -23,7 +23,9 @@ class PolynomialPatch {
 
  private:
   bool triangular_ = false;
-  std::array<Vec3, 16> coefficients_;  // row i: of u^i v^0, u^i v^1, ...
+  // Of a bicubic those of u^i v^j at 4 j + i; of a quartic row by row, those of u^i v^0, u^i v^1,
+  // ...
+  alignas(16) std::array<Vec3, 16> coefficients_;
 };
 
 }  // namespace illustrate

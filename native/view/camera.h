@@ -33,7 +33,12 @@ class Camera {
   }
 
   // Only for points before the near plane (`near_distance` > 0).
-  ImagePoint project(const Vec3& p) const;
+  ImagePoint project(const Vec3& p) const {
+    const Vec4 clip = clip_ * p.homogeneous();
+    const double depth = -(view_.row(2) * p.homogeneous()).value();
+    return {Vec2((clip[0] / clip[3] + 1) / 2 * width_, (1 - clip[1] / clip[3]) / 2 * height_),
+            depth};
+  }
 
   // How the image of p moves when p moves along d: px per unit of d.
   Vec2 project_direction(const Vec3& p, const Vec3& d) const;
