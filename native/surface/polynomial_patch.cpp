@@ -117,15 +117,15 @@ LimitPoint join(const Rows<count>& rows, double u) {
 }  // namespace
 
 PolynomialPatch PolynomialPatch::b_spline(const std::array<Vec3, 16>& controls) {
-  std::array<Vec3, 16> columns;  // column i: the coefficients of u^i, of the four rows
-  for (std::size_t row = 0; row < 4; ++row) {
-    const std::array<Vec3, 4> cubic = spline_cubic(controls.data() + 4 * row, 1);
-    for (std::size_t i = 0; i < 4; ++i) columns[4 * row + i] = cubic[i];
+  std::array<Vec3, 16> rows;  // row j: of v^j, at the four columns
+  for (std::size_t column = 0; column < 4; ++column) {
+    const std::array<Vec3, 4> cubic = spline_cubic(controls.data() + column, 4);
+    for (std::size_t j = 0; j < 4; ++j) rows[4 * j + column] = cubic[j];
   }
   PolynomialPatch patch;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::array<Vec3, 4> cubic = spline_cubic(columns.data() + i, 4);
-    std::copy(cubic.begin(), cubic.end(), patch.coefficients_.begin() + static_cast<int>(4 * i));
+  for (std::size_t j = 0; j < 4; ++j) {
+    const std::array<Vec3, 4> cubic = spline_cubic(rows.data() + 4 * j, 1);
+    std::copy(cubic.begin(), cubic.end(), patch.coefficients_.begin() + static_cast<int>(4 * j));
   }
   return patch;
 }
