@@ -29,31 +29,36 @@ CriticalCurves::CriticalCurves(const LabelledGraph& graph, double width_px, doub
       height_(height_px),
       columns_(static_cast<int>(std::ceil(width_px / cell_px))),
       rows_(static_cast<int>(std::ceil(height_px / cell_px))) {
+  Pieces pieces;
   for (int arc = 0; arc < static_cast<int>(graph.arcs.size()); ++arc) {
-    if (graph.arcs[arc].invisibility == 0 && is_critical(graph.arcs[arc].kind)) add_arc(graph, arc);
+    const GraphArc& data = graph.arcs[arc];
+    if (data.invisibility == 0 && is_critical(data.kind)) add_arc(graph, arc, pieces);
   }
-  fill_grid();
+  fill_grid(pieces);
   measure_clearance();
 }
 
 int CriticalCurves::column_of(double x) const {
-  return static_cast<int>(std::clamp(std::floor(x / cell_px), 0.0, columns_ - 1.0));
+  return static_cast<int>(std::clamp(x / cell_px, 0.0, columns_ - 1.0));
 }
 
 int CriticalCurves::row_of(double y) const {
-  return static_cast<int>(std::clamp(std::floor(y / cell_px), 0.0, rows_ - 1.0));
+  return static_cast<int>(std::clamp(y / cell_px, 0.0, rows_ - 1.0));
 }
 
-void CriticalCurves::add_arc(const LabelledGraph& graph, int arc) {
+void CriticalCurves::add_arc(const LabelledGraph& graph, int arc, Pieces& pieces) const {
   const Span<const Vec2> line = graph.image[arc];
   const bool is_silhouette = graph.arcs[arc].kind == Kind::silhouette;
-  for (std::size_t i = 1; i < line.size(); ++i) add_pieces(line[i - 1], line[i], is_silhouette);
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    add_pieces(line[i - 1], line[i], is_silhouette, pieces);
+  }
   if (graph.arcs[arc].start_node == none && line.size() > 1) {
-    add_pieces(line.back(), line.front(), is_silhouette);
+    add_pieces(line.back(), line.front(), is_silhouette, pieces);
   }
 }
 
-void CriticalCurves::add_pieces(const Vec2& a, const Vec2& b, bool is_silhouette) {
+void CriticalCurves::add_pieces(const Vec2& a, const Vec2& b, bool is_silhouette,
+                                Pieces& pieces) const {
   const Frame frame{Vec2::Constant(-cell_px), Vec2(width_ + cell_px, height_ + cell_px)};
   double from, to;
   if (!clip_to_frame(frame, a, b, from, to)) return;
@@ -63,12 +68,12 @@ void CriticalCurves::add_pieces(const Vec2& a, const Vec2& b, bool is_silhouette
   Vec2 start = at(from);
   for (int i = 1; i <= count; ++i) {
     const Vec2 end = at(from + (to - from) * i / count);
-    pieces_.push_back({start, end, is_silhouette});
+    pieces.push_back({start, end, is_silhouette});
     start = end;
   }
 }
 
-void CriticalCurves::fill_grid() {
+void CriticalCurves::fill_grid(const Pieces& pieces) {
   const auto visit = [&](const Piece& piece, const auto& use) {
     const Vec2 low = piece.a.cwiseMin(piece.b), high = piece.a.cwiseMax(piece.b);
     for (int row = row_of(low.y()); row <= row_of(high.y()); ++row) {
@@ -76,13 +81,13 @@ void CriticalCurves::fill_grid() {
     }
   };
   cells_.offsets.assign(static_cast<std::size_t>(columns_) * rows_ + 1, 0);
-  for (const Piece& piece : pieces_) visit(piece, [&](int cell) { ++cells_.offsets[cell + 1]; });
+  for (const Piece& piece : pieces) visit(piece, [&](int cell) { ++cells_.offsets[cell + 1]; });
   for (std::size_t i = 1; i < cells_.offsets.size(); ++i)
     cells_.offsets[i] += cells_.offsets[i - 1];
   cells_.values.resize(cells_.offsets.back());
   std::vector<int> next(cells_.offsets.begin(), cells_.offsets.end() - 1);
-  for (int i = 0; i < static_cast<int>(pieces_.size()); ++i) {
-    visit(pieces_[i], [&](int cell) { cells_.values[next[cell]++] = i; });
+  for (const Piece& piece : pieces) {
+    visit(piece, [&](int cell) { cells_.values[next[cell]++] = piece; });
   }
 }
 
@@ -117,8 +122,7 @@ double CriticalCurves::first_crossing(const Vec2& a, const Vec2& b, bool with_si
             column_end = column_of(std::max(a.x(), b.x()));
   for (int row = row_of(std::min(a.y(), b.y())); row <= row_end; ++row) {
     for (int i = column_of(std::min(a.x(), b.x())); i <= column_end; ++i) {
-      for (const int index : cells_[row * columns_ + i]) {
-        const Piece& piece = pieces_[index];
+      for (const Piece& piece : cells_[row * columns_ + i]) {
         if (piece.is_silhouette && !with_silhouettes) continue;
         const double side_c = cross(run, piece.a - a), side_d = cross(run, piece.b - a);
         if ((side_c > 0) == (side_d > 0)) continue;
@@ -138,8 +142,8 @@ bool CriticalCurves::any_near(const Vec2& p, double radius, const Test& test) co
   if (is_clear(p, radius)) return false;
   for (int row = row_of(p.y() - radius); row <= row_of(p.y() + radius); ++row) {
     for (int i = column_of(p.x() - radius); i <= column_of(p.x() + radius); ++i) {
-      for (const int index : cells_[row * columns_ + i]) {
-        const Vec2 &a = pieces_[index].a, run = pieces_[index].b - a;
+      for (const Piece& piece : cells_[row * columns_ + i]) {
+        const Vec2 &a = piece.a, run = piece.b - a;
         const double square = run.squaredNorm();
         if (!(square > 0) || !test(run)) continue;
         const double t = std::clamp(run.dot(p - a) / square, 0.0, 1.0);

@@ -38,17 +38,17 @@ class CriticalCurves {
   double first_crossing(const Vec2& a, const Vec2& b, bool with_silhouettes) const;
   int column_of(double x) const;
   int row_of(double y) const;
-  void add_arc(const LabelledGraph& graph, int arc);
-  void add_pieces(const Vec2& a, const Vec2& b, bool is_silhouette);
-  void fill_grid();
+  using Pieces = std::vector<Piece>;
+  void add_arc(const LabelledGraph& graph, int arc, Pieces& pieces) const;
+  void add_pieces(const Vec2& a, const Vec2& b, bool is_silhouette, Pieces& pieces) const;
+  void fill_grid(const Pieces& pieces);
   void measure_clearance();
   // Whether no piece is nearer to p than `reach`, as far as the cells tell.
   bool is_clear(const Vec2& p, double reach) const;
 
   double width_, height_;
   int columns_, rows_;
-  std::vector<Piece> pieces_;
-  Ragged<int> cells_;                    // pieces whose bounding boxes touch each cell
+  Ragged<Piece> cells_;                  // pieces whose bounding boxes touch each cell
   std::vector<std::uint8_t> clearance_;  // (cells) so many cells all around it hold no piece
 };
 

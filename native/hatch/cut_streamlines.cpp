@@ -32,7 +32,7 @@ class Cutter {
     Streamlines pieces;
     for (const int streamline : order) cut_streamline(streamline, pieces);
     set_.streamlines = std::move(pieces);
-    set_.rebuild(view_);
+    set_.rebuild();
   }
 
  private:

@@ -16,7 +16,7 @@ constexpr double near = 0.9;
 bool is_crossed(const StreamlineSet& set, const HatchView& view, const Vec2& image, double depth,
                 double spacing_world, double radius) {
   const GridNode* first = nullptr;
-  return set.grid.any_near(image, radius, [&](const GridNode& node) {
+  return set.grid.any_in_box(image, Vec2(radius, radius), [&](const GridNode& node) {
     const Vec2 other(double(node.x), double(node.y));
     if ((other - image).squaredNorm() > radius * radius) return false;
     if (std::abs(depth - double(node.depth)) > 3 * spacing_world) return false;

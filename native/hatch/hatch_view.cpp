@@ -1,5 +1,7 @@
 #include "hatch/hatch_view.h"
 
+#include "field/cross_direction.h"
+
 namespace illustrate {
 namespace {
 
@@ -25,15 +27,25 @@ double length_of(const std::vector<StreamlineNode>& nodes) {
 }
 
 StreamlineNode HatchView::node(const SurfacePoint& on, const Vec3& towards) const {
+  StreamlineNode node = node_at(on);
+  direct(node, normal_at(scene_.surface, on), towards);
+  return node;
+}
+
+StreamlineNode HatchView::node_at(const SurfacePoint& on) const {
   StreamlineNode node;
   node.on = on;
   node.position = position_at(scene_.surface, on);
-  node.tangent = cross_direction(scene_.surface, scene_.field, on, towards);
   const ImagePoint seen = scene_.camera.project(node.position);
   node.image = seen.xy;
   node.depth = seen.depth;
   node.pixel = scene_.camera.pixel_size(node.position);
-  const Vec3 across = normal_at(scene_.surface, on).cross(node.tangent);
+  return node;
+}
+
+void HatchView::direct(StreamlineNode& node, const Vec3& normal, const Vec3& towards) const {
+  node.tangent = cross_direction(scene_.surface, scene_.field, node.on, normal, towards);
+  const Vec3 across = normal.cross(node.tangent);
   const Vec2 a = walker.image_direction(node.position, node.tangent);
   const Vec2 b = walker.image_direction(node.position, across);
   const double length = a.norm(), determinant = cross(a, b);
@@ -45,7 +57,6 @@ StreamlineNode HatchView::node(const SurfacePoint& on, const Vec3& towards) cons
     node.aside = by_across * (across - (b.dot(a) / (length * length)) * node.tangent);
     node.lever = length * length / std::abs(determinant);
   }
-  return node;
 }
 
 bool HatchView::is_near(const StreamlineGrid& grid, const StreamlineNode& node, double spacing,

@@ -25,12 +25,21 @@ class HatchView {
 
   // The node at a place, along the branch of the cross nearest to `towards`.
   StreamlineNode node(const SurfacePoint& on, const Vec3& towards) const;
+  // The same in two steps: where it is, and how it runs there. `normal`: of the surface.
+  StreamlineNode node_at(const SurfacePoint& on) const;
+  void direct(StreamlineNode& node, const Vec3& normal, const Vec3& towards) const;
 
   // Whether a hatch may run through a node: before the near plane, in the frame, seen, where
   // hatches are wanted, and not close along a critical curve.
   bool may_pass(const StreamlineNode& node, double spacing) const {
-    return area.may_pass({node.position, node.on, node.image}, Area::hatched) &&
-           !curves.run_along(node.image, node.heading, curve_clearance * spacing);
+    return lies_well(node) && runs_clear(node, spacing);
+  }
+  // The two halves of it: of the place, and of the curves.
+  bool lies_well(const StreamlineNode& node) const {
+    return area.may_pass({node.position, node.on, node.image}, Area::hatched);
+  }
+  bool runs_clear(const StreamlineNode& node, double spacing) const {
+    return !curves.run_along(node.image, node.heading, curve_clearance * spacing);
   }
   const Camera& camera() const { return scene_.camera; }
   bool is_hatched(int object) const { return scene_.is_hatched(object); }

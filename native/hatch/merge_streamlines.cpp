@@ -56,7 +56,7 @@ class Merger {
     std::sort(pairs.begin(), pairs.end());
     for (const EndPair& pair : pairs) try_join(pair.a, pair.b);
     set_.streamlines = chained();
-    set_.rebuild(view_);
+    set_.rebuild();
   }
 
  private:

@@ -46,7 +46,28 @@ class StreamlineGrid {
 
   std::size_t size() const { return entries_.size(); }
 
-  // Takes the last nodes away again, until `size` are left.
+  void clear() {
+    std::fill(first_.begin(), first_.end(), none);
+    entries_.clear();
+  }
+
+  // Puts the nodes of a cell side by side in memory, in the order in which they are visited.
+  void gather() {
+    std::vector<Entry> gathered;
+    gathered.reserve(entries_.capacity());
+    for (int& first : first_) {
+      int at = first;
+      if (at != none) first = static_cast<int>(gathered.size());
+      for (; at != none; at = entries_[idx(at)].next) {
+        gathered.push_back(entries_[idx(at)]);
+        gathered.back().next = static_cast<int>(gathered.size());
+      }
+      if (first != none) gathered.back().next = none;
+    }
+    entries_.swap(gathered);
+  }
+
+  // Takes the last nodes away again, until `size` are left; not those that were gathered.
   void shrink(std::size_t size) {
     for (; entries_.size() > size; entries_.pop_back()) {
       const GridNode& last = entries_.back().node;
@@ -54,22 +75,25 @@ class StreamlineGrid {
     }
   }
 
-  // Whether `test` accepts a node in the cells that the square of half side `radius` touches.
+  // Whether `test` accepts a node in the cells that the square of half side `radius` touches. It is
+  // asked in the middle cell first, where what is near is most likely.
   template <class Test>
   bool any_near(const Vec2& p, double radius, const Test& test) const {
-    return any_in_box(p, Vec2(radius, radius), test);
+    const auto middle =
+        static_cast<int>(cell_of(static_cast<float>(p.x()), static_cast<float>(p.y())));
+    return any_in_cell(first_[idx(middle)], test) ||
+           any_in_box(p, Vec2(radius, radius), test, middle);
   }
-  // The same for a rectangle of half sides `reach`.
+  // The same for a rectangle of half sides `reach`, cell by cell in their order, without `passed`.
   template <class Test>
-  bool any_in_box(const Vec2& p, const Vec2& reach, const Test& test) const {
+  bool any_in_box(const Vec2& p, const Vec2& reach, const Test& test, int passed = none) const {
     const int column_from = column_of(static_cast<float>(p.x() - reach.x()));
     const int column_to = column_of(static_cast<float>(p.x() + reach.x()));
     const int row_to = row_of(static_cast<float>(p.y() + reach.y()));
     for (int row = row_of(static_cast<float>(p.y() - reach.y())); row <= row_to; ++row) {
       for (int column = column_from; column <= column_to; ++column) {
-        for (int at = first_[index(row, column)]; at != none; at = entries_[idx(at)].next) {
-          if (test(entries_[idx(at)].node)) return true;
-        }
+        const int cell = static_cast<int>(index(row, column));
+        if (cell != passed && any_in_cell(first_[idx(cell)], test)) return true;
       }
     }
     return false;
@@ -80,6 +104,13 @@ class StreamlineGrid {
     GridNode node;
     int next;
   };
+  template <class Test>
+  bool any_in_cell(int first, const Test& test) const {
+    for (int at = first; at != none; at = entries_[idx(at)].next) {
+      if (test(entries_[idx(at)].node)) return true;
+    }
+    return false;
+  }
   int column_of(float x) const {
     return static_cast<int>(std::clamp(x / cell_px_, 0.0F, static_cast<float>(columns_ - 1)));
   }

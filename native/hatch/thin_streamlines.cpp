@@ -27,7 +27,7 @@ class Thinner {
     for (std::size_t s = 0; s < stays_.size(); ++s) {
       if (!stays_[s]) set_.streamlines[s].nodes.clear();
     }
-    set_.rebuild(view_);
+    set_.rebuild();
   }
 
  private:

@@ -79,10 +79,15 @@ class RowPainter {
     const EdgeFunction bc(b, c, side), ca(c, a, side), ab(a, b, side);
     const auto [nearest, farthest] = std::minmax({a.depth, b.depth, c.depth});
     for (int j = row; j < row_end; ++j) {
+      bool was_inside = false;
       for (int i = column; i < column_end; ++i) {
         const double wa = bc(i + 0.5, j + 0.5), wb = ca(i + 0.5, j + 0.5),
                      wc = ab(i + 0.5, j + 0.5);
-        if (!(wa >= 0 && wb >= 0 && wc >= 0)) continue;
+        if (!(wa >= 0 && wb >= 0 && wc >= 0)) {
+          if (was_inside) break;
+          continue;
+        }
+        was_inside = true;
         const double depth = (wa * a.p + wb * b.p + wc * c.p) / (wa * a.q + wb * b.q + wc * c.q);
         draw_cell(triangle, std::clamp(depth, nearest, farthest), image_.index(i, j));
       }
@@ -182,11 +187,17 @@ SurfacePoint surface_point_under(const Surface& surface, const Camera& camera, i
 
 SurfacePoint surface_point_under(const Surface& surface, const ImageMap& map, int triangle,
                                  const Vec2& image) {
-  Vec2 edge[3];
+  std::array<Vec3, 3> mapped;
   for (int k = 0; k < 3; ++k) {
-    const Vec3 h = apply(map, surface.positions[surface.triangles[triangle][k]]);
-    edge[k] = h.head<2>() - h[2] * image;
+    mapped[k] = apply(map, surface.positions[surface.triangles[triangle][k]]);
   }
+  return surface_point_under(mapped, triangle, image);
+}
+
+SurfacePoint surface_point_under(const std::array<Vec3, 3>& mapped, int triangle,
+                                 const Vec2& image) {
+  Vec2 edge[3];
+  for (int k = 0; k < 3; ++k) edge[k] = mapped[k].head<2>() - mapped[k][2] * image;
   double weight[3];
   for (int k = 0; k < 3; ++k) {
     const Vec2& a = edge[next_corner(k)];
