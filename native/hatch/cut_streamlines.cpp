@@ -46,7 +46,7 @@ class Cutter {
             return false;
           return alive_[idx(other.streamline)][idx(other.index)] &&
                  HatchView::distance(node, other, streamline.spacing, radius) < radius &&
-                 !view_.curves.separate(node.image, Vec2(double(other.x), double(other.y)));
+                 !view_.curves.separate(node.image, other.image);
         });
   }
 

@@ -46,8 +46,9 @@ StreamlineNode HatchView::node_at(const SurfacePoint& on) const {
 void HatchView::direct(StreamlineNode& node, const Vec3& normal, const Vec3& towards) const {
   node.tangent = cross_direction(scene_.surface, scene_.field, node.on, normal, towards);
   const Vec3 across = normal.cross(node.tangent);
-  const Vec2 a = walker.image_direction(node.position, node.tangent);
-  const Vec2 b = walker.image_direction(node.position, across);
+  const Vec3 mapped = apply(walker.map(), node.position);
+  const Vec2 a = walker.image_direction_at(mapped, node.tangent);
+  const Vec2 b = walker.image_direction_at(mapped, across);
   const double length = a.norm(), determinant = cross(a, b);
   node.heading = length > 0 ? Vec2(a / length) : Vec2(1, 0);
   node.aside = Vec3::Zero();
@@ -66,7 +67,7 @@ bool HatchView::is_near(const StreamlineGrid& grid, const StreamlineNode& node, 
   return grid.any_near(node.image, reach, [&](const GridNode& other) {
     if (other.streamline == streamline && std::abs(other.index - index) <= own) return false;
     return distance(node, other, spacing, radius) < radius &&
-           !curves.separate(node.image, Vec2(double(other.x), double(other.y)));
+           !curves.separate(node.image, other.image);
   });
 }
 
@@ -75,7 +76,7 @@ double HatchView::nearest(const StreamlineGrid& grid, const StreamlineNode& node
   double least = reach;
   grid.any_near(node.image, reach + spacing * node_step / 2, [&](const GridNode& other) {
     const double found = distance(node, other, spacing, least);
-    if (found < least && !curves.separate(node.image, Vec2(double(other.x), double(other.y)))) {
+    if (found < least && !curves.separate(node.image, other.image)) {
       least = found;
     }
     return false;

@@ -56,11 +56,10 @@ class HatchView {
   // far apart in depth, or farther than `reach`.
   static double distance(const StreamlineNode& node, const GridNode& other, double spacing,
                          double reach) {
-    const double dx = node.image.x() - static_cast<double>(other.x);
-    const double dy = node.image.y() - static_cast<double>(other.y);
-    const double ux = static_cast<double>(other.ux), uy = static_cast<double>(other.uy);
-    const double beyond = std::max(std::abs(dx * ux + dy * uy) - double(other.half), 0.0);
-    const double across = dx * uy - dy * ux;
+    const Vec2 offset = node.image - other.image;
+    const double along = std::abs(offset.dot(other.heading));
+    const double beyond = std::max(along - double(other.half), 0.0);
+    const double across = cross(offset, other.heading);
     const double square = beyond * beyond + across * across;
     if (!(square < reach * reach) || !is_alike(node, other, spacing)) {
       return std::numeric_limits<double>::infinity();

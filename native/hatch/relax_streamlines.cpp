@@ -119,15 +119,17 @@ class Relaxer {
     const Vec2 box = far * left.cwiseAbs() + beside * node.heading.cwiseAbs();
     std::array<double, 2> nearest{infinite, infinite};
     set_.grid.any_in_box(node.image, box, [&](const GridNode& other) {
-      const Vec2 offset(double(other.x) - node.image.x(), double(other.y) - node.image.y());
-      const double along = offset.dot(node.heading);
+      const Vec2 offset = other.image - node.image;
+      const double along = offset.dot(node.heading), aside = offset.dot(left);
       if (std::abs(along) > beside) return false;
+      const double most_at = 2 * band * double(other.half);
+      if (std::abs(aside) > far + 1.001 * most_at) return false;
       if (other.streamline == number && std::abs(other.index - index) <= own_nodes) return false;
-      const Vec2 heading(double(other.ux), double(other.uy));
-      const double cosine = heading.dot(node.heading);
+      const double cosine = other.heading.dot(node.heading);
+      if (std::abs(along) > 1.001 * most_at * std::abs(cosine)) return false;  // saves a division
       const double at = along / cosine;  // along the neighbour, to beside the node
-      if (!(std::abs(at) <= 2 * band * double(other.half))) return false;
-      const double across = offset.dot(left) - at * heading.dot(left);
+      if (!(std::abs(at) <= most_at)) return false;
+      const double across = aside - at * other.heading.dot(left);
       double& best = nearest[across < 0];
       if (std::abs(across) < std::min(best, far) &&
           HatchView::is_alike(node, other, streamline.spacing)) {

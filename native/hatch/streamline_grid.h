@@ -8,15 +8,17 @@
 
 namespace illustrate {
 
-// A node as neighbours see it: a piece of a line, half a step to both sides.
-struct GridNode {
-  float x, y;    // px
-  float ux, uy;  // heading
+// A node as neighbours see it: a piece of a line, half a step to both sides. One line of the
+// processor's cache.
+struct alignas(64) GridNode {
+  Vec2 image;    // px
+  Vec2 heading;  // unit
   float half;    // px, length to each side
   float depth;   // world
   Eigen::Vector3f tangent;
   int streamline;
   int index;
+  int next;  // of the same cell, none: the last
 };
 
 class StreamlineGrid {
@@ -27,15 +29,13 @@ class StreamlineGrid {
         rows_(1 + static_cast<int>(height_px / cell_px)),
         first_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), none) {}
 
+  // Rounds to floats.
   void add(const StreamlineNode& node, double half_px, int streamline, int index) {
-    int& first =
-        first_[cell_of(static_cast<float>(node.image.x()), static_cast<float>(node.image.y()))];
-    entries_.push_back({{static_cast<float>(node.image.x()), static_cast<float>(node.image.y()),
-                         static_cast<float>(node.heading.x()), static_cast<float>(node.heading.y()),
-                         static_cast<float>(half_px), static_cast<float>(node.depth),
-                         node.tangent.cast<float>(), streamline, index},
-                        first});
-    first = static_cast<int>(entries_.size()) - 1;
+    int& first = first_[cell_of(node.image)];
+    nodes_.push_back({rounded(node.image), rounded(node.heading), static_cast<float>(half_px),
+                      static_cast<float>(node.depth), node.tangent.cast<float>(), streamline, index,
+                      first});
+    first = static_cast<int>(nodes_.size()) - 1;
   }
 
   void add(const Streamline& streamline, int number) {
@@ -44,34 +44,33 @@ class StreamlineGrid {
     }
   }
 
-  std::size_t size() const { return entries_.size(); }
+  std::size_t size() const { return nodes_.size(); }
 
   void clear() {
     std::fill(first_.begin(), first_.end(), none);
-    entries_.clear();
+    nodes_.clear();
   }
 
   // Puts the nodes of a cell side by side in memory, in the order in which they are visited.
   void gather() {
-    std::vector<Entry> gathered;
-    gathered.reserve(entries_.capacity());
+    std::vector<GridNode> gathered;
+    gathered.reserve(nodes_.capacity());
     for (int& first : first_) {
       int at = first;
       if (at != none) first = static_cast<int>(gathered.size());
-      for (; at != none; at = entries_[idx(at)].next) {
-        gathered.push_back(entries_[idx(at)]);
+      for (; at != none; at = nodes_[idx(at)].next) {
+        gathered.push_back(nodes_[idx(at)]);
         gathered.back().next = static_cast<int>(gathered.size());
       }
       if (first != none) gathered.back().next = none;
     }
-    entries_.swap(gathered);
+    nodes_.swap(gathered);
   }
 
   // Takes the last nodes away again, until `size` are left; not those that were gathered.
   void shrink(std::size_t size) {
-    for (; entries_.size() > size; entries_.pop_back()) {
-      const GridNode& last = entries_.back().node;
-      first_[cell_of(last.x, last.y)] = entries_.back().next;
+    for (; nodes_.size() > size; nodes_.pop_back()) {
+      first_[cell_of(nodes_.back().image)] = nodes_.back().next;
     }
   }
 
@@ -79,8 +78,7 @@ class StreamlineGrid {
   // asked in the middle cell first, where what is near is most likely.
   template <class Test>
   bool any_near(const Vec2& p, double radius, const Test& test) const {
-    const auto middle =
-        static_cast<int>(cell_of(static_cast<float>(p.x()), static_cast<float>(p.y())));
+    const auto middle = static_cast<int>(cell_of(p));
     return any_in_cell(first_[idx(middle)], test) ||
            any_in_box(p, Vec2(radius, radius), test, middle);
   }
@@ -100,14 +98,10 @@ class StreamlineGrid {
   }
 
  private:
-  struct Entry {
-    GridNode node;
-    int next;
-  };
   template <class Test>
   bool any_in_cell(int first, const Test& test) const {
-    for (int at = first; at != none; at = entries_[idx(at)].next) {
-      if (test(entries_[idx(at)].node)) return true;
+    for (int at = first; at != none; at = nodes_[idx(at)].next) {
+      if (test(nodes_[idx(at)])) return true;
     }
     return false;
   }
@@ -118,12 +112,15 @@ class StreamlineGrid {
     return static_cast<int>(std::clamp(y / cell_px_, 0.0F, static_cast<float>(rows_ - 1)));
   }
   std::size_t index(int row, int column) const { return idx(row) * idx(columns_) + idx(column); }
-  std::size_t cell_of(float x, float y) const { return index(row_of(y), column_of(x)); }
+  std::size_t cell_of(const Vec2& p) const {
+    return index(row_of(static_cast<float>(p.y())), column_of(static_cast<float>(p.x())));
+  }
+  static Vec2 rounded(const Vec2& v) { return v.cast<float>().cast<double>(); }
 
   float cell_px_;
   int columns_, rows_;
   std::vector<int> first_;  // of each cell, its last added node
-  std::vector<Entry> entries_;
+  std::vector<GridNode> nodes_;
 };
 
 }  // namespace illustrate

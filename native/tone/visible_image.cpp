@@ -40,23 +40,29 @@ struct EdgeFunction {
     const bool swapped = b.x < a.x || (b.x == a.x && b.y < a.y);
     const GridVertex& low = swapped ? b : a;
     const GridVertex& high = swapped ? a : b;
-    sign = swapped ? -side : side;
+    const double sign = swapped ? -side : side;
     x0 = low.x, y0 = low.y;
-    run_x = high.x - low.x, run_y = high.y - low.y;
+    run_x = sign * (high.x - low.x), run_y = sign * (high.y - low.y);
   }
 
-  double operator()(double x, double y) const {
-    return sign * (run_x * (y - y0) - run_y * (x - x0));
-  }
+  double operator()(double x, double y) const { return in_row(y)(x); }
 
-  double sign, x0, y0, run_x, run_y;
+  // The same for one row.
+  struct Row {
+    double operator()(double x) const { return start - run_y * (x - x0); }
+    double start, run_y, x0;
+  };
+  Row in_row(double y) const { return {run_x * (y - y0), run_y, x0}; }
+
+  double x0, y0, run_x, run_y;
 };
 
 // The first and one past the last cell whose centre lies in [low, high], within [begin, end).
 std::pair<int, int> cells_between(double low, double high, int begin, int end) {
-  const double first = std::clamp(std::ceil(low - 0.5), double(begin), double(end));
-  const double last = std::clamp(std::floor(high - 0.5) + 1, double(begin), double(end));
-  return {static_cast<int>(first), static_cast<int>(last)};
+  const double from = std::clamp(low - 0.5, double(begin), double(end));
+  const double to = std::clamp(high - 0.5, begin - 1.0, end - 1.0);
+  const int first = static_cast<int>(from), last = static_cast<int>(to);
+  return {first < from ? first + 1 : first, last > to ? last : last + 1};
 }
 
 // Rows [row_begin, row_end) of the image, triangle by triangle; of equal depths the first triangle
@@ -79,10 +85,11 @@ class RowPainter {
     const EdgeFunction bc(b, c, side), ca(c, a, side), ab(a, b, side);
     const auto [nearest, farthest] = std::minmax({a.depth, b.depth, c.depth});
     for (int j = row; j < row_end; ++j) {
+      const EdgeFunction::Row row_bc = bc.in_row(j + 0.5), row_ca = ca.in_row(j + 0.5),
+                              row_ab = ab.in_row(j + 0.5);
       bool was_inside = false;
       for (int i = column; i < column_end; ++i) {
-        const double wa = bc(i + 0.5, j + 0.5), wb = ca(i + 0.5, j + 0.5),
-                     wc = ab(i + 0.5, j + 0.5);
+        const double x = i + 0.5, wa = row_bc(x), wb = row_ca(x), wc = row_ab(x);
         if (!(wa >= 0 && wb >= 0 && wc >= 0)) {
           if (was_inside) break;
           continue;
