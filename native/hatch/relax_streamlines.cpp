@@ -116,26 +116,23 @@ class Relaxer {
     const StreamlineNode& node = streamline.nodes[idx(index)];
     const Vec2 left = node.left();
     const double beside = 2 * band * streamline.spacing * node_step;
-    const Vec2 box = far * left.cwiseAbs() + beside * node.heading.cwiseAbs();
+    const Vec2 half = far * left.cwiseAbs() + beside * node.heading.cwiseAbs();
+    const Eigen::AlignedBox2d box(node.image - half, node.image + half);
     std::array<double, 2> nearest{infinite, infinite};
-    set_.grid.any_in_box(node.image, box, [&](const GridNode& other) {
+    const Vec2 strip(beside, far + 2 * band * double(set_.grid.widest()));
+    set_.grid.visit_strip(box, node.image, node.heading, strip, [&](const GridNode& other) {
       const Vec2 offset = other.image - node.image;
-      const double along = offset.dot(node.heading), aside = offset.dot(left);
-      if (std::abs(along) > beside) return false;
-      const double most_at = 2 * band * double(other.half);
-      if (std::abs(aside) > far + 1.001 * most_at) return false;
-      if (other.streamline == number && std::abs(other.index - index) <= own_nodes) return false;
-      const double cosine = other.heading.dot(node.heading);
-      if (std::abs(along) > 1.001 * most_at * std::abs(cosine)) return false;  // saves a division
-      const double at = along / cosine;  // along the neighbour, to beside the node
-      if (!(std::abs(at) <= most_at)) return false;
-      const double across = aside - at * other.heading.dot(left);
+      const double along = offset.dot(node.heading);
+      if (std::abs(along) > beside) return;
+      if (other.streamline == number && std::abs(other.index - index) <= own_nodes) return;
+      const double at = along / other.heading.dot(node.heading);  // along the neighbour
+      if (!(std::abs(at) <= 2 * band * double(other.half))) return;
+      const double across = offset.dot(left) - at * other.heading.dot(left);
       double& best = nearest[across < 0];
       if (std::abs(across) < std::min(best, far) &&
           HatchView::is_alike(node, other, streamline.spacing)) {
         best = std::abs(across);
       }
-      return false;
     });
     return nearest;
   }
@@ -253,6 +250,7 @@ template <class Chosen, class Moved>
 void sweep(StreamlineSet& set, const HatchView& view, int number, int threads,
            const Chosen& is_chosen, const Moved& moved) {
   std::vector<std::vector<StreamlineNode>> nodes(set.streamlines.size());
+  set.grid.gather();
   const Relaxer relaxer(set, view, number);
   parallel_for(nodes.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s) {

@@ -49,23 +49,52 @@ class StreamlineGrid {
   void clear() {
     std::fill(first_.begin(), first_.end(), none);
     nodes_.clear();
+    starts_.clear();
   }
 
-  // Puts the nodes of a cell side by side in memory, in the order in which they are visited.
+  // Puts the nodes of a cell side by side in memory, in the order in which they are visited, and
+  // the cells of a row.
   void gather() {
+    if (!starts_.empty() && starts_.back() == static_cast<int>(nodes_.size())) return;
     std::vector<GridNode> gathered;
-    gathered.reserve(nodes_.capacity());
+    gathered.reserve(nodes_.size());
+    places_.clear(), starts_.clear(), widest_ = 0;
     for (int& first : first_) {
-      int at = first;
-      if (at != none) first = static_cast<int>(gathered.size());
-      for (; at != none; at = nodes_[idx(at)].next) {
+      starts_.push_back(static_cast<int>(gathered.size()));
+      for (int at = first; at != none; at = nodes_[idx(at)].next) {
         gathered.push_back(nodes_[idx(at)]);
         gathered.back().next = static_cast<int>(gathered.size());
+        places_.push_back(nodes_[idx(at)].image.cast<float>());
+        widest_ = std::max(widest_, nodes_[idx(at)].half);
       }
-      if (first != none) gathered.back().next = none;
+      if (first == none) continue;
+      first = starts_.back();
+      gathered.back().next = none;
     }
+    starts_.push_back(static_cast<int>(gathered.size()));
     nodes_.swap(gathered);
   }
+
+  // Calls visit(node) for those in the cells that a box touches whose middle is not much farther
+  // from p than `half`, along a unit heading and beside it. Everything must be gathered.
+  template <class Visit>
+  void visit_strip(const Eigen::AlignedBox2d& box, const Vec2& p, const Vec2& heading,
+                   const Vec2& half, const Visit& visit) const {
+    const Eigen::Vector2f middle = p.cast<float>(), along = heading.cast<float>();
+    const Eigen::Vector2f most = (1.001 * half + Vec2(0.01, 0.01)).cast<float>();
+    const Eigen::Vector2f low = box.min().cast<float>(), high = box.max().cast<float>();
+    const int column_from = column_of(low.x()), column_to = column_of(high.x());
+    for (int row = row_of(low.y()); row <= row_of(high.y()); ++row) {
+      const int end = starts_[index(row, column_to) + 1];
+      for (int i = starts_[index(row, column_from)]; i < end; ++i) {
+        const Eigen::Vector2f offset = places_[idx(i)] - middle;
+        if (std::abs(offset.x() * along.x() + offset.y() * along.y()) > most.x()) continue;
+        if (std::abs(offset.y() * along.x() - offset.x() * along.y()) > most.y()) continue;
+        visit(nodes_[idx(i)]);
+      }
+    }
+  }
+  float widest() const { return widest_; }  // the greatest half length that was gathered
 
   // Takes the last nodes away again, until `size` are left; not those that were gathered.
   void shrink(std::size_t size) {
@@ -121,6 +150,9 @@ class StreamlineGrid {
   int columns_, rows_;
   std::vector<int> first_;  // of each cell, its last added node
   std::vector<GridNode> nodes_;
+  std::vector<int> starts_;              // of each cell, once all are gathered; empty before
+  std::vector<Eigen::Vector2f> places_;  // of those that were gathered
+  float widest_ = 0;
 };
 
 }  // namespace illustrate
