@@ -245,15 +245,24 @@ class Relaxer {
   int sweep_;
 };
 
-// Calls moved(relaxer, number) for the streamlines that are chosen.
+// Calls moved(relaxer, number) for the streamlines that are chosen. Threads share the nodes evenly:
+// each takes the streamlines that start in its part.
 template <class Chosen, class Moved>
 void sweep(StreamlineSet& set, const HatchView& view, int number, int threads,
            const Chosen& is_chosen, const Moved& moved) {
   std::vector<std::vector<StreamlineNode>> nodes(set.streamlines.size());
+  std::vector<std::size_t> starts;
+  std::size_t count = 0;
+  for (const Streamline& streamline : set.streamlines) {
+    starts.push_back(count);
+    count += streamline.nodes.size();
+  }
   set.grid.gather();
   const Relaxer relaxer(set, view, number);
-  parallel_for(nodes.size(), threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t s = begin; s < end; ++s) {
+  parallel_for(count, threads, [&](std::size_t begin, std::size_t end) {
+    const auto first = std::lower_bound(starts.begin(), starts.end(), begin);
+    for (auto s = static_cast<std::size_t>(first - starts.begin());
+         s < starts.size() && starts[s] < end; ++s) {
       if (is_chosen(set.streamlines[s])) nodes[s] = moved(relaxer, static_cast<int>(s));
     }
   });
