@@ -2,6 +2,8 @@
 // section 6.4).
 #pragma once
 
+#include <algorithm>
+
 #include "visibility/labelled_graph.h"
 
 namespace illustrate {
@@ -33,23 +35,42 @@ class CriticalCurves {
     Vec2 b;
     bool is_silhouette;
   };
+  // Square cells over the frame; what is outside belongs to the nearest.
+  struct Cells {
+    Cells(double width_px, double height_px, double cell_px);
+    int column_of(double x) const {
+      return static_cast<int>(std::clamp(x * per_px, 0.0, columns - 1.0));
+    }
+    int row_of(double y) const { return static_cast<int>(std::clamp(y * per_px, 0.0, rows - 1.0)); }
+    int of(const Vec2& p) const { return row_of(p.y()) * columns + column_of(p.x()); }
+    int count() const { return rows * columns; }
+    // Calls use(cell) for those that the piece's bounding box touches.
+    template <class Use>
+    void visit(const Piece& piece, const Use& use) const;
+
+    double per_px;
+    int columns, rows;
+  };
   template <class Test>
   bool any_near(const Vec2& p, double radius, const Test& test) const;
   double first_crossing(const Vec2& a, const Vec2& b, bool with_silhouettes) const;
-  int column_of(double x) const;
-  int row_of(double y) const;
-  void add_arc(const LabelledGraph& graph, int arc);
-  void add_pieces(const Vec2& a, const Vec2& b, bool is_silhouette);
-  void fill_grid();
-  void measure_clearance();
+  using Pieces = std::vector<Piece>;
+  void add_arc(const LabelledGraph& graph, int arc, Pieces& pieces) const;
+  void add_pieces(const Vec2& a, const Vec2& b, bool is_silhouette, Pieces& pieces) const;
+  void fill_grid(const Pieces& pieces);
+  void measure_clearance(const Pieces& pieces);
   // Whether no piece is nearer to p than `reach`, as far as the cells tell.
-  bool is_clear(const Vec2& p, double reach) const;
+  bool is_clear(const Vec2& p, double reach) const {
+    return reach < clearance_px * (clearance_[idx(clearance_cells_.of(p))] - 1);
+  }
+
+  static constexpr double cell_px = 8, clearance_px = 4;
 
   double width_, height_;
-  int columns_, rows_;
-  std::vector<Piece> pieces_;
-  Ragged<int> cells_;                    // pieces whose bounding boxes touch each cell
-  std::vector<std::uint8_t> clearance_;  // (cells) so many cells all around it hold no piece
+  Cells grid_cells_;
+  Ragged<Piece> cells_;  // pieces whose bounding boxes touch each cell
+  Cells clearance_cells_;
+  std::vector<std::uint8_t> clearance_;  // so many of its cells all around each hold no piece
 };
 
 }  // namespace illustrate

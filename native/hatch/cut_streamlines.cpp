@@ -32,7 +32,7 @@ class Cutter {
     Streamlines pieces;
     for (const int streamline : order) cut_streamline(streamline, pieces);
     set_.streamlines = std::move(pieces);
-    set_.rebuild(view_);
+    set_.rebuild();
   }
 
  private:
@@ -46,7 +46,7 @@ class Cutter {
             return false;
           return alive_[idx(other.streamline)][idx(other.index)] &&
                  HatchView::distance(node, other, streamline.spacing, radius) < radius &&
-                 !view_.curves.separate(node.image, Vec2(double(other.x), double(other.y)));
+                 !view_.curves.separate(node.image, other.image);
         });
   }
 

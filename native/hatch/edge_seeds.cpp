@@ -16,12 +16,12 @@ constexpr double near = 0.9;
 bool is_crossed(const StreamlineSet& set, const HatchView& view, const Vec2& image, double depth,
                 double spacing_world, double radius) {
   const GridNode* first = nullptr;
-  return set.grid.any_near(image, radius, [&](const GridNode& node) {
-    const Vec2 other(double(node.x), double(node.y));
-    if ((other - image).squaredNorm() > radius * radius) return false;
+  return set.grid.any_in_box(image, Vec2(radius, radius), [&](const GridNode& node) {
+    if ((node.image - image).squaredNorm() > radius * radius) return false;
     if (std::abs(depth - double(node.depth)) > 3 * spacing_world) return false;
     const float cosine = first ? first->tangent.dot(node.tangent) : 1;
-    if ((first && 2 * cosine * cosine >= 1) || view.curves.separate(image, other)) return false;
+    if ((first && 2 * cosine * cosine >= 1) || view.curves.separate(image, node.image))
+      return false;
     if (!first) first = &node;
     return 2 * cosine * cosine < 1;
   });

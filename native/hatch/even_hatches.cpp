@@ -85,7 +85,7 @@ void place_anew(StreamlineSet& set, const HatchView& view, const Ragged<SurfaceP
   cut_streamlines(set, view, 0.5, 1.5);
   progress.report(0.7);
   extend_streamlines(set, view, 0.65);
-  set.drop_shorter(view, 1.5);
+  set.drop_shorter(1.5);
   fill_streamlines(set, view, seeds, {0.75, 0.55, 1}, progress.part(0.75, 0.8));
   merge_streamlines(set, view);
   thin_streamlines(set, view, 1.1);
@@ -114,7 +114,7 @@ void finish_ends(StreamlineSet& set, const HatchView& view,
   progress.report(0);
   extend_tips(set, view, 0.7, 0.59);
   merge_streamlines(set, view);
-  set.drop_shorter(view, 0.5);
+  set.drop_shorter(0.5);
   fill_streamlines(set, view, seeds, {0.77, 0.55, 0.75}, progress.part(0.3, 0.6));
   fill_streamlines(set, view, edge_seeds(set, view), {0.75, 0.5, 0.4}, progress.part(0.6, 0.9));
   merge_streamlines(set, view);

@@ -118,7 +118,7 @@ void at_all_ends(StreamlineSet& set, const HatchView& view, const Use& use) {
     use(tip, streamline.nodes, 0, -1, streamline.spacing);
     turn(streamline.nodes);
   }
-  set.rebuild(view);
+  set.rebuild();
 }
 
 }  // namespace
@@ -130,16 +130,15 @@ std::vector<StreamlineNode> seed_nodes(const HatchView& view,
   for (std::size_t i = 0; i < std::min(count, seeds.size()); ++i) {
     const SurfacePoint& on = seeds[i];
     if (!view.is_hatched(surface.triangle_objects[idx(on.triangle)])) continue;
-    const Vec3 position = position_at(surface, on);
-    const Vec3 h = apply(view.walker.map(), position);
-    if (!(h[2] > 0)) continue;
-    if (!view.area.is_seen({position, on, h.head<2>() / h[2]})) continue;
+    StreamlineNode one = view.node_at(on);
+    if (!view.lies_well(one)) continue;
     const Vec3 normal = normal_at(surface, on);
     const double spacing = view.spacing_of(surface.triangle_objects[idx(on.triangle)]);
-    const StreamlineNode one = view.node(on, normal.unitOrthogonal());
-    for (const StreamlineNode& node : {one, view.node(on, normal.cross(one.tangent))}) {
-      if (view.may_pass(node, spacing)) nodes.push_back(node);
-    }
+    view.direct(one, normal, normal.unitOrthogonal());
+    StreamlineNode other = one;
+    view.direct(other, normal, normal.cross(one.tangent));
+    if (view.runs_clear(one, spacing)) nodes.push_back(one);
+    if (view.runs_clear(other, spacing)) nodes.push_back(other);
   }
   return nodes;
 }

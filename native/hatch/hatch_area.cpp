@@ -30,24 +30,35 @@ void HatchArea::around(const Vec2& image, const Use& use) const {
 }
 
 bool HatchArea::may_pass(const HatchPoint& point, Area area) const {
-  return is_in_frame(point) && is_wanted(point, area) && is_seen(point);
+  const int centre = cell_in_frame(point);
+  return centre != none && is_wanted_at(centre, point.image, area) && is_seen_at(centre, point);
 }
 
 bool HatchArea::is_seen(const HatchPoint& point) const {
-  if (!is_in_frame(point)) return false;
-  const double depth =
-      camera_.project(point.position).depth - hidden_cells * cell_size(point.position);
-  if (depth <= visible_.depth[visible_.cell_of(point.image)]) return true;
+  const int centre = cell_in_frame(point);
+  return centre != none && is_seen_at(centre, point);
+}
+
+bool HatchArea::is_wanted(const HatchPoint& point, Area area) const {
+  return is_wanted_at(visible_.cell_of(point.image), point.image, area);
+}
+
+bool HatchArea::is_seen_at(int centre, const HatchPoint& point) const {
+  double depth = -(camera_.view().row(2) * point.position.homogeneous()).value();
+  if (depth <= visible_.depth[centre]) return true;
+  depth -= hidden_cells * cell_size(point.position);
+  if (depth <= visible_.depth[centre]) return true;
   bool is_seen = false;
   around(point.image, [&](int cell) { is_seen = is_seen || depth <= visible_.depth[cell]; });
   return is_seen;
 }
 
-bool HatchArea::is_wanted(const HatchPoint& point, Area area) const {
-  const int centre = visible_.cell_of(point.image);
-  if (visible_.triangle[centre] != none) return wanted(centre, area);
+// Nobody needs to ask for the triangle where the cell itself is wanted.
+bool HatchArea::is_wanted_at(int centre, const Vec2& image, Area area) const {
+  if (wanted(centre, area)) return true;
+  if (visible_.triangle[centre] != none) return false;
   bool is_wanted = false;
-  around(point.image, [&](int cell) { is_wanted = is_wanted || wanted(cell, area); });
+  around(image, [&](int cell) { is_wanted = is_wanted || wanted(cell, area); });
   return is_wanted;
 }
 

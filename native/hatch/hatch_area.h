@@ -37,15 +37,18 @@ class HatchArea {
   bool is_wanted(const HatchPoint& point, Area area) const;
 
   // Before the near plane and inside the image.
-  bool is_in_frame(const HatchPoint& point) const {
-    return camera_.near_distance(point.position) > 0 && visible_.cell_of(point.image) != none;
-  }
+  bool is_in_frame(const HatchPoint& point) const { return cell_in_frame(point) != none; }
 
   // The visible point of the surface under an image point, `none` where nothing is seen.
   SurfacePoint visible_point(const Vec2& image) const;
 
  private:
   double cell_size(const Vec3& p) const { return visible_.cell_px * camera_.pixel_size(p); }
+  int cell_in_frame(const HatchPoint& point) const {
+    return camera_.near_distance(point.position) > 0 ? visible_.cell_of(point.image) : none;
+  }
+  bool is_seen_at(int centre, const HatchPoint& point) const;
+  bool is_wanted_at(int centre, const Vec2& image, Area area) const;
   template <class Use>
   void around(const Vec2& image, const Use& use) const;
 

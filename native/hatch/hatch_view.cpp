@@ -1,5 +1,7 @@
 #include "hatch/hatch_view.h"
 
+#include "field/cross_direction.h"
+
 namespace illustrate {
 namespace {
 
@@ -25,17 +27,28 @@ double length_of(const std::vector<StreamlineNode>& nodes) {
 }
 
 StreamlineNode HatchView::node(const SurfacePoint& on, const Vec3& towards) const {
+  StreamlineNode node = node_at(on);
+  direct(node, normal_at(scene_.surface, on), towards);
+  return node;
+}
+
+StreamlineNode HatchView::node_at(const SurfacePoint& on) const {
   StreamlineNode node;
   node.on = on;
   node.position = position_at(scene_.surface, on);
-  node.tangent = cross_direction(scene_.surface, scene_.field, on, towards);
   const ImagePoint seen = scene_.camera.project(node.position);
   node.image = seen.xy;
   node.depth = seen.depth;
   node.pixel = scene_.camera.pixel_size(node.position);
-  const Vec3 across = normal_at(scene_.surface, on).cross(node.tangent);
-  const Vec2 a = walker.image_direction(node.position, node.tangent);
-  const Vec2 b = walker.image_direction(node.position, across);
+  return node;
+}
+
+void HatchView::direct(StreamlineNode& node, const Vec3& normal, const Vec3& towards) const {
+  node.tangent = cross_direction(scene_.surface, scene_.field, node.on, normal, towards);
+  const Vec3 across = normal.cross(node.tangent);
+  const Vec3 mapped = apply(walker.map(), node.position);
+  const Vec2 a = walker.image_direction_at(mapped, node.tangent);
+  const Vec2 b = walker.image_direction_at(mapped, across);
   const double length = a.norm(), determinant = cross(a, b);
   node.heading = length > 0 ? Vec2(a / length) : Vec2(1, 0);
   node.aside = Vec3::Zero();
@@ -45,7 +58,6 @@ StreamlineNode HatchView::node(const SurfacePoint& on, const Vec3& towards) cons
     node.aside = by_across * (across - (b.dot(a) / (length * length)) * node.tangent);
     node.lever = length * length / std::abs(determinant);
   }
-  return node;
 }
 
 bool HatchView::is_near(const StreamlineGrid& grid, const StreamlineNode& node, double spacing,
@@ -55,7 +67,7 @@ bool HatchView::is_near(const StreamlineGrid& grid, const StreamlineNode& node, 
   return grid.any_near(node.image, reach, [&](const GridNode& other) {
     if (other.streamline == streamline && std::abs(other.index - index) <= own) return false;
     return distance(node, other, spacing, radius) < radius &&
-           !curves.separate(node.image, Vec2(double(other.x), double(other.y)));
+           !curves.separate(node.image, other.image);
   });
 }
 
@@ -64,7 +76,7 @@ double HatchView::nearest(const StreamlineGrid& grid, const StreamlineNode& node
   double least = reach;
   grid.any_near(node.image, reach + spacing * node_step / 2, [&](const GridNode& other) {
     const double found = distance(node, other, spacing, least);
-    if (found < least && !curves.separate(node.image, Vec2(double(other.x), double(other.y)))) {
+    if (found < least && !curves.separate(node.image, other.image)) {
       least = found;
     }
     return false;

@@ -25,12 +25,21 @@ class HatchView {
 
   // The node at a place, along the branch of the cross nearest to `towards`.
   StreamlineNode node(const SurfacePoint& on, const Vec3& towards) const;
+  // The same in two steps: where it is, and how it runs there. `normal`: of the surface.
+  StreamlineNode node_at(const SurfacePoint& on) const;
+  void direct(StreamlineNode& node, const Vec3& normal, const Vec3& towards) const;
 
   // Whether a hatch may run through a node: before the near plane, in the frame, seen, where
   // hatches are wanted, and not close along a critical curve.
   bool may_pass(const StreamlineNode& node, double spacing) const {
-    return area.may_pass({node.position, node.on, node.image}, Area::hatched) &&
-           !curves.run_along(node.image, node.heading, curve_clearance * spacing);
+    return lies_well(node) && runs_clear(node, spacing);
+  }
+  // The two halves of it: of the place, and of the curves.
+  bool lies_well(const StreamlineNode& node) const {
+    return area.may_pass({node.position, node.on, node.image}, Area::hatched);
+  }
+  bool runs_clear(const StreamlineNode& node, double spacing) const {
+    return !curves.run_along(node.image, node.heading, curve_clearance * spacing);
   }
   const Camera& camera() const { return scene_.camera; }
   bool is_hatched(int object) const { return scene_.is_hatched(object); }
@@ -47,11 +56,10 @@ class HatchView {
   // far apart in depth, or farther than `reach`.
   static double distance(const StreamlineNode& node, const GridNode& other, double spacing,
                          double reach) {
-    const double dx = node.image.x() - static_cast<double>(other.x);
-    const double dy = node.image.y() - static_cast<double>(other.y);
-    const double ux = static_cast<double>(other.ux), uy = static_cast<double>(other.uy);
-    const double beyond = std::max(std::abs(dx * ux + dy * uy) - double(other.half), 0.0);
-    const double across = dx * uy - dy * ux;
+    const Vec2 offset = node.image - other.image;
+    const double along = std::abs(offset.dot(other.heading));
+    const double beyond = std::max(along - double(other.half), 0.0);
+    const double across = cross(offset, other.heading);
     const double square = beyond * beyond + across * across;
     if (!(square < reach * reach) || !is_alike(node, other, spacing)) {
       return std::numeric_limits<double>::infinity();

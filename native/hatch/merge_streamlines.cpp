@@ -56,7 +56,7 @@ class Merger {
     std::sort(pairs.begin(), pairs.end());
     for (const EndPair& pair : pairs) try_join(pair.a, pair.b);
     set_.streamlines = chained();
-    set_.rebuild(view_);
+    set_.rebuild();
   }
 
  private:
@@ -97,13 +97,13 @@ class Merger {
 
   // Negative where the two ends do not face each other.
   double cost_of(const StreamlineNode& node, const GridNode& other, double spacing) const {
-    const Vec2 image(double(other.x), double(other.y)), heading(double(other.ux), double(other.uy));
-    const Vec2 offset = image - node.image;
+    const Vec2 offset = other.image - node.image;
     const double along = offset.dot(node.heading), across = std::abs(offset.dot(node.left()));
-    const bool faces = node.heading.dot(heading) < -least_opposite &&
+    const bool faces = node.heading.dot(other.heading) < -least_opposite &&
                        node.tangent.dot(other.tangent.cast<double>()) < -least_opposite;
     if (!faces || along < 0 || along > most_along * spacing || across > most_across * spacing ||
-        !HatchView::is_alike(node, other, spacing) || view_.curves.separate(node.image, image)) {
+        !HatchView::is_alike(node, other, spacing) ||
+        view_.curves.separate(node.image, other.image)) {
       return -1;
     }
     return along + 3 * across;

@@ -38,6 +38,7 @@ class CurvePlacer {
     Vec3 position;
     Vec2 image;
     double facing;
+    bool is_seen;
   };
 
   static HatchPoint point(const Place& p) { return {p.position, p.on, p.image}; }
@@ -90,8 +91,8 @@ class CurvePlacer {
 
   // What lies between two critical curves is seen or hidden as a whole.
   void place_run() {
-    const auto seen = static_cast<std::size_t>(std::count_if(
-        run_.begin(), run_.end(), [&](const Place& p) { return view_.area.is_seen(point(p)); }));
+    std::size_t seen = 0;
+    for (Place& place : run_) seen += place.is_seen = view_.area.is_seen(point(place));
     if (run_.size() > 1 && 2 * seen > run_.size()) {
       for (std::size_t i = 0; i < run_.size(); ++i) {
         const std::size_t other = i + 1 < run_.size() ? i + 1 : i - 1;
@@ -104,9 +105,9 @@ class CurvePlacer {
   }
 
   void try_node(const Place& place, const Vec3& towards) {
-    if (!view_.area.may_pass(point(place), Area::hatched)) return finish();
+    if (!place.is_seen || !view_.area.is_wanted(point(place), Area::hatched)) return finish();
     const StreamlineNode node = view_.node(place.on, towards);
-    if (!view_.may_pass(node, spacing_)) return finish();
+    if (!view_.runs_clear(node, spacing_)) return finish();
     const double distance = view_.nearest(set_.grid, node, spacing_, rules_.clear * spacing_);
     if (distance < rules_.test * spacing_) return finish();
     is_clear_ = is_clear_ || distance >= rules_.clear * spacing_;

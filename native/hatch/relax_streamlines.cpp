@@ -44,6 +44,14 @@ struct Pull {
   double weight = 0;
 };
 
+// Between two nodes.
+struct Segment {
+  double px;
+  double angle;    // in the image, from the field to the segment
+  double lever;    // mean of the nodes
+  double bending;  // weight of the angle, against pulls of weight 1
+};
+
 class Relaxer {
  public:
   Relaxer(const StreamlineSet& set, const HatchView& view, int sweep)
@@ -54,6 +62,7 @@ class Relaxer {
     const Streamline& streamline = set_.streamlines[idx(number)];
     const int count = static_cast<int>(streamline.nodes.size());
     std::vector<Pull> pulls;
+    pulls.reserve(streamline.nodes.size());
     for (int i = 0; i < count; ++i) {
       const bool is_drawn = (i + sweep_) % 2 == 0 || count == 2;
       pulls.push_back(is_drawn ? pull_at(streamline, number, i) : Pull{});
@@ -80,10 +89,11 @@ class Relaxer {
  private:
   std::vector<StreamlineNode> moved(const Streamline& streamline,
                                     const std::vector<Pull>& pulls) const {
-    std::vector<double> bending = bending_of(streamline);
-    std::vector<double> shift = solve(streamline, pulls, bending);
-    if (stiffen(streamline, shift, bending)) shift = solve(streamline, pulls, bending);
+    std::vector<Segment> segments = segments_of(streamline);
+    std::vector<double> shift = solve(segments, pulls);
+    if (stiffen(segments, shift)) shift = solve(segments, pulls);
     std::vector<StreamlineNode> nodes;
+    nodes.reserve(streamline.nodes.size());
     for (std::size_t i = 0; i < streamline.nodes.size(); ++i) {
       const double most = most_move * streamline.spacing;
       nodes.push_back(
@@ -106,24 +116,23 @@ class Relaxer {
     const StreamlineNode& node = streamline.nodes[idx(index)];
     const Vec2 left = node.left();
     const double beside = 2 * band * streamline.spacing * node_step;
-    const Vec2 box = far * left.cwiseAbs() + beside * node.heading.cwiseAbs();
+    const Vec2 half = far * left.cwiseAbs() + beside * node.heading.cwiseAbs();
+    const Eigen::AlignedBox2d box(node.image - half, node.image + half);
     std::array<double, 2> nearest{infinite, infinite};
-    set_.grid.any_in_box(node.image, box, [&](const GridNode& other) {
-      const Vec2 offset(double(other.x) - node.image.x(), double(other.y) - node.image.y());
+    const Vec2 strip(beside, far + 2 * band * double(set_.grid.widest()));
+    set_.grid.visit_strip(box, node.image, node.heading, strip, [&](const GridNode& other) {
+      const Vec2 offset = other.image - node.image;
       const double along = offset.dot(node.heading);
-      if (std::abs(along) > beside) return false;
-      if (other.streamline == number && std::abs(other.index - index) <= own_nodes) return false;
-      const Vec2 heading(double(other.ux), double(other.uy));
-      const double cosine = heading.dot(node.heading);
-      const double at = along / cosine;  // along the neighbour, to beside the node
-      if (!(std::abs(at) <= 2 * band * double(other.half))) return false;
-      const double across = offset.dot(left) - at * heading.dot(left);
+      if (std::abs(along) > beside) return;
+      if (other.streamline == number && std::abs(other.index - index) <= own_nodes) return;
+      const double at = along / other.heading.dot(node.heading);  // along the neighbour
+      if (!(std::abs(at) <= 2 * band * double(other.half))) return;
+      const double across = offset.dot(left) - at * other.heading.dot(left);
       double& best = nearest[across < 0];
       if (std::abs(across) < std::min(best, far) &&
           HatchView::is_alike(node, other, streamline.spacing)) {
         best = std::abs(across);
       }
-      return false;
     });
     return nearest;
   }
@@ -155,32 +164,24 @@ class Relaxer {
     return pull;
   }
 
-  // Weight of the angle of each segment, against pulls of weight 1.
-  static std::vector<double> bending_of(const Streamline& streamline) {
-    const double length = stiffness * streamline.spacing;
-    std::vector<double> bending;
+  static std::vector<Segment> segments_of(const Streamline& streamline) {
+    const double length = stiffness * streamline.spacing, least_px = 1e-3 * streamline.spacing;
+    std::vector<Segment> segments;
+    segments.reserve(streamline.nodes.size());
     for (std::size_t i = 0; i + 1 < streamline.nodes.size(); ++i) {
-      const double lever = (streamline.nodes[i].lever + streamline.nodes[i + 1].lever) / 2;
-      bending.push_back(length * length * std::clamp(lever * lever, 0.1, 9.0));
+      const StreamlineNode &a = streamline.nodes[i], &b = streamline.nodes[i + 1];
+      const Vec2 field = a.heading + b.heading, chord = b.image - a.image;
+      const double lever = (a.lever + b.lever) / 2;
+      segments.push_back({std::max(chord.norm(), least_px),
+                          std::atan2(cross(field, chord), field.dot(chord)), lever,
+                          length * length * std::clamp(lever * lever, 0.1, 9.0)});
     }
-    return bending;
-  }
-
-  static double segment_px(const Streamline& streamline, std::size_t i) {
-    return std::max((streamline.nodes[i + 1].image - streamline.nodes[i].image).norm(),
-                    1e-3 * streamline.spacing);
-  }
-
-  // Angle in the image from the field to the segment.
-  static double angle_at(const Streamline& streamline, std::size_t i) {
-    const StreamlineNode &a = streamline.nodes[i], &b = streamline.nodes[i + 1];
-    const Vec2 field = a.heading + b.heading, chord = b.image - a.image;
-    return std::atan2(cross(field, chord), field.dot(chord));
+    return segments;
   }
 
   // Minimises sum of weight (x - pull)^2 + bending (angle + x')^2.
-  static std::vector<double> solve(const Streamline& streamline, const std::vector<Pull>& pulls,
-                                   const std::vector<double>& bending) {
+  static std::vector<double> solve(const std::vector<Segment>& segments,
+                                   const std::vector<Pull>& pulls) {
     const std::size_t count = pulls.size();
     std::vector<double> diagonal(count, 1e-9), next(count, 0), right(count, 0);
     for (std::size_t i = 0; i < count; ++i) {
@@ -188,8 +189,8 @@ class Relaxer {
       right[i] += pulls[i].weight * pulls[i].by;
     }
     for (std::size_t i = 0; i + 1 < count; ++i) {
-      const double px = segment_px(streamline, i), k = bending[i] / (px * px);
-      const double turn = k * angle_at(streamline, i) * px;
+      const double px = segments[i].px, k = segments[i].bending / (px * px);
+      const double turn = k * segments[i].angle * px;
       diagonal[i] += k, diagonal[i + 1] += k, next[i] = -k;
       right[i] += turn, right[i + 1] -= turn;
     }
@@ -206,15 +207,14 @@ class Relaxer {
   }
 
   // Segments that would turn too far off the cross weigh more; whether there are any.
-  static bool stiffen(const Streamline& streamline, const std::vector<double>& shift,
-                      std::vector<double>& bending) {
+  static bool stiffen(std::vector<Segment>& segments, const std::vector<double>& shift) {
     bool any = false;
-    for (std::size_t i = 0; i < bending.size(); ++i) {
-      const double lever = (streamline.nodes[i].lever + streamline.nodes[i + 1].lever) / 2;
-      const double turn = (shift[i + 1] - shift[i]) / segment_px(streamline, i);
-      const double excess = std::abs(angle_at(streamline, i) + turn) * lever / most_drift;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      Segment& segment = segments[i];
+      const double turn = (shift[i + 1] - shift[i]) / segment.px;
+      const double excess = std::abs(segment.angle + turn) * segment.lever / most_drift;
       if (!(excess > 1)) continue;
-      bending[i] *= std::min(excess * excess, most_stiffening);
+      segment.bending *= std::min(excess * excess, most_stiffening);
       any = true;
     }
     return any;
@@ -245,21 +245,31 @@ class Relaxer {
   int sweep_;
 };
 
-// Calls moved(relaxer, number) for the streamlines that are chosen.
+// Calls moved(relaxer, number) for the streamlines that are chosen. Threads share the nodes evenly:
+// each takes the streamlines that start in its part.
 template <class Chosen, class Moved>
 void sweep(StreamlineSet& set, const HatchView& view, int number, int threads,
            const Chosen& is_chosen, const Moved& moved) {
   std::vector<std::vector<StreamlineNode>> nodes(set.streamlines.size());
+  std::vector<std::size_t> starts;
+  std::size_t count = 0;
+  for (const Streamline& streamline : set.streamlines) {
+    starts.push_back(count);
+    count += streamline.nodes.size();
+  }
+  set.grid.gather();
   const Relaxer relaxer(set, view, number);
-  parallel_for(nodes.size(), threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t s = begin; s < end; ++s) {
+  parallel_for(count, threads, [&](std::size_t begin, std::size_t end) {
+    const auto first = std::lower_bound(starts.begin(), starts.end(), begin);
+    for (auto s = static_cast<std::size_t>(first - starts.begin());
+         s < starts.size() && starts[s] < end; ++s) {
       if (is_chosen(set.streamlines[s])) nodes[s] = moved(relaxer, static_cast<int>(s));
     }
   });
   for (std::size_t s = 0; s < nodes.size(); ++s) {
     if (is_chosen(set.streamlines[s])) set.streamlines[s].nodes = std::move(nodes[s]);
   }
-  set.rebuild(view);
+  set.rebuild();
 }
 
 void forget_joins(StreamlineSet& set) {

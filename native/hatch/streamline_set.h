@@ -14,21 +14,22 @@ class StreamlineSet {
     streamlines.push_back(std::move(streamline));
   }
   // After nodes were moved, added or taken away. Streamlines of fewer than two nodes go.
-  void rebuild(const HatchView& view) {
+  void rebuild() {
     streamlines.erase(
         std::remove_if(streamlines.begin(), streamlines.end(),
                        [](const Streamline& streamline) { return streamline.nodes.size() < 2; }),
         streamlines.end());
-    grid = view.empty_grid();
+    grid.clear();
     for (std::size_t s = 0; s < streamlines.size(); ++s)
       grid.add(streamlines[s], static_cast<int>(s));
+    grid.gather();
   }
   // Shorter ones, in spacings, go.
-  void drop_shorter(const HatchView& view, double least) {
+  void drop_shorter(double least) {
     for (Streamline& streamline : streamlines) {
       if (length_of(streamline.nodes) < least * streamline.spacing) streamline.nodes.clear();
     }
-    rebuild(view);
+    rebuild();
   }
 
   Streamlines streamlines;

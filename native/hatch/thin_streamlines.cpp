@@ -27,7 +27,7 @@ class Thinner {
     for (std::size_t s = 0; s < stays_.size(); ++s) {
       if (!stays_[s]) set_.streamlines[s].nodes.clear();
     }
-    set_.rebuild(view_);
+    set_.rebuild();
   }
 
  private:
@@ -72,7 +72,7 @@ class Thinner {
         node.image, radius + spacing * node_step / 2, [&](const GridNode& other) {
           return other.streamline != number && stays_[idx(other.streamline)] &&
                  HatchView::distance(node, other, spacing, radius) < radius &&
-                 !view_.curves.separate(image, Vec2(double(other.x), double(other.y)));
+                 !view_.curves.separate(image, other.image);
         });
   }
 

@@ -38,11 +38,6 @@ HatchPoint Walker::point(const SurfacePoint& on) const {
   return {position, on, camera_.project(position).xy};
 }
 
-Vec2 Walker::image_direction(const Vec3& p, const Vec3& direction) const {
-  const Vec3 h = apply(map_, p), change = map_.leftCols<3>() * direction;
-  return (change.head<2>() - h.head<2>() * (change[2] / h[2])) / h[2];
-}
-
 // The function whose zero set is the silhouette: linear on a triangle of a smooth object, constant
 // on a polygon's.
 double Walker::facing_at(const SurfacePoint& on) const {

@@ -11,7 +11,9 @@ namespace illustrate {
 namespace {
 
 Vec3 unit(const Vec3& v) {
-  const double length = v.stableNorm();
+  const double square = v.squaredNorm();
+  const bool is_exact = square > 1e-250 && square < 1e250;
+  const double length = is_exact ? std::sqrt(square) : v.stableNorm();
   return length > 0 ? Vec3(v / length) : Vec3::Zero();
 }
 

@@ -30,13 +30,47 @@ class Illumination {
         casters_(casters),
         map_(image_map(camera)) {}
 
-  double at(std::size_t cell) const {
-    const auto row = cell / std::size_t(visible_.width),
-               column = cell % std::size_t(visible_.width);
-    const Vec2 centre = Vec2(double(column) + 0.5, double(row) + 0.5) * visible_.cell_px;
-    const SurfacePoint on = surface_point_under(surface_, map_, visible_.triangle[cell], centre);
-    const Vec3 position = position_at(surface_, on);
-    Vec3 normal = normal_at(surface_, on);
+  // Sets the light at the visible ones of the cells [begin, end).
+  void light_cells(std::size_t begin, std::size_t end, std::vector<double>& light) const {
+    Corners corners;
+    for (std::size_t cell = begin; cell < end; ++cell) {
+      const int triangle = visible_.triangle[cell];
+      if (triangle == none) continue;
+      if (triangle != corners.triangle) corners = corners_of(triangle);
+      light[cell] = at(static_cast<std::uint32_t>(cell), corners);
+    }
+  }
+
+ private:
+  // Of a triangle that several cells in a row see.
+  struct Corners {
+    int triangle = none;
+    std::array<Vec3, 3> mapped, positions, normals;
+  };
+
+  Corners corners_of(int triangle) const {
+    Corners corners;
+    corners.triangle = triangle;
+    for (int k = 0; k < 3; ++k) {
+      const int vertex = surface_.triangles[triangle][k];
+      corners.positions[k] = surface_.positions[vertex];
+      corners.mapped[k] = apply(map_, corners.positions[k]);
+      corners.normals[k] = surface_.corner_sign(triangle, k) * surface_.normals[vertex];
+    }
+    return corners;
+  }
+
+  static Vec3 between(const std::array<Vec3, 3>& corners, const SurfacePoint& on) {
+    return (1 - on.b1 - on.b2) * corners[0] + on.b1 * corners[1] + on.b2 * corners[2];
+  }
+
+  double at(std::uint32_t cell, const Corners& corners) const {
+    const auto width = static_cast<std::uint32_t>(visible_.width);
+    const Vec2 centre = Vec2(cell % width + 0.5, cell / width + 0.5) * visible_.cell_px;
+    const SurfacePoint on = surface_point_under(corners.mapped, corners.triangle, centre);
+    const Vec3 position = between(corners.positions, on), mean = between(corners.normals, on);
+    const double length = mean.norm();
+    Vec3 normal = length > 0 ? Vec3(mean / length) : corners.normals[0];
     if (normal.dot(camera_.to_eye(position)) < 0) normal = -normal;
     double sum = 0;
     for (const Light& light : lights_) {
@@ -47,7 +81,6 @@ class Illumination {
     return sum;
   }
 
- private:
   double reaching(const Light& light, const SurfacePoint& on, const Vec3& normal) const {
     if (!casters_ || !light.casts_shadows) return 1;
     return share_reaching(light, camera_, *casters_, shadow_origin(surface_, on, normal), normal);
@@ -145,9 +178,7 @@ ToneMap tone_regions(const Surface& surface, const VisibleImage& visible,
                                   options.cast_shadows ? casters : nullptr);
   std::vector<double> light(visible.triangle.size(), 0);
   const auto light_cells = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t cell = begin; cell < end; ++cell) {
-      if (visible.triangle[cell] != none) light[cell] = illumination.at(cell);
-    }
+    illumination.light_cells(begin, end, light);
   };
   parallel_for(light.size(), options.threads, progress.part(0, 0.7), light_cells);
   progress.report(0.7);

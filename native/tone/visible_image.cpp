@@ -40,23 +40,29 @@ struct EdgeFunction {
     const bool swapped = b.x < a.x || (b.x == a.x && b.y < a.y);
     const GridVertex& low = swapped ? b : a;
     const GridVertex& high = swapped ? a : b;
-    sign = swapped ? -side : side;
+    const double sign = swapped ? -side : side;
     x0 = low.x, y0 = low.y;
-    run_x = high.x - low.x, run_y = high.y - low.y;
+    run_x = sign * (high.x - low.x), run_y = sign * (high.y - low.y);
   }
 
-  double operator()(double x, double y) const {
-    return sign * (run_x * (y - y0) - run_y * (x - x0));
-  }
+  double operator()(double x, double y) const { return in_row(y)(x); }
 
-  double sign, x0, y0, run_x, run_y;
+  // The same for one row.
+  struct Row {
+    double operator()(double x) const { return start - run_y * (x - x0); }
+    double start, run_y, x0;
+  };
+  Row in_row(double y) const { return {run_x * (y - y0), run_y, x0}; }
+
+  double x0, y0, run_x, run_y;
 };
 
 // The first and one past the last cell whose centre lies in [low, high], within [begin, end).
 std::pair<int, int> cells_between(double low, double high, int begin, int end) {
-  const double first = std::clamp(std::ceil(low - 0.5), double(begin), double(end));
-  const double last = std::clamp(std::floor(high - 0.5) + 1, double(begin), double(end));
-  return {static_cast<int>(first), static_cast<int>(last)};
+  const double from = std::clamp(low - 0.5, double(begin), double(end));
+  const double to = std::clamp(high - 0.5, begin - 1.0, end - 1.0);
+  const int first = static_cast<int>(from), last = static_cast<int>(to);
+  return {first < from ? first + 1 : first, last > to ? last : last + 1};
 }
 
 // Rows [row_begin, row_end) of the image, triangle by triangle; of equal depths the first triangle
@@ -79,10 +85,16 @@ class RowPainter {
     const EdgeFunction bc(b, c, side), ca(c, a, side), ab(a, b, side);
     const auto [nearest, farthest] = std::minmax({a.depth, b.depth, c.depth});
     for (int j = row; j < row_end; ++j) {
+      const EdgeFunction::Row row_bc = bc.in_row(j + 0.5), row_ca = ca.in_row(j + 0.5),
+                              row_ab = ab.in_row(j + 0.5);
+      bool was_inside = false;
       for (int i = column; i < column_end; ++i) {
-        const double wa = bc(i + 0.5, j + 0.5), wb = ca(i + 0.5, j + 0.5),
-                     wc = ab(i + 0.5, j + 0.5);
-        if (!(wa >= 0 && wb >= 0 && wc >= 0)) continue;
+        const double x = i + 0.5, wa = row_bc(x), wb = row_ca(x), wc = row_ab(x);
+        if (!(wa >= 0 && wb >= 0 && wc >= 0)) {
+          if (was_inside) break;
+          continue;
+        }
+        was_inside = true;
         const double depth = (wa * a.p + wb * b.p + wc * c.p) / (wa * a.q + wb * b.q + wc * c.q);
         draw_cell(triangle, std::clamp(depth, nearest, farthest), image_.index(i, j));
       }
@@ -182,11 +194,17 @@ SurfacePoint surface_point_under(const Surface& surface, const Camera& camera, i
 
 SurfacePoint surface_point_under(const Surface& surface, const ImageMap& map, int triangle,
                                  const Vec2& image) {
-  Vec2 edge[3];
+  std::array<Vec3, 3> mapped;
   for (int k = 0; k < 3; ++k) {
-    const Vec3 h = apply(map, surface.positions[surface.triangles[triangle][k]]);
-    edge[k] = h.head<2>() - h[2] * image;
+    mapped[k] = apply(map, surface.positions[surface.triangles[triangle][k]]);
   }
+  return surface_point_under(mapped, triangle, image);
+}
+
+SurfacePoint surface_point_under(const std::array<Vec3, 3>& mapped, int triangle,
+                                 const Vec2& image) {
+  Vec2 edge[3];
+  for (int k = 0; k < 3; ++k) edge[k] = mapped[k].head<2>() - mapped[k][2] * image;
   double weight[3];
   for (int k = 0; k < 3; ++k) {
     const Vec2& a = edge[next_corner(k)];

@@ -31,5 +31,8 @@ SurfacePoint surface_point_under(const Surface& surface, const Camera& camera, i
                                  const Vec2& image);
 SurfacePoint surface_point_under(const Surface& surface, const ImageMap& map, int triangle,
                                  const Vec2& image);
+// The same, given where the map takes the triangle's corners.
+SurfacePoint surface_point_under(const std::array<Vec3, 3>& mapped, int triangle,
+                                 const Vec2& image);
 
 }  // namespace illustrate
