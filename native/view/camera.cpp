@@ -52,6 +52,13 @@ Camera::Camera(const Mat4& projection, const Mat4& view, int width_px, int heigh
   eye_ = viewpoint_of(clip_, view_);
 }
 
+Camera Camera::in_units_of(double pixels) const {
+  Camera result = *this;
+  result.width_ /= pixels;
+  result.height_ /= pixels;
+  return result;
+}
+
 ImagePoint Camera::project(const Vec3& p) const {
   const Vec4 clip = clip_ * p.homogeneous();
   const double depth = -(view_.row(2) * p.homogeneous()).value();
