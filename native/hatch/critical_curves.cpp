@@ -9,7 +9,7 @@
 namespace illustrate {
 namespace {
 
-constexpr double cell_px = 8;
+constexpr double cell_units = 8;  // of the graph
 
 // Clearance is not told apart beyond so many cells.
 constexpr int most_clearance = 4;
@@ -27,8 +27,10 @@ bool is_critical(Kind kind) {
 CriticalCurves::CriticalCurves(const LabelledGraph& graph, double width_px, double height_px)
     : width_(width_px),
       height_(height_px),
-      columns_(static_cast<int>(std::ceil(width_px / cell_px))),
-      rows_(static_cast<int>(std::ceil(height_px / cell_px))) {
+      unit_px_(graph.unit_px),
+      cell_px_(cell_units * graph.unit_px),
+      columns_(static_cast<int>(std::ceil(width_px / cell_px_))),
+      rows_(static_cast<int>(std::ceil(height_px / cell_px_))) {
   for (int arc = 0; arc < static_cast<int>(graph.arcs.size()); ++arc) {
     if (graph.arcs[arc].invisibility == 0 && is_critical(graph.arcs[arc].kind)) add_arc(graph, arc);
   }
@@ -37,11 +39,11 @@ CriticalCurves::CriticalCurves(const LabelledGraph& graph, double width_px, doub
 }
 
 int CriticalCurves::column_of(double x) const {
-  return static_cast<int>(std::clamp(std::floor(x / cell_px), 0.0, columns_ - 1.0));
+  return static_cast<int>(std::clamp(std::floor(x / cell_px_), 0.0, columns_ - 1.0));
 }
 
 int CriticalCurves::row_of(double y) const {
-  return static_cast<int>(std::clamp(std::floor(y / cell_px), 0.0, rows_ - 1.0));
+  return static_cast<int>(std::clamp(std::floor(y / cell_px_), 0.0, rows_ - 1.0));
 }
 
 void CriticalCurves::add_arc(const LabelledGraph& graph, int arc) {
@@ -54,12 +56,12 @@ void CriticalCurves::add_arc(const LabelledGraph& graph, int arc) {
 }
 
 void CriticalCurves::add_pieces(const Vec2& a, const Vec2& b, bool is_silhouette) {
-  const Frame frame{Vec2::Constant(-cell_px), Vec2(width_ + cell_px, height_ + cell_px)};
+  const Frame frame{Vec2::Constant(-cell_px_), Vec2(width_ + cell_px_, height_ + cell_px_)};
   double from, to;
   if (!clip_to_frame(frame, a, b, from, to)) return;
   const auto at = [&](double t) { return t >= 1 ? b : Vec2(a + t * (b - a)); };
   const int count =
-      std::max(1, static_cast<int>(std::ceil((to - from) * (b - a).norm() / cell_px)));
+      std::max(1, static_cast<int>(std::ceil((to - from) * (b - a).norm() / cell_px_)));
   Vec2 start = at(from);
   for (int i = 1; i <= count; ++i) {
     const Vec2 end = at(from + (to - from) * i / count);
@@ -106,7 +108,7 @@ void CriticalCurves::measure_clearance() {
 }
 
 bool CriticalCurves::is_clear(const Vec2& p, double reach) const {
-  return reach < cell_px * (clearance_[row_of(p.y()) * columns_ + column_of(p.x())] - 1);
+  return reach < cell_px_ * (clearance_[row_of(p.y()) * columns_ + column_of(p.x())] - 1);
 }
 
 double CriticalCurves::first_crossing(const Vec2& a, const Vec2& b, bool with_silhouettes) const {

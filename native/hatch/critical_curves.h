@@ -14,6 +14,8 @@ class CriticalCurves {
  public:
   CriticalCurves(const LabelledGraph& graph, double width_px, double height_px);
 
+  double unit_px() const { return unit_px_; }  // of the graph
+
   // The least t in [0, 1] where a + t (b - a) meets a curve; infinite where none does.
   double first_crossing(const Vec2& a, const Vec2& b) const { return first_crossing(a, b, true); }
   bool separate(const Vec2& a, const Vec2& b) const { return first_crossing(a, b) <= 1; }
@@ -45,7 +47,7 @@ class CriticalCurves {
   // Whether no piece is nearer to p than `reach`, as far as the cells tell.
   bool is_clear(const Vec2& p, double reach) const;
 
-  double width_, height_;
+  double width_, height_, unit_px_, cell_px_;
   int columns_, rows_;
   std::vector<Piece> pieces_;
   Ragged<int> cells_;                    // pieces whose bounding boxes touch each cell

@@ -17,10 +17,12 @@
 namespace illustrate {
 namespace {
 
-// Lines are the same at any number of pixels: what is decided in the image (how near to cusps
-// points are exact, what is a twist, how far beside a curve rays start) is so in units of paper, of
-// which the larger side of the image has so many.
+// What is decided in the image (how near to cusps points are exact, what is a twist, how far beside
+// a curve rays start) is so in units of paper, of which the larger side of the image has so many:
+// lines, and the hatches that end at them, are then the same at any number of pixels. In images of
+// over 4096 px it has more: what a unit leaves out is to stay near the size of a pixel.
 constexpr double units_across = 1024;
+constexpr double most_pixels = 4;  // of a unit
 
 // Of the tone map.
 constexpr double most_cells = 16e6;
@@ -100,7 +102,7 @@ Ragged<SurfacePoint> hatches_of(const Drawing& drawing, const Surface& surface) 
 
 // Pixels of the unit in which lines are decided.
 double line_unit(const Camera& camera) {
-  return std::max(camera.width_px(), camera.height_px()) / units_across;
+  return std::min(std::max(camera.width_px(), camera.height_px()) / units_across, most_pixels);
 }
 
 // From images in units to pixels.

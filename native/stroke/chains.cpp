@@ -6,8 +6,8 @@
 namespace illustrate {
 namespace {
 
-// Directions at a node are taken this far along an arc (in units of the graph, as below), so that rounding to the image grid and the
-// tiny hooks near cusps do not decide how a line goes on.
+// Directions at a node are taken this far along an arc (in units of the graph, as below), so that
+// rounding to the image grid and the tiny hooks near cusps do not decide how a line goes on.
 constexpr double direction_units = 1.0;
 
 // A line whose tail is cut off goes on in another one if it turns by less than 150 degrees, one
