@@ -20,7 +20,12 @@ from .messages import IllustrateError, quoted
 from .ownership import is_ours
 from .styles import style_of
 
-EDGE_LENGTH_PX = 3.0  # of refined surfaces, where the object is nearest to the camera
+# Of refined surfaces, where the object is nearest to the camera, in units of paper: pixels of an
+# image whose larger side is 1024. The surface, and with it every hatch, is so the same at any
+# number of pixels; in images of over 4096 px a unit stays four pixels, as it does for lines.
+EDGE_LENGTH = 3.0
+UNITS_ACROSS = 1024.0
+MOST_PIXELS = 4.0
 MEASURED_EDGES = 20_000
 LEEWAY = 1.4  # below 2, which would be another level
 MOST_HALVINGS = 12  # more than any level of subdivision
@@ -41,6 +46,11 @@ class CameraArrays:
         row = (self.projection @ self.view)[3]
         w = np.maximum(points @ row[:3] + row[3], self._least_w())
         return 2 * w / (self.projection[0, 0] * self.width_px)
+
+    def unit_size(self, points: Any) -> Any:
+        """World length (p,) of a unit of paper across the view at the depths of points (p, 3)."""
+        unit = min(max(self.width_px, self.height_px) / UNITS_ACROSS, MOST_PIXELS)
+        return unit * self.pixel_size(points)
 
     def _least_w(self) -> float:
         """Clip w of the near plane."""
@@ -315,10 +325,10 @@ def _read_cage(thing: Any, mesh: Any) -> MeshArrays:
 def _in_world(geometry: MeshArrays, matrix: Any, camera: CameraArrays) -> MeshArrays:
     """A copy at its place, with the edge length its nearness to the camera asks for."""
     positions = geometry.positions @ matrix[:3, :3].T + matrix[:3, 3]
-    sizes = camera.pixel_size(_finite(positions))
+    sizes = camera.unit_size(_finite(positions))
     arrays = MeshArrays(**{**vars(geometry), "positions": positions})
     if len(sizes):
-        arrays.edge_length = _halved(_median_edge(arrays), EDGE_LENGTH_PX * float(sizes.min()))
+        arrays.edge_length = _halved(_median_edge(arrays), EDGE_LENGTH * float(sizes.min()))
     return arrays
 
 

@@ -97,6 +97,22 @@ def test_millimetres_are_the_same_on_paper_at_any_resolution(scene: Any) -> None
     assert large.drawing.widths.max() == pytest.approx(2 * small.drawing.widths.max())
 
 
+def test_twice_the_pixels_give_the_same_strokes(scene: Any) -> None:
+    cube = tools.cube_scene(scene)
+    tools.shade_smooth(cube, [True] * 6)
+    tools.subdivide(cube)
+    chosen = scene.illustrate
+    chosen.unit, chosen.page_width_mm, chosen.spacing_mm = "MILLIMETRE", 80.0, 1.5
+    chosen.undercut_spacing_mm = 1.0
+    small = illustration.illustrate(scene, depsgraph())
+    scene.render.resolution_percentage = 200
+    chosen.simplify_px *= 2  # in pixels, also here
+    large = illustration.illustrate(scene, depsgraph())
+    assert len(small.drawing.kinds) >= 20
+    for name in ("offsets", "kinds", "points"):
+        assert (getattr(large.drawing, name) == getattr(small.drawing, name)).all()
+
+
 LETTERS = {False: 12, True: 13}
 """That fit beside the values of a side panel as wide as it is at first, and behind switches."""
 

@@ -116,8 +116,10 @@ void bind_camera(py::module_& m) {
       .def_property_readonly("projection",
                              [](const Camera& c) { return matrix_array(c.projection()); })
       .def_property_readonly("view", [](const Camera& c) { return matrix_array(c.view()); })
-      .def_property_readonly("width_px", &Camera::width_px)
-      .def_property_readonly("height_px", &Camera::height_px);
+      .def_property_readonly("width_px",
+                             [](const Camera& c) { return static_cast<int>(c.width_px()); })
+      .def_property_readonly("height_px",
+                             [](const Camera& c) { return static_cast<int>(c.height_px()); });
 }
 
 constexpr std::array<const char*, 6> light_names{"head", "sun", "point", "spot", "area", "side"};

@@ -174,7 +174,7 @@ void bind_hatch_options(Class& bound) {
   OPTION("spacing_px", values.hatch.spacing_px, "Between hatches");
   OPTION("undercut_spacing_px", values.hatch.undercut_spacing_px, "Between hatches in undercuts");
   OPTION("test_factor", values.hatch.test_factor, "A hatch ends this share of the spacing away");
-  OPTION("step_px", values.hatch.step_px, "Length of a tracing step");
+  OPTION("step_px", values.hatch.step_px, "Length of a tracing step of the paper's seeding");
   OPTION("max_turn_deg", values.hatch.max_turn_deg, "How far a hatch may turn in the world");
   OPTION("max_length_px", values.hatch.max_length_px, "Length of a hatch");
   OPTION("min_length_px", values.hatch.min_length_px, "Shorter hatches are dropped");

@@ -38,8 +38,9 @@ void CriticalCurves::Cells::visit(const Piece& piece, const Use& use) const {
 CriticalCurves::CriticalCurves(const LabelledGraph& graph, double width_px, double height_px)
     : width_(width_px),
       height_(height_px),
-      grid_cells_(width_px, height_px, cell_px),
-      clearance_cells_(width_px, height_px, clearance_px) {
+      unit_px_(graph.unit_px),
+      grid_cells_(width_px, height_px, cell_units * unit_px_),
+      clearance_cells_(width_px, height_px, clearance_units * unit_px_) {
   Pieces pieces;
   for (int arc = 0; arc < static_cast<int>(graph.arcs.size()); ++arc) {
     const GraphArc& data = graph.arcs[arc];
@@ -62,6 +63,7 @@ void CriticalCurves::add_arc(const LabelledGraph& graph, int arc, Pieces& pieces
 
 void CriticalCurves::add_pieces(const Vec2& a, const Vec2& b, bool is_silhouette,
                                 Pieces& pieces) const {
+  const double cell_px = cell_units * unit_px_;
   const Frame frame{Vec2::Constant(-cell_px), Vec2(width_ + cell_px, height_ + cell_px)};
   double from, to;
   if (!clip_to_frame(frame, a, b, from, to)) return;

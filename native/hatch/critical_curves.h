@@ -16,6 +16,8 @@ class CriticalCurves {
  public:
   CriticalCurves(const LabelledGraph& graph, double width_px, double height_px);
 
+  double unit_px() const { return unit_px_; }  // of the graph
+
   // The least t in [0, 1] where a + t (b - a) meets a curve; infinite where none does.
   double first_crossing(const Vec2& a, const Vec2& b) const { return first_crossing(a, b, true); }
   bool separate(const Vec2& a, const Vec2& b) const { return first_crossing(a, b) <= 1; }
@@ -61,12 +63,12 @@ class CriticalCurves {
   void measure_clearance(const Pieces& pieces);
   // Whether no piece is nearer to p than `reach`, as far as the cells tell.
   bool is_clear(const Vec2& p, double reach) const {
-    return reach < clearance_px * (clearance_[idx(clearance_cells_.of(p))] - 1);
+    return reach < clearance_units * unit_px_ * (clearance_[idx(clearance_cells_.of(p))] - 1);
   }
 
-  static constexpr double cell_px = 8, clearance_px = 4;
+  static constexpr double cell_units = 8, clearance_units = 4;  // of the graph
 
-  double width_, height_;
+  double width_, height_, unit_px_;
   Cells grid_cells_;
   Ragged<Piece> cells_;  // pieces whose bounding boxes touch each cell
   Cells clearance_cells_;

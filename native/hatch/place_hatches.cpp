@@ -22,8 +22,8 @@ constexpr double fill_clearance = 0.75;
 constexpr double undercut_clearance = 0.65;
 
 // Seeds beside a critical curve start so far from it that they surely lie on the side they are
-// meant for.
-constexpr double curve_offset_px = 2;
+// meant for. In units of the graph.
+constexpr double curve_offset = 2;
 
 // Sine of the least angle between a critical curve and hatches that are seeded along it. Others, as
 // near outlines of round forms, only slip along the curve.
@@ -90,7 +90,7 @@ class Placer {
     const bool dense = area == Area::undercut;
     const double spacing =
         scene_.spacing_on(object, dense ? options_.undercut_spacing_px : options_.spacing_px);
-    const double step = std::min(options_.step_px, spacing / 4);
+    const double step = dense ? spacing / 4 : std::min(options_.step_px, spacing / 4);
     return {spacing,
             dense ? options_.min_length_px / 2 : options_.min_length_px,
             {area, options_.test_factor * spacing, step, next_max_length_px()}};
@@ -164,6 +164,7 @@ class Placer {
     const Vec2 size(camera_.width_px(), camera_.height_px());
     const double step = seed_step * options_.spacing_px;
     const LabelledGraph& graph = scene_.graph;
+    const double offset = curve_offset * graph.unit_px;
     for (int arc = 0; arc < static_cast<int>(graph.arcs.size()); ++arc) {
       if (graph.arcs[arc].invisibility != 0 || !is_critical(graph.arcs[arc].kind)) continue;
       progress_.report(0);
@@ -171,8 +172,8 @@ class Placer {
       step_along(graph.image[arc], graph.arcs[arc].start_node == none, step,
                  Frame{Vec2::Zero(), size}, [&](const CurveSample& at) {
                    const Vec2 across(-at.heading.y(), at.heading.x());
-                   seed_across(at.image + curve_offset_px * across, across, step, apart[0]);
-                   seed_across(at.image - curve_offset_px * across, across, step, apart[1]);
+                   seed_across(at.image + offset * across, across, step, apart[0]);
+                   seed_across(at.image - offset * across, across, step, apart[1]);
                  });
     }
   }

@@ -12,8 +12,8 @@ constexpr double radians = 3.14159265358979323846 / 180;
 constexpr double least_step = 0.05;
 
 // Hatches end this far before a critical curve: on their own side of it, where neighbours beyond
-// are out of sight.
-constexpr double curve_margin_px = 0.02;
+// are out of sight. In units of the graph.
+constexpr double curve_margin = 0.02;
 
 }  // namespace
 
@@ -63,7 +63,7 @@ void Tracer::extend(HatchLine& line, Walk walk, const HatchRules& rules, double&
     double reach = (sample.point.image - from).norm();
     const double crossing = curves_.first_crossing(from, sample.point.image);
     if (crossing <= 1 || end == WalkEnd::silhouette) {
-      reach = reach * std::min(1.0, crossing) - curve_margin_px;
+      reach = reach * std::min(1.0, crossing) - curve_margin * curves_.unit_px();
       if (!(reach > 0)) return;
       walk = before;
       walker_.advance(walk, reach);

@@ -329,10 +329,10 @@ class DrawOptions:
     test_factor: float
     """A hatch ends this share of the spacing away from a parallel one.
 
-    Like step_px and min_length_px for the paper's seeding, and in undercuts.
+    Like min_length_px for the paper's seeding, and in undercuts.
     """
     step_px: float
-    """Length of a tracing step."""
+    """Length of a tracing step of the paper's seeding, at most a quarter of the spacing."""
     max_turn_deg: float
     """How far a hatch may turn in the world."""
     max_length_px: float

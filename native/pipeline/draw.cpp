@@ -17,6 +17,13 @@
 namespace illustrate {
 namespace {
 
+// What is decided in the image (how near to cusps points are exact, what is a twist, how far beside
+// a curve rays start) is so in units of paper, of which the larger side of the image has so many:
+// lines, and the hatches that end at them, are then the same at any number of pixels. In images of
+// over 4096 px it has more: what a unit leaves out is to stay near the size of a pixel.
+constexpr double units_across = 1024;
+constexpr double most_pixels = 4;  // of a unit
+
 // Of the tone map.
 constexpr double most_cells = 16e6;
 constexpr double least_cell_px = 0.25;
@@ -93,6 +100,19 @@ Ragged<SurfacePoint> hatches_of(const Drawing& drawing, const Surface& surface) 
   return hatches;
 }
 
+// Pixels of the unit in which lines are decided.
+double line_unit(const Camera& camera) {
+  return std::min(std::max(camera.width_px(), camera.height_px()) / units_across, most_pixels);
+}
+
+// From images in units to pixels.
+void to_pixels(LabelledGraph& graph, double unit) {
+  for (GraphNode& node : graph.nodes) node.image *= unit;
+  for (Vec2& image : graph.image.values) image *= unit;
+  graph.repair_max_px *= unit;
+  graph.unit_px = unit;
+}
+
 // The stages of one view, each with its time.
 class View {
  public:
@@ -105,6 +125,8 @@ class View {
     const StrokeOptions& stroke = options_.stroke;
     const NetworkOptions network_options{stroke.marks, stroke.materials, stroke.flat_outlines,
                                          options_.curvature_curves};
+    const double unit = line_unit(camera_);
+    const Camera on_paper = camera_.in_units_of(unit);
     const Progress search = progress.part(0, 0.2, "contour");
     const ContourScene contour_scene{
         scene_.surface(),
@@ -115,15 +137,16 @@ class View {
         options_.curvature_curves.any() ? &scene_.curvature_derivative(progress.part(0.2, 0.3))
                                         : nullptr};
     const CurveNetwork network = timed(result_.timings["contour"], [&] {
-      return build_network(contour_scene, camera_, network_options, result_.counts,
+      return build_network(contour_scene, on_paper, network_options, result_.counts,
                            progress.part(0.3, 0.6, "contour"));
     });
     result_.graph = timed(result_.timings["visibility"], [&] {
       const bool by_vote = options_.visibility == VisibilityMethod::vote;
       return (by_vote ? vote_network : label_network)(network, scene_.surface(), scene_.bvh(),
-                                                      camera_, result_.counts,
+                                                      on_paper, result_.counts,
                                                       progress.part(0.6, 1, "visibility"));
     });
+    to_pixels(result_.graph, unit);
   }
 
   void follow(const Drawing& previous, const Surface& whole) {

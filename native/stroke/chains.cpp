@@ -6,16 +6,16 @@
 namespace illustrate {
 namespace {
 
-// Directions at a node are taken this far along an arc, so that rounding to the image grid and the
-// tiny hooks near cusps do not decide how a line goes on.
-constexpr double direction_px = 1.0;
+// Directions at a node are taken this far along an arc (in units of the graph, as below), so that
+// rounding to the image grid and the tiny hooks near cusps do not decide how a line goes on.
+constexpr double direction_units = 1.0;
 
 // A line whose tail is cut off goes on in another one if it turns by less than 150 degrees, one
 // whose free end faces another across a gap by less than 60.
 constexpr double cosine_of_sharpest_corner = 0.866;
 constexpr double cosine_of_largest_turn = -0.5;
-constexpr double gap_px = 1.0;
-constexpr double steepest_gap = 8;  // in the world, in units of the lines' own length for a pixel
+constexpr double gap_units = 1.0;
+constexpr double steepest_gap = 8;  // in the world, in times the lines' own length for a pixel
 
 // Ends are numbered 2 arc for the start of an arc, 2 arc + 1 for its end.
 int number_of(const ArcEnd& end) { return 2 * end.arc + (end.at_start ? 0 : 1); }
@@ -55,7 +55,8 @@ Vec2 leaving_direction(const LabelledGraph& graph, const ArcEnd& end) {
   const Span<const Vec2> image = graph.image[idx(end.arc)];
   const auto nth = [&](std::size_t i) { return image[end.at_start ? i : image.size() - 1 - i]; };
   Vec2 away = Vec2::Zero();
-  for (std::size_t i = 1; i < image.size() && away.norm() < direction_px; ++i) {
+  const double reach = direction_units * graph.unit_px;
+  for (std::size_t i = 1; i < image.size() && away.norm() < reach; ++i) {
     away = nth(i) - nth(0);
   }
   const double length = away.norm();
@@ -65,7 +66,10 @@ Vec2 leaving_direction(const LabelledGraph& graph, const ArcEnd& end) {
 class Mates {
  public:
   Mates(const LabelledGraph& graph, const std::vector<std::uint8_t>& drawn)
-      : graph_(graph), drawn_(drawn), mates_(2 * graph.arcs.size(), none) {}
+      : graph_(graph),
+        drawn_(drawn),
+        gap_px_(gap_units * graph.unit_px),
+        mates_(2 * graph.arcs.size(), none) {}
 
   void pair_at_crossing(const GraphNode& node) {
     const auto& arcs = node.arcs;
@@ -126,7 +130,7 @@ class Mates {
     }
   }
 
-  // Two free ends less than a pixel apart that face each other: their line is hidden for less than
+  // Two free ends less than a unit apart that face each other: their line is hidden for less than
   // the eye can see. The nearest pairs first.
   void close_gaps(const Ragged<ArcEnd>& ends) {
     std::vector<ArcEnd> free;
@@ -143,7 +147,7 @@ class Mates {
     std::vector<Gap> gaps;
     for (std::size_t i = 0; i < free.size(); ++i) {
       for (std::size_t j = i + 1; j < free.size(); ++j) {
-        if (image_at(free[j]).x() - image_at(free[i]).x() > gap_px) break;
+        if (image_at(free[j]).x() - image_at(free[i]).x() > gap_px_) break;
         if (!face_each_other(free[i], free[j])) continue;
         gaps.push_back({(image_at(free[j]) - image_at(free[i])).norm(), free[i], free[j]});
       }
@@ -195,10 +199,10 @@ class Mates {
   bool face_each_other(const ArcEnd& a, const ArcEnd& b) const {
     if (a.arc == b.arc || !are_one_line(graph_.arcs[idx(a.arc)], graph_.arcs[idx(b.arc)]))
       return false;
-    if ((image_at(a) - image_at(b)).norm() > gap_px) return false;
+    if ((image_at(a) - image_at(b)).norm() > gap_px_) return false;
     const double px = image_length(graph_, a.arc) + image_length(graph_, b.arc);
     const double world = world_length(a.arc) + world_length(b.arc);
-    if ((world_at(a) - world_at(b)).norm() * px > steepest_gap * gap_px * world) return false;
+    if ((world_at(a) - world_at(b)).norm() * px > steepest_gap * gap_px_ * world) return false;
     return leaving_direction(graph_, a).dot(leaving_direction(graph_, b)) < cosine_of_largest_turn;
   }
 
@@ -227,6 +231,7 @@ class Mates {
 
   const LabelledGraph& graph_;
   const std::vector<std::uint8_t>& drawn_;
+  double gap_px_;
   std::vector<int> mates_;
 };
 

@@ -37,13 +37,14 @@ Ragged<ArcEnd> ends_at_nodes(const LabelledGraph& graph, const std::vector<std::
 // at a crossing front in and front out, back in and back out; elsewhere the pairs with the smallest
 // turn. A tail, the last less than `speck_px` of a line before a free end, is a chain of its own
 // where another line starts that the rest of its line can go on in: so an outline runs on past a
-// swallowtail. Free ends less than a pixel apart that face each other are joined.
+// swallowtail. Free ends less than a unit of the graph apart that face each other are joined.
 std::vector<Chain> chain_arcs(const LabelledGraph& graph, const std::vector<std::uint8_t>& drawn,
                               const Ragged<ArcEnd>& ends, double speck_px);
 
 // (chains) 0 for specks: chains shorter than `speck_px` with an end (closed ones: everything) that
 // meets no other kept chain with as few layers in front. What closes a gap between two others
-// stays, but not what is seen in a slit of less than a pixel between two curves in front.
+// stays, but not what is seen in a slit of less than a unit of the graph between two
+// curves in front.
 std::vector<std::uint8_t> chains_without_specks(const LabelledGraph& graph,
                                                 const std::vector<Chain>& chains,
                                                 const Ragged<ArcEnd>& ends, double speck_px);

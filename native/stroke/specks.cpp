@@ -43,7 +43,7 @@ class SpeckFilter {
   }
 
  private:
-  static constexpr double slit_px = 1;
+  static constexpr double slit_units = 1;
 
   bool closes_a_gap(std::size_t c) const {
     const Chain& chain = chains_[c];
@@ -63,7 +63,7 @@ class SpeckFilter {
       const GraphNode& n = graph_.nodes[idx(at)];
       return n.kind == NodeKind::crossing && (n.arcs[2] == arc || n.arcs[3] == arc);
     };
-    return image_length(graph_, chain) < slit_px &&
+    return image_length(graph_, chain) < slit_units * graph_.unit_px &&
            passes_behind(chain.arcs.front(), chain.start_node) &&
            passes_behind(chain.arcs.back(), chain.end_node);
   }

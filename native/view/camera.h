@@ -18,14 +18,18 @@ class Camera {
   // or not a camera's, and sizes below 1.
   Camera(const Mat4& projection, const Mat4& view, int width_px, int height_px);
 
-  int width_px() const { return width_; }
-  int height_px() const { return height_; }
+  // Whole numbers but for `in_units_of`.
+  double width_px() const { return width_; }
+  double height_px() const { return height_; }
   const Mat4& projection() const { return projection_; }
   const Mat4& view() const { return view_; }
 
   bool is_perspective() const { return eye_[3] != 0; }
   // (eye, 1), or (unit direction to the eye, 0): p is on the contour when normal . to_eye(p) is 0.
   const Vec4& viewpoint() const { return eye_; }
+
+  // The same view with image lengths in units of so many pixels in place of pixels.
+  Camera in_units_of(double pixels) const;
 
   // From p towards the eye, not normalised in perspective: eye - p, or the constant direction.
   Vec3 to_eye(const Vec3& p) const {
@@ -56,7 +60,7 @@ class Camera {
  private:
   Mat4 projection_, view_, clip_;  // clip_ = projection_ * view_
   Vec4 eye_;
-  int width_, height_;
+  double width_, height_;
 };
 
 }  // namespace illustrate

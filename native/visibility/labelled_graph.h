@@ -32,6 +32,7 @@ struct LabelledGraph {
   Ragged<CurvePoint> points;
   Ragged<Vec2> image;
   double repair_max_px = 0;  // the farthest that a repair moved a point
+  double unit_px = 1;        // pixels of the unit in which tolerances of its image are measured
 };
 
 }  // namespace illustrate

@@ -42,6 +42,19 @@ TEST(Camera, PixelSizeIsThatOfTheProjection) {
   }
 }
 
+TEST(Camera, UnitsScaleTheImageAlone) {
+  for (const Camera& camera : {cameras::perspective(Vec3(0, -5, 1), Vec3::Zero()),
+                               cameras::orthographic(Vec3(0, -1, 0.2), 2)}) {
+    const Camera coarse = camera.in_units_of(4);
+    const Vec3 p(0.3, 0.2, -0.1), along(1, 2, 3);
+    EXPECT_EQ(coarse.project(p).xy, camera.project(p).xy / 4);
+    EXPECT_EQ(coarse.project(p).depth, camera.project(p).depth);
+    EXPECT_EQ(coarse.project_direction(p, along), camera.project_direction(p, along) / 4);
+    EXPECT_EQ(coarse.pixel_size(p), 4 * camera.pixel_size(p));
+    EXPECT_EQ(coarse.viewpoint(), camera.viewpoint());
+  }
+}
+
 TEST(Camera, RaysEndAtTheNearPlane) {
   const Camera camera = cameras::perspective(Vec3(0, -5, 0), Vec3::Zero(), 1.5);
   const Vec3 p(0.5, 1, 0.25);

@@ -323,8 +323,9 @@ TEST(MakeStrokes, TailsThatAreLongOrTurnAwayOrBelongToOthersStay) {
 
 // Two lines across the image, this far apart, and one that passes behind both.
 TEST(MakeStrokes, WhatIsSeenInASlitIsASpeck) {
-  const auto count = [](double slit) {
+  const auto count = [](double slit, double unit_px = 1) {
     GraphBuilder b;
+    b.graph.unit_px = unit_px;
     std::array<int, 2> crossings;
     for (const std::size_t k : {0, 1}) {
       const double y = k == 0 ? 50 : 50 + slit;
@@ -344,11 +345,13 @@ TEST(MakeStrokes, WhatIsSeenInASlitIsASpeck) {
   };
   EXPECT_EQ(count(.5), 2U);
   EXPECT_EQ(count(1.5), 3U);
+  EXPECT_EQ(count(1.5, 2), 2U) << "less than a unit";
 }
 
 TEST(MakeStrokes, FreeEndsThatFaceEachOtherAreOneLine) {
-  const auto count = [](const Vec2& end, const Vec2& far, double depth) {
+  const auto count = [](const Vec2& end, const Vec2& far, double depth, double unit_px = 1) {
     GraphBuilder b;
+    b.graph.unit_px = unit_px;
     b.line(b.node(NodeKind::cusp, {10, 50}), b.node(NodeKind::cusp, {50, 50}));
     b.line(b.node(NodeKind::joint, end), b.node(NodeKind::cusp, far));
     for (std::size_t i = 2; i < 4; ++i) b.graph.points.values[i].position.z() -= depth;
@@ -356,6 +359,8 @@ TEST(MakeStrokes, FreeEndsThatFaceEachOtherAreOneLine) {
   };
   EXPECT_EQ(count({50.8, 50.2}, {90, 52}, 0), 1U);
   EXPECT_EQ(count({51.3, 50}, {90, 52}, 0), 2U) << "a gap that is seen";
+  EXPECT_EQ(count({51.3, 50}, {90, 52}, 0, 1.5), 1U) << "less than a unit";
+  EXPECT_EQ(count({50.8, 50.2}, {90, 52}, 0, 0.5), 2U) << "more than a unit";
   EXPECT_EQ(count({50.8, 50.2}, {50.8, 90}, 0), 2U) << "a corner";
   EXPECT_EQ(count({50.8, 50.2}, {90, 52}, 30), 2U) << "one behind the other";
 }

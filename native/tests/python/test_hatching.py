@@ -4,12 +4,13 @@ import illustrate_native as ill
 import numpy as np
 import pytest
 from scipy.spatial import cKDTree  # type: ignore[import-untyped]
-from shapes import Shape, cube, look_at, torus
+from shapes import Shape, cube, drape, klein_bottle, look_at, torus
 
 OPTIONS = ill.PrepareOptions(level=2)
 LENGTHS = [
     *("spacing_px", "undercut_spacing_px", "mach_band_px", "undercut_px", "min_length_px"),
-    *("max_length_px", "step_px", "simplify_px", "taper_px"),
+    *("max_length_px", "step_px", "simplify_px", "taper_px", "speck_px"),
+    *("line_width_px", "feature_width_px", "hatch_width_px"),
 ]
 # Both families everywhere, no bands.
 EVERYWHERE = {
@@ -29,14 +30,15 @@ def prepared() -> ill.Prepared:
     return prepared_of(torus())
 
 
-def hatch_points(drawing: ill.Drawing) -> np.ndarray:
-    """Points (n, 3) of all hatches, four pixels apart or less."""
+def hatch_points(drawing: ill.Drawing, parts: int = 8, in_image: bool = False) -> np.ndarray:
+    """Points (n, 3), or (n, 2) px, of all hatches: so many parts of each of their segments."""
+    along = drawing.image if in_image else drawing.points
     points = []
     for i in np.flatnonzero(
         np.isin(drawing.kinds, [int(ill.Kind.HATCH), int(ill.Kind.CROSS_HATCH)])
     ):
-        stroke = drawing.points[drawing.offsets[i] : drawing.offsets[i + 1]]
-        shares = np.linspace(0, 1, 8, endpoint=False)
+        stroke = along[drawing.offsets[i] : drawing.offsets[i + 1]]
+        shares = np.linspace(0, 1, parts, endpoint=False)
         points += [stroke[:-1] + share * np.diff(stroke, axis=0) for share in shares]
     return np.concatenate(points)
 
@@ -111,14 +113,34 @@ def test_half_the_pixels_give_the_same_hatches(prepared: ill.Prepared) -> None:
     assert share_near(coarse, fine, 0.01) > 0.999
 
 
-def test_half_the_pixels_give_the_same_tones_and_hatches(prepared: ill.Prepared) -> None:
-    drawings = []
-    for size, scale in ((800, 2.0), (400, 1.0)):
-        lengths = {name: scale * getattr(ill.DrawOptions(), name) for name in LENGTHS}
-        drawings.append(ill.draw(prepared, look_at(size_px=size), ill.DrawOptions(**lengths)))
-    fine, coarse = drawings
-    assert fine.tone.cell_px == 2 * coarse.tone.cell_px
-    assert (fine.tone.level == coarse.tone.level).all()
-    assert (fine.tone.band != coarse.tone.band).mean() < 1e-3
-    assert share_near(hatch_points(fine), hatch_points(coarse), 0.01) > 0.99
-    assert share_near(hatch_points(coarse), hatch_points(fine), 0.01) > 0.99
+def drawing_of_width(prepared: ill.Prepared, size: int, names: list[str]) -> ill.Drawing:
+    """With lengths that grow with the image, which is 200 px wide in the defaults' pixels."""
+    lengths = {name: size / 200 * getattr(ill.DrawOptions(), name) for name in names}
+    return ill.draw(prepared, look_at(radius=2.0, size_px=size), ill.DrawOptions(**lengths))
+
+
+@pytest.mark.parametrize("shape", [torus(), klein_bottle(), drape()])
+def test_twice_the_pixels_give_the_same_drawing(shape: Shape) -> None:
+    prepared = prepared_of(shape)
+    first, *others = (drawing_of_width(prepared, size, LENGTHS) for size in (200, 400, 800))
+    for drawing in others:
+        scale = drawing.tone.cell_px / first.tone.cell_px
+        assert scale == drawing.tone.level.shape[1] * drawing.tone.cell_px / 200
+        for array in ("offsets", "kinds", "points", "triangles", "barycentrics"):
+            assert np.array_equal(getattr(drawing, array), getattr(first, array))
+        np.testing.assert_allclose(drawing.image, scale * first.image, rtol=0, atol=1e-9)
+        np.testing.assert_allclose(drawing.widths, scale * first.widths, rtol=1e-6)
+        assert np.array_equal(drawing.graph.arc_points, first.graph.arc_points)
+        assert np.array_equal(drawing.tone.level, first.tone.level)
+        assert np.array_equal(drawing.tone.band, first.tone.band)
+
+
+def test_lengths_on_paper_alone_decide_where_hatches_are() -> None:
+    prepared = prepared_of(drape())
+    on_paper = [name for name in LENGTHS if name not in ("step_px", "simplify_px")]
+    coarse, fine = (drawing_of_width(prepared, size, on_paper) for size in (200, 400))
+    assert len(fine.kinds) == len(coarse.kinds)
+    for one, other in ((coarse, fine), (fine, coarse)):
+        points = [400 / d.tone.level.shape[1] / d.tone.cell_px * hatch_points(d, parts, True)
+                  for d, parts in ((one, 8), (other, 200))]  # fmt: skip
+        assert share_near(points[0], points[1], 0.4) == 1, "less than 0.2 px of the smaller image"
