@@ -52,8 +52,6 @@ Camera::Camera(const Mat4& projection, const Mat4& view, int width_px, int heigh
   eye_ = viewpoint_of(clip_, view_);
 }
 
-<<<<<<< HEAD
-=======
 Camera Camera::in_units_of(double pixels) const {
   Camera result = *this;
   result.width_ /= pixels;
@@ -61,13 +59,6 @@ Camera Camera::in_units_of(double pixels) const {
   return result;
 }
 
-ImagePoint Camera::project(const Vec3& p) const {
-  const Vec4 clip = clip_ * p.homogeneous();
-  const double depth = -(view_.row(2) * p.homogeneous()).value();
-  return {Vec2((clip[0] / clip[3] + 1) / 2 * width_, (1 - clip[1] / clip[3]) / 2 * height_), depth};
-}
-
->>>>>>> origin/s8r
 Vec2 Camera::project_direction(const Vec3& p, const Vec3& d) const {
   const Vec4 clip = clip_ * p.homogeneous(), moved = clip_.leftCols<3>() * d;
   const double w = clip[3] * clip[3];
