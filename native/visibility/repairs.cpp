@@ -11,10 +11,10 @@ namespace illustrate {
 namespace {
 
 constexpr double twist_px = 1.0;
+constexpr double wide_twist_px = 2.0;  // without cusps, where it is all that unbalances its path
 constexpr double lens_px = 0.3;
-constexpr double joint_lens_px =
-    1.0;                            // between a joint and a crossing of two strands that meet there
-constexpr int longest_repair = 60;  // points between two crossings that are taken for one
+constexpr double joint_lens_px = 1.0;  // from a joint to a crossing of two strands that meet there
+constexpr int longest_repair = 60;     // points between two crossings that are taken for one
 
 // Where a crossing is met along a path: which strand of it, and which visit of that strand.
 struct Stop {
@@ -236,7 +236,8 @@ class Repairer {
     const Vec2& centre = arrangement_.crossings[idx(c)].image;
     double reach = 0;
     for (const Vec2& p : way.points) reach = std::max(reach, (p - centre).norm());
-    if (reach > twist_px) return false;
+    const int sum = way.cusps == 0 ? sums_[idx(from.path)] : 0;
+    if (reach > (sum != 0 && sum == change_at(c) ? wide_twist_px : twist_px)) return false;
     moved_px_ = std::max(moved_px_, reach);
     return true;
   }
