@@ -226,8 +226,7 @@ class Repairer {
 
   bool is_twist(int c) {
     const Stop a = stops_[2 * idx(c)], b = stops_[2 * idx(c) + 1];
-    if (a.path != b.path) return false;
-    return is_small_loop(c, a, b) || is_small_loop(c, b, a);
+    return a.path == b.path && (is_small_loop(c, a, b) || is_small_loop(c, b, a));
   }
 
   bool is_small_loop(int c, const Stop& from, const Stop& to) {
@@ -263,8 +262,9 @@ class Repairer {
     if (c.path != d.path) return false;
     const bool forward = same(next(c), d), backward = same(next(d), c);
     if (!forward && !backward) return false;
-    const Stretch one = stretch(a, b), two = forward ? stretch(c, d) : stretch(d, c);
-    return is_thin(one, two, lens_px);
+    const Stretch one = stretch(a, b);  // two crossings of closed curves are both
+    return (forward && is_thin(one, stretch(c, d), lens_px)) ||
+           (backward && is_thin(one, stretch(d, c), lens_px));
   }
 
   // The joint that both strands run into from the crossing, close together and without crossing
