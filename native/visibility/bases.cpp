@@ -7,9 +7,11 @@ namespace illustrate {
 namespace {
 
 constexpr double contradiction_px = 40;  // a layer missing behind a crossing
+constexpr double lens_factor = 40;   // of the length of a lens that is dropped with two of them, px
 constexpr double broken_px = 10;     // with a path that has breaks: its labels follow rays alone
 constexpr double impossible = 1e12;  // the price of a negative label
 constexpr int highest_move = 3;      // above the highest base that a ray speaks for
+constexpr double cut_px = 120;       // what a path costs that is cut where its labels are negative
 
 // What the paths say at a crossing; `back` is the smaller of the labels before and behind it.
 struct CrossingLabels {
@@ -53,8 +55,12 @@ class BaseSettler {
       : arrangement_(arrangement),
         paths_(paths),
         labels_(labels_at_crossings(arrangement, paths)),
+        prices_(labels_.size(), contradiction_px),
         crossings_of_(paths.size()),
         moved_(paths.size(), 0) {
+    for (const LabelledPath& path : paths) {
+      for (const PathArc& arc : path.labels.arcs) cheapen_lens(arc);
+    }
     for (std::size_t c = 0; c < labels_.size(); ++c) {
       const CrossingLabels& labels = labels_[c];
       if (!arrangement.is_live(static_cast<int>(c)) || labels.front_path == labels.back_path)
@@ -90,6 +96,18 @@ class BaseSettler {
     double gain;  // px
   };
 
+  // An arc between two crossings of the same strands.
+  void cheapen_lens(const PathArc& arc) {
+    if (arc.begin == none || arc.end == none) return;
+    const std::vector<Visit>& visits = arrangement_.visits[idx(arc.strand)];
+    const int a = visits[idx(arc.begin)].crossing, b = visits[idx(arc.end)].crossing;
+    const Crossing &x = arrangement_.crossings[idx(a)], &y = arrangement_.crossings[idx(b)];
+    if (x.front.strand != y.front.strand || x.back.strand != y.back.strand) return;
+    for (const int c : {a, b}) {
+      prices_[idx(c)] = std::min(prices_[idx(c)], lens_factor * arc.length_px);
+    }
+  }
+
   Move best_move(std::size_t p) const {
     const LabelledPath& path = paths_[p];
     Move best{path.base, 0};
@@ -119,7 +137,7 @@ class BaseSettler {
       const int by = base - path.base;
       const int missing = missing_layers(labels) + (labels.front_path == p ? by : -by);
       const bool is_sure = paths_[labels.other_path(p)].is_balanced();
-      sum += (is_sure ? contradiction_px : broken_px) * std::max(missing, 0);
+      sum += (is_sure ? prices_[c] : std::min(prices_[c], broken_px)) * std::max(missing, 0);
     }
     return sum;
   }
@@ -142,9 +160,56 @@ class BaseSettler {
   const Arrangement& arrangement_;
   std::vector<LabelledPath>& paths_;
   std::vector<CrossingLabels> labels_;  // before any move
+  std::vector<double> prices_;          // (crossings) of a layer missing there, px
   std::vector<std::vector<std::size_t>> crossings_of_;
   std::vector<int> moved_;  // (paths)
 };
+
+double contradiction(const std::vector<PathArc>& arcs, const std::vector<Evidence>& evidence,
+                     int base) {
+  double sum = 0;
+  for (std::size_t i = 0; i < arcs.size(); ++i) sum += evidence[i].against(base + arcs[i].offset);
+  return sum;
+}
+
+// The base below `lowest` that contradicts the rays least and less than `limit`; `lowest` if none
+// does.
+int base_below(const std::vector<PathArc>& arcs, const std::vector<Evidence>& evidence, int lowest,
+               double limit) {
+  int least = lowest, result = lowest;
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    least = std::min(least, evidence[i].layers - arcs[i].offset);
+  }
+  for (int base = lowest - 1; base >= least; --base) {
+    const double cost = contradiction(arcs, evidence, base);
+    if (!(cost < limit)) continue;
+    limit = cost;
+    result = base;
+  }
+  return result;
+}
+
+void set_labels(int base, LabelledPath& path) {
+  path.base = base;
+  for (const PathArc& arc : path.labels.arcs) path.along.push_back(std::max(base + arc.offset, 0));
+  path.at_start = path.at_end = path.along;
+}
+
+// Where labels are 0 instead of negative those next to them jump: a crossing or a cusp that nobody
+// would see has the wrong change.
+void break_beside_negatives(bool cyclic, LabelledPath& path) {
+  const std::size_t count = path.along.size();
+  for (std::size_t i = 0; i < (cyclic ? count : count - 1); ++i) {
+    const std::size_t next = (i + 1) % count;
+    const int change = path.labels.change_behind(i);
+    if (path.along[next] == path.along[i] + change) continue;
+    if (change > 0) {
+      path.at_start[next] = path.along[i] + change;
+    } else {
+      path.at_end[i] = path.along[next] - change;
+    }
+  }
+}
 
 }  // namespace
 
@@ -155,7 +220,7 @@ void LabelledPath::move_base(int by) {
   }
 }
 
-bool choose_base(const std::vector<Evidence>& evidence, LabelledPath& path) {
+bool choose_base(const std::vector<Evidence>& evidence, bool cyclic, LabelledPath& path) {
   const std::vector<PathArc>& arcs = path.labels.arcs;
   int lowest = 0, most = 0;
   for (std::size_t i = 0; i < arcs.size(); ++i) {
@@ -164,20 +229,20 @@ bool choose_base(const std::vector<Evidence>& evidence, LabelledPath& path) {
   }
   path.costs.assign(idx(std::max(-lowest, most) + highest_move + 1), impossible);
   for (std::size_t base = idx(-lowest); base < path.costs.size(); ++base) {
-    path.costs[base] = 0;
-    for (std::size_t i = 0; i < arcs.size(); ++i) {
-      const int label = static_cast<int>(base) + arcs[i].offset;
-      path.costs[base] += evidence[i].against(label);
-    }
+    path.costs[base] = contradiction(arcs, evidence, static_cast<int>(base));
   }
   const auto best = std::min_element(path.costs.begin(), path.costs.end());
   if (!(*best < outline_weight)) {
     path.costs.clear();
     return false;
   }
-  for (const PathArc& arc : arcs) path.along.push_back(arc.offset);
-  path.at_start = path.at_end = path.along;
-  path.move_base(static_cast<int>(best - path.costs.begin()));
+  const int below = base_below(arcs, evidence, -lowest, *best - cut_px);
+  const bool is_cut = below < -lowest;
+  set_labels(is_cut ? below : static_cast<int>(best - path.costs.begin()), path);
+  if (is_cut) {
+    path.costs.clear();
+    break_beside_negatives(cyclic, path);
+  }
   return true;
 }
 

@@ -8,9 +8,8 @@
 namespace illustrate {
 namespace {
 
-// A path whose changes sum to zero hardly needs a break. Any other one needs one, at the price of
-// ten: where rays mislead along the rest of it the rules are still right.
-constexpr double balanced_factor = 1e5;
+// A break has the price of ten: where rays mislead along the rest of the path the rules are still
+// right.
 constexpr double broken_factor = 10;
 
 bool any_free(const PathLabels& labels) {
@@ -25,16 +24,15 @@ LabelledPath label_path(const Arrangement& arrangement, const Path& path, bool t
   LabelledPath result;
   result.labels = relative_labels(arrangement, path);
   const std::vector<PathArc>& arcs = result.labels.arcs;
-  const bool balanced = trusts_rules && (!path.cyclic || result.labels.residual == 0);
-  const bool has_base = balanced && !any_free(result.labels);
+  const bool balanced = !path.cyclic || result.labels.residual == 0;
+  const bool has_base = trusts_rules && balanced && !any_free(result.labels);
   std::vector<Evidence> evidence = outline_evidence(arrangement, arcs);
   const bool is_outer =
       std::any_of(evidence.begin(), evidence.end(), [](const Evidence& e) { return e.weight > 0; });
-  if (has_base && is_outer && choose_base(evidence, result)) return result;
+  if (has_base && is_outer && choose_base(evidence, path.cyclic, result)) return result;
   ask_rays(arrangement, arcs, rays, known, evidence);
-  if (has_base && choose_base(evidence, result)) return result;
-  const double dear = !trusts_rules ? 1 : path.cyclic && balanced ? balanced_factor : broken_factor;
-  label_with_breaks(result, evidence, path.cyclic, dear);
+  if (has_base && choose_base(evidence, path.cyclic, result)) return result;
+  label_with_breaks(result, evidence, path.cyclic, trusts_rules ? broken_factor : 1);
   return result;
 }
 

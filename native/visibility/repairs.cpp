@@ -11,10 +11,10 @@ namespace illustrate {
 namespace {
 
 constexpr double twist_px = 1.0;
+constexpr double wide_twist_px = 2.0;  // without cusps, where it is all that unbalances its path
 constexpr double lens_px = 0.3;
-constexpr double joint_lens_px =
-    1.0;                            // between a joint and a crossing of two strands that meet there
-constexpr int longest_repair = 60;  // points between two crossings that are taken for one
+constexpr double joint_lens_px = 1.0;  // from a joint to a crossing of two strands that meet there
+constexpr int longest_repair = 60;     // points between two crossings that are taken for one
 
 // Where a crossing is met along a path: which strand of it, and which visit of that strand.
 struct Stop {
@@ -226,8 +226,7 @@ class Repairer {
 
   bool is_twist(int c) {
     const Stop a = stops_[2 * idx(c)], b = stops_[2 * idx(c) + 1];
-    if (a.path != b.path) return false;
-    return is_small_loop(c, a, b) || is_small_loop(c, b, a);
+    return a.path == b.path && (is_small_loop(c, a, b) || is_small_loop(c, b, a));
   }
 
   bool is_small_loop(int c, const Stop& from, const Stop& to) {
@@ -236,7 +235,8 @@ class Repairer {
     const Vec2& centre = arrangement_.crossings[idx(c)].image;
     double reach = 0;
     for (const Vec2& p : way.points) reach = std::max(reach, (p - centre).norm());
-    if (reach > twist_px) return false;
+    const int sum = way.cusps == 0 ? sums_[idx(from.path)] : 0;
+    if (reach > (sum != 0 && sum == change_at(c) ? wide_twist_px : twist_px)) return false;
     moved_px_ = std::max(moved_px_, reach);
     return true;
   }
@@ -262,8 +262,9 @@ class Repairer {
     if (c.path != d.path) return false;
     const bool forward = same(next(c), d), backward = same(next(d), c);
     if (!forward && !backward) return false;
-    const Stretch one = stretch(a, b), two = forward ? stretch(c, d) : stretch(d, c);
-    return is_thin(one, two, lens_px);
+    const Stretch one = stretch(a, b);  // two crossings of closed curves are both
+    return (forward && is_thin(one, stretch(c, d), lens_px)) ||
+           (backward && is_thin(one, stretch(d, c), lens_px));
   }
 
   // The joint that both strands run into from the crossing, close together and without crossing

@@ -5,10 +5,11 @@
 
 namespace illustrate {
 
-// Drops twists (a path crosses itself, all between stays within a pixel, at most one cusp; a closed
-// path must come nearer to balance) and lenses whose two crossings contradict each other:
-// consecutive on both strands, everything between closer than 0.3 px, front and back exchanged.
-// Returns the number of crossings dropped; `moved_px` grows to the farthest distance bridged.
+// Drops twists (a path crosses itself, all between stays within a pixel, at most one cusp, or
+// within two, no cusp, where nothing else unbalances a closed path; that must come nearer to
+// balance) and lenses whose two crossings contradict each other: consecutive on both strands,
+// everything between closer than 0.3 px, front and back exchanged. Returns the number of crossings
+// dropped; `moved_px` grows to the farthest distance bridged.
 int drop_twists_and_lenses(Arrangement& arrangement, double& moved_px);
 
 // A curve that runs through a contour touches it there in the image, since its surface lies on one

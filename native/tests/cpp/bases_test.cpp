@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cameras.h"
+#include "visibility/repairs.h"
 
 namespace illustrate {
 namespace {
@@ -12,9 +13,9 @@ namespace {
 const Camera one_px = cameras::orthographic(Vec3(0, 0, 1), 500);  // a world unit is a pixel
 
 // Two squares that overlap, the first one in front.
-CurveNetwork overlapping_squares() {
+CurveNetwork overlapping_squares(double overlap_px = 50) {
   CurveNetwork network;
-  for (const double shift : {0., 50.}) {
+  for (const double shift : {0., 100 - overlap_px}) {
     for (const Vec2& p : {Vec2(0, 0), Vec2(100, 0), Vec2(100, 100), Vec2(0, 100)}) {
       network.points.push({Vec3(p.x() + shift, p.y() + shift, -shift), {}});
     }
@@ -34,7 +35,7 @@ LabelledPath path_with(const Arrangement& arrangement, std::size_t p, int base, 
   int lowest = 0;
   for (const PathArc& arc : path.labels.arcs) lowest = std::min(lowest, arc.offset);
   for (Evidence& e : evidence) e.layers -= lowest;
-  EXPECT_TRUE(choose_base(evidence, path));
+  EXPECT_TRUE(choose_base(evidence, true, path));
   return path;
 }
 
@@ -71,6 +72,19 @@ TEST(Bases, StayWhereABrokenPathContradictsThem) {
   EXPECT_EQ(paths[1].along, before);
 }
 
+// Its crossings go before long stretches of line do, where corners just touch.
+TEST(Bases, StayWhereAThinLensContradictsThem) {
+  const CurveNetwork network = overlapping_squares(.05);
+  Arrangement arrangement = arrange(network, one_px);
+  std::vector<LabelledPath> paths{path_with(arrangement, 0, 1, 15),
+                                  path_with(arrangement, 1, 0, 15)};
+  const std::vector<int> wrong = settle_bases(arrangement, paths);
+  EXPECT_EQ(wrong, (std::vector<int>{0, 1}));
+  EXPECT_EQ(paths[0].along, (std::vector<int>{1, 1}));
+  double moved_px = 0;
+  EXPECT_EQ(drop_lenses(arrangement, wrong, moved_px), 2);
+}
+
 // Where rays miss a layer on one arc or meet one too many on the other, they have missed one.
 TEST(Bases, AreTheHigherOnesWhereRaysDisagree) {
   const CurveNetwork network = overlapping_squares();
@@ -78,7 +92,7 @@ TEST(Bases, AreTheHigherOnesWhereRaysDisagree) {
   LabelledPath path;
   path.labels = relative_labels(arrangement, arrangement.paths[1]);
   const std::vector<Evidence> evidence(path.labels.arcs.size(), {1, 0, 10});
-  ASSERT_TRUE(choose_base(evidence, path));
+  ASSERT_TRUE(choose_base(evidence, true, path));
   EXPECT_EQ(*std::min_element(path.along.begin(), path.along.end()), 1);
 }
 
@@ -89,7 +103,33 @@ TEST(Bases, AreNoneWhereThePathRunsAlongTheOutsideWithTwoLabels) {
   LabelledPath path;
   path.labels = relative_labels(arrangement, arrangement.paths[1]);
   ASSERT_EQ(path.labels.arcs.size(), 2U);
-  EXPECT_FALSE(choose_base(outline_evidence(arrangement, path.labels.arcs), path));
+  EXPECT_FALSE(choose_base(outline_evidence(arrangement, path.labels.arcs), true, path));
+}
+
+// The labels of a path of two long arcs, of one layer each as rays have it, and a short one between
+// them where the rules ask for two layers less: along them, then at their starts and ends.
+std::vector<std::vector<int>> with_a_negative_stretch(double long_px, bool cyclic,
+                                                      std::size_t first) {
+  LabelledPath path;
+  std::vector<Evidence> evidence;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const bool is_short = (first + i) % 3 == 1;
+    PathArc arc{};
+    arc.offset = is_short ? -2 : 0;
+    path.labels.arcs.push_back(arc);
+    evidence.push_back({is_short ? 0 : 1, 0, is_short ? .5 : long_px});
+  }
+  EXPECT_TRUE(choose_base(evidence, cyclic, path));
+  return {path.along, path.at_start, path.at_end};
+}
+
+// Long stretches that a base contradicts only because a short one must not be negative.
+TEST(Bases, AreCutWhereASpeckWouldLiftALongPath) {
+  using Labels = std::vector<std::vector<int>>;
+  EXPECT_EQ(with_a_negative_stretch(200, false, 0), (Labels{{1, 0, 1}, {1, 0, 2}, {2, 0, 1}}));
+  EXPECT_EQ(with_a_negative_stretch(200, true, 1), (Labels{{0, 1, 1}, {0, 2, 1}, {0, 1, 2}}));
+  EXPECT_EQ(with_a_negative_stretch(200, false, 1), (Labels{{0, 1, 1}, {0, 2, 1}, {0, 1, 1}}));
+  EXPECT_EQ(with_a_negative_stretch(20, true, 0), (Labels(3, {2, 0, 2})));
 }
 
 // What rays say of a boundary of 18 px behind a plate that has a slot of this width at its middle.
