@@ -34,6 +34,9 @@ Span<const CurveCut> cuts_of(const std::vector<CurveCut>& cuts, int curve) {
 CutPolyline insert_cuts(const Surface& surface, const Polyline& line, Span<const CurveCut> cuts,
                         const std::vector<NetworkNode>& nodes) {
   CutPolyline result;
+  result.points.reserve(line.points.size() + cuts.size() + 1);
+  result.nodes.reserve(result.points.capacity());
+  result.sources.reserve(result.points.capacity());
   std::size_t next = 0;
   for (std::size_t i = 0; i < line.points.size(); ++i) {
     const std::size_t begin = next;
@@ -164,6 +167,7 @@ std::vector<Stretch> stretches(Span<const ZeroPoint> line, bool closed, bool sug
 
 Polyline polyline_of(Span<const ChainPoint> chain, bool closed) {
   Polyline line{{}, closed};
+  line.points.reserve(chain.size());
   for (const ChainPoint& p : chain) line.points.push_back({p.position, p.on});
   return line;
 }
@@ -175,6 +179,8 @@ void add_silhouette_strands(const Surface& surface, const Silhouettes& silhouett
   Strand strand;
   strand.kind = Kind::silhouette;
   strand.left_layers = 2;
+  network.points.values.reserve(network.points.values.size() + silhouettes.chains.values.size() +
+                                2 * joints.chains.size());
   for (std::size_t c = 0; c < silhouettes.chains.size(); ++c) {
     const Span<const ChainPoint> chain = silhouettes.chains[c];
     const bool closed = silhouettes.closed[c];

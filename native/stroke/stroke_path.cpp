@@ -131,24 +131,21 @@ std::vector<Place> places_of(const std::vector<StrokePoint>& points, double pixe
   return places;
 }
 
-double chord_distance(const Place& p, const Place& a, const Place& b) {
-  const Place chord = b - a, offset = p - a;
-  const double square = chord.squaredNorm();
-  const double t = square > 0 ? std::clamp(offset.dot(chord) / square, 0.0, 1.0) : 0.0;
-  return (offset - t * chord).norm();
-}
-
 struct Farthest {
   std::size_t index;
-  double distance;
+  double square;  // of its distance
 };
 
 // Of the points strictly between two, the one farthest from their chord.
 Farthest farthest_between(const std::vector<Place>& points, std::size_t first, std::size_t last) {
+  const Place &start = points[first], chord = points[last] - start;
+  const double square = chord.squaredNorm(), per_square = square > 0 ? 1 / square : 0;
   Farthest found{first, -1};
   for (std::size_t i = first + 1; i < last; ++i) {
-    const double distance = chord_distance(points[i], points[first], points[last]);
-    if (distance > found.distance) found = {i, distance};
+    const Place offset = points[i] - start;
+    const double t = std::clamp(offset.dot(chord) * per_square, 0.0, 1.0);
+    const double distance = (offset - t * chord).squaredNorm();
+    if (distance > found.square) found = {i, distance};
   }
   return found;
 }
@@ -161,7 +158,7 @@ void mark_needed(const std::vector<Place>& points, std::size_t begin, std::size_
     const auto [first, last] = open.back();
     open.pop_back();
     const Farthest far = farthest_between(points, first, last);
-    if (far.distance <= tolerance) continue;
+    if (far.square <= tolerance * tolerance) continue;
     needed[far.index] = 1;
     open.push_back({first, far.index});
     open.push_back({far.index, last});
@@ -228,7 +225,7 @@ StrokePath simplify(const StrokePath& path, double tolerance_px, double pixel_si
     const std::size_t far = farthest_between(points, 0, count).index;
     const Farthest before = farthest_between(points, 0, far);
     const Farthest after = farthest_between(points, far, count);
-    needed[before.distance > after.distance ? before.index : after.index] = 1;
+    needed[before.square > after.square ? before.index : after.index] = 1;
     mark_needed(points, 0, far, tolerance_px, needed);
     mark_needed(points, far, count, tolerance_px, needed);
   } else {

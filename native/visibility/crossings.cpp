@@ -54,6 +54,7 @@ class CrossingFinder {
 
   std::vector<Crossing> run() {
     std::vector<SegmentBox> boxes;
+    boxes.reserve(segments_.size());
     for (const Segment& s : segments_) {
       boxes.push_back(box_of(strands_.grid[idx(s.a)], strands_.grid[idx(s.b)]));
     }

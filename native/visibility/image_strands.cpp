@@ -16,7 +16,11 @@ double within_reach(double x) {
   return std::isfinite(x) ? std::clamp(x, -farthest_px, farthest_px) : 0;
 }
 
-std::int64_t to_grid(double px) { return std::llround(px / tolerance::image_grid_px); }
+// To the nearest, halves away from zero.
+std::int64_t to_grid(double px) {
+  const double units = px / tolerance::image_grid_px;
+  return static_cast<std::int64_t>(units + (units < 0 ? -0.5 : 0.5));
+}
 
 void share_node_ids(const CurveNetwork& network, std::vector<GridPoint>& grid) {
   for (std::size_t s = 0; s < network.strands.size(); ++s) {
@@ -52,6 +56,9 @@ ImageStrands project_strands(const CurveNetwork& network, const Camera& camera) 
   ImageStrands result;
   result.perspective = camera.is_perspective();
   const int nodes = static_cast<int>(network.nodes.size());
+  result.image.reserve(network.points.values.size());
+  result.depth.reserve(network.points.values.size());
+  result.grid.reserve(network.points.values.size());
   for (const CurvePoint& p : network.points.values) {
     const ImagePoint seen = camera.project(p.position);
     const Vec2 xy(within_reach(seen.xy.x()), within_reach(seen.xy.y()));
