@@ -66,7 +66,8 @@ class Illumination {
 
   double at(std::uint32_t cell, const Corners& corners) const {
     const auto width = static_cast<std::uint32_t>(visible_.width);
-    const Vec2 centre = Vec2(cell % width + 0.5, cell / width + 0.5) * visible_.cell_px;
+    const std::uint32_t row = cell / width, column = cell % width;
+    const Vec2 centre = Vec2(column + 0.5, row + 0.5) * visible_.cell_px;
     const SurfacePoint on = surface_point_under(corners.mapped, corners.triangle, centre);
     const Vec3 position = between(corners.positions, on), mean = between(corners.normals, on);
     const double length = mean.norm();
