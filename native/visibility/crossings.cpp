@@ -25,24 +25,6 @@ int perturbed(const GridPoint& i, const GridPoint& j, const GridPoint& k) {
   return 1;
 }
 
-struct Segment {
-  int strand;
-  int segment;
-  int a;  // its two points among all points
-  int b;
-};
-
-std::vector<Segment> all_segments(const CurveNetwork& network) {
-  std::vector<Segment> result;
-  for (std::size_t s = 0; s < network.strands.size(); ++s) {
-    const int begin = network.points.offsets[s], end = network.points.offsets[s + 1];
-    const int strand = static_cast<int>(s);
-    for (int p = begin; p + 1 < end; ++p) result.push_back({strand, p - begin, p, p + 1});
-    if (network.strands[s].closed()) result.push_back({strand, end - 1 - begin, end - 1, begin});
-  }
-  return result;
-}
-
 SegmentBox box_of(const GridPoint& a, const GridPoint& b) {
   return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
 }
@@ -55,7 +37,7 @@ class CrossingFinder {
   std::vector<Crossing> run() {
     std::vector<SegmentBox> boxes;
     boxes.reserve(segments_.size());
-    for (const Segment& s : segments_) {
+    for (const StrandSegment& s : segments_) {
       boxes.push_back(box_of(strands_.grid[idx(s.a)], strands_.grid[idx(s.b)]));
     }
     std::vector<std::pair<int, int>> pairs;
@@ -74,7 +56,7 @@ class CrossingFinder {
  private:
   const GridPoint& grid(int point) const { return strands_.grid[idx(point)]; }
 
-  bool cross(const Segment& s, const Segment& t) const {
+  bool cross(const StrandSegment& s, const StrandSegment& t) const {
     const GridPoint &a = grid(s.a), &b = grid(s.b), &c = grid(t.a), &d = grid(t.b);
     if (a.id == b.id || c.id == d.id) return false;
     if (a.id == c.id || a.id == d.id || b.id == c.id || b.id == d.id) return false;
@@ -83,7 +65,7 @@ class CrossingFinder {
   }
 
   // Share of s at which it crosses t.
-  double fraction(const Segment& s, const Segment& t) const {
+  double fraction(const StrandSegment& s, const StrandSegment& t) const {
     const auto from = static_cast<long double>(turn(grid(t.a), grid(t.b), grid(s.a)));
     const auto to = static_cast<long double>(turn(grid(t.a), grid(t.b), grid(s.b)));
     if (from == to) return middle_of_overlap(s, t);
@@ -92,7 +74,7 @@ class CrossingFinder {
 
   // Of segments on one line, where only the perturbation says that they cross: the same point from
   // both.
-  double middle_of_overlap(const Segment& s, const Segment& t) const {
+  double middle_of_overlap(const StrandSegment& s, const StrandSegment& t) const {
     const Vec2 a = flat(s.a), along = flat(s.b) - a;
     const double square = along.squaredNorm();
     if (square == 0) return 0.5;
@@ -104,17 +86,17 @@ class CrossingFinder {
     return {static_cast<double>(grid(point).x), static_cast<double>(grid(point).y)};
   }
 
-  double depth(const Segment& s, double image_fraction) const {
+  double depth(const StrandSegment& s, double image_fraction) const {
     const double a = strands_.depth[idx(s.a)], b = strands_.depth[idx(s.b)];
     return a + world_fraction(image_fraction, a, b, strands_.perspective) * (b - a);
   }
 
-  Crossing crossing(const Segment& s, const Segment& t) const {
+  Crossing crossing(const StrandSegment& s, const StrandSegment& t) const {
     const double fs = fraction(s, t), ft = fraction(t, s);
     const StrandPlace ps{s.strand, s.segment, fs}, pt{t.strand, t.segment, ft};
     const bool s_in_front = depth(s, fs) <= depth(t, ft);
-    const Segment& front = s_in_front ? s : t;
-    const Segment& back = s_in_front ? t : s;
+    const StrandSegment& front = s_in_front ? s : t;
+    const StrandSegment& back = s_in_front ? t : s;
     const bool from_right = orientation(grid(front.a), grid(front.b), grid(back.a)) < 0;
     const Vec2 &a = strands_.image[idx(s.a)], &b = strands_.image[idx(s.b)];
     return {s_in_front ? ps : pt, s_in_front ? pt : ps, a + fs * (b - a), from_right};
@@ -122,7 +104,7 @@ class CrossingFinder {
 
   const CurveNetwork& network_;
   const ImageStrands& strands_;
-  std::vector<Segment> segments_;
+  std::vector<StrandSegment> segments_;
 };
 
 }  // namespace

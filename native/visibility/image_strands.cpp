@@ -72,6 +72,18 @@ ImageStrands project_strands(const CurveNetwork& network, const Camera& camera) 
   return result;
 }
 
+std::vector<StrandSegment> all_segments(const CurveNetwork& network) {
+  std::vector<StrandSegment> result;
+  result.reserve(network.points.values.size());
+  for (std::size_t s = 0; s < network.strands.size(); ++s) {
+    const int begin = network.points.offsets[s], end = network.points.offsets[s + 1];
+    const int strand = static_cast<int>(s);
+    for (int p = begin; p + 1 < end; ++p) result.push_back({strand, p - begin, p, p + 1});
+    if (network.strands[s].closed()) result.push_back({strand, end - 1 - begin, end - 1, begin});
+  }
+  return result;
+}
+
 double world_fraction(double image_fraction, double depth_a, double depth_b, bool perspective) {
   if (!perspective) return image_fraction;
   const double denominator = depth_b + image_fraction * (depth_a - depth_b);

@@ -24,6 +24,16 @@ struct ImageStrands {
 
 ImageStrands project_strands(const CurveNetwork& network, const Camera& camera);
 
+struct StrandSegment {
+  int strand;
+  int segment;  // of the strand
+  int a;        // its two points among all points
+  int b;
+};
+
+// Strand by strand, each in order; a closed one's last segment leads back to its start.
+std::vector<StrandSegment> all_segments(const CurveNetwork& network);
+
 // From a share of a segment's image to the share of the segment itself: depths at its two ends.
 double world_fraction(double image_fraction, double depth_a, double depth_b, bool perspective);
 

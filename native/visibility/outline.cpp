@@ -33,28 +33,9 @@ struct RowEnd {
   }
 };
 
-struct Segment {
-  int strand;
-  int index;
-  int a;  // its two points among all points
-  int b;
-};
-
-std::vector<Segment> all_segments(const CurveNetwork& network) {
-  std::vector<Segment> result;
-  result.reserve(network.points.values.size());
-  for (std::size_t s = 0; s < network.strands.size(); ++s) {
-    const int begin = network.points.offsets[s], end = network.points.offsets[s + 1];
-    const int strand = static_cast<int>(s);
-    for (int p = begin; p + 1 < end; ++p) result.push_back({strand, p - begin, p, p + 1});
-    if (network.strands[s].closed()) result.push_back({strand, end - 1 - begin, end - 1, begin});
-  }
-  return result;
-}
-
 class OutlineScan {
  public:
-  OutlineScan(const std::vector<Segment>& segments, const std::vector<Vec2>& points)
+  OutlineScan(const std::vector<StrandSegment>& segments, const std::vector<Vec2>& points)
       : segments_(segments),
         points_(points),
         rows_(points.size()),
@@ -97,7 +78,7 @@ class OutlineScan {
 
   // A segment that ends on a scan line belongs to it at its lower end only.
   void cross_rows(int i) {
-    const Segment& s = segments_[idx(i)];
+    const StrandSegment& s = segments_[idx(i)];
     const auto [first, end] = std::minmax(next_line_[idx(s.a)], next_line_[idx(s.b)]);
     const double a = rows_[idx(s.a)], per_row = 1 / (rows_[idx(s.b)] - a);
     for (int row = first; row < end; ++row) offer(i, (row + 0.5 - a) * per_row, idx(row));
@@ -137,7 +118,7 @@ class OutlineScan {
   }
 
   void cross_finer_rows(int i) {
-    const Segment& s = segments_[idx(i)];
+    const StrandSegment& s = segments_[idx(i)];
     const double a = rows_[idx(s.a)], b = rows_[idx(s.b)];
     const auto first = static_cast<std::size_t>(std::min(a, b));
     const auto last = static_cast<std::size_t>(std::max(a, b));
@@ -154,13 +135,13 @@ class OutlineScan {
   }
 
   void offer(int i, double fraction, std::size_t row) {
-    const Segment& s = segments_[idx(i)];
+    const StrandSegment& s = segments_[idx(i)];
     const double a = along_[idx(s.a)], v = a + fraction * (along_[idx(s.b)] - a);
     lower_[row].offer(v, i, fraction);
     upper_[row].offer(-v, i, fraction);
   }
 
-  const std::vector<Segment>& segments_;
+  const std::vector<StrandSegment>& segments_;
   const std::vector<Vec2>& points_;
   Vec2 across_ = Vec2::UnitX();
   std::vector<double> rows_;    // (points) where each one is, in rows
@@ -185,15 +166,15 @@ bool is_cut_open(const CurveNetwork& network) {
 std::vector<std::vector<StrandPlace>> outline_places(const CurveNetwork& network,
                                                      const ImageStrands& strands) {
   std::vector<std::vector<StrandPlace>> result(network.strands.size());
-  const std::vector<Segment> segments = all_segments(network);
+  const std::vector<StrandSegment> segments = all_segments(network);
   if (segments.empty() || is_cut_open(network)) return result;
   OutlineScan scan(segments, strands.image);
   for (int d = 0; d < directions; ++d) scan.scan(half_turn * (d + 0.137) / directions);
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const double fraction = scan.hits()[i];
     if (fraction < 0) continue;
-    const Segment& s = segments[i];
-    result[idx(s.strand)].push_back({s.strand, s.index, std::clamp(fraction, 0.0, 1.0)});
+    const StrandSegment& s = segments[i];
+    result[idx(s.strand)].push_back({s.strand, s.segment, std::clamp(fraction, 0.0, 1.0)});
   }
   return result;
 }
