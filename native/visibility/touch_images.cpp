@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "visibility/repairs.h"
+
 namespace illustrate {
 namespace {
 
@@ -52,14 +54,14 @@ class TouchImages {
   }
 
  private:
-  // The shortest ones that start at one joint; false where the two strands have none in common.
-  bool find_ways(const StrandPlace& a, const StrandPlace& b, Way& one, Way& two) const {
+  // The shortest ones that start at one joint, or no farther apart than a cusp at the end of a
+  // contour from it; false where there are none.
+  bool find_ways(const StrandPlace& a, const StrandPlace& b, Way& one, Way& two) {
     int least = std::numeric_limits<int>::max();
     for (const bool a_forward : {true, false}) {
       for (const bool b_forward : {true, false}) {
-        const int node = first_node(a.strand, a_forward);
-        if (node == none || node != first_node(b.strand, b_forward)) continue;
         const Way from_a = way(a, a_forward), from_b = way(b, b_forward);
+        if ((image(from_a, 0) - image(from_b, 0)).norm() > end_px) continue;
         if (from_a.count + from_b.count >= least) continue;
         least = from_a.count + from_b.count;
         one = from_a;
@@ -67,11 +69,6 @@ class TouchImages {
       }
     }
     return one.strand != none;
-  }
-
-  int first_node(int strand, bool forward) const {
-    const Strand& s = network_.strands[idx(strand)];
-    return forward ? s.start_node : s.end_node;
   }
 
   Way way(const StrandPlace& to, bool forward) const {
