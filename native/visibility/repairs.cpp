@@ -79,7 +79,7 @@ class Repairer {
   // is_paid as in joint_touches.h.
   int touches(std::vector<std::uint8_t>& is_paid) {
     start();
-    links_ = short_links(arrangement_);
+    if (links_.empty()) links_ = short_links(arrangement_);
     int dropped = 0;
     for (std::size_t c = 0; c < arrangement_.crossings.size(); ++c) {
       const int crossing = static_cast<int>(c);
