@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "visibility/repairs.h"
+
 namespace illustrate {
 namespace {
 
@@ -162,7 +164,35 @@ void turn_jump(Arrangement& arrangement, int strand) {
   }
 }
 
+// A cusp's strand that is not told from where its contour ends.
+bool is_end_of_no_length(const Arrangement& arrangement, const Path& path, int strand) {
+  return !path.cyclic && path.strands.size() > 1 &&
+         (strand == path.strands.front() || strand == path.strands.back()) &&
+         arrangement.reach_px(strand) <= end_px;
+}
+
+bool is_link(const Arrangement& arrangement, const Path& path, int index) {
+  const Strand& strand = arrangement.network->strands[idx(index)];
+  if (strand.start_node == strand.end_node) return false;  // closed, too
+  if (strand.kind == Kind::intersection) return false;
+  if (strand.kind == Kind::silhouette) return is_end_of_no_length(arrangement, path, index);
+  return arrangement.reach_px(index) <= reach_px;
+}
+
 }  // namespace
+
+std::vector<std::pair<int, int>> short_links(const Arrangement& arrangement) {
+  std::vector<std::pair<int, int>> links;
+  for (const Path& path : arrangement.paths) {
+    for (const int s : path.strands) {
+      if (!is_link(arrangement, path, s)) continue;
+      const Strand& strand = arrangement.network->strands[idx(s)];
+      links.emplace_back(std::minmax(strand.start_node, strand.end_node));
+    }
+  }
+  std::sort(links.begin(), links.end());
+  return links;
+}
 
 int drop_touches_past_nodes(Arrangement& arrangement, const std::vector<std::uint8_t>& is_paid,
                             double& moved_px) {

@@ -1,6 +1,9 @@
 // Where a curve runs through a contour: what the images of the two do at their joint.
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "visibility/arrangement.h"
 
 namespace illustrate {
@@ -18,5 +21,9 @@ namespace illustrate {
 // of crossings dropped; `moved_px` grows to the farthest from its joint.
 int drop_touches_past_nodes(Arrangement& arrangement, const std::vector<std::uint8_t>& is_paid,
                             double& moved_px);
+
+// Pairs of nodes, the smaller one first, sorted: the two ends of a feature strand that stays within
+// a pixel of its start, or of a contour's last strand that stays within end_px (repairs.h).
+std::vector<std::pair<int, int>> short_links(const Arrangement& arrangement);
 
 }  // namespace illustrate

@@ -6,6 +6,7 @@
 #include "visibility/build_graph.h"
 #include "visibility/labels.h"
 #include "visibility/repairs.h"
+#include "visibility/touch_images.h"
 
 namespace illustrate {
 namespace {
@@ -164,6 +165,7 @@ LabelledGraph label_network(const CurveNetwork& network, const Surface& surface,
   double moved_px = 0;
   const int touches = drop_touches(arrangement, moved_px);
   counts["dropped_touches"] += touches;
+  const std::vector<int> touching = dropped_crossings(arrangement);
   int repairs = drop_twists_and_lenses(arrangement, moved_px);
   counts["repaired_twists"] += repairs;
   const std::int64_t unbalanced = count_unbalanced(arrangement);
@@ -173,6 +175,7 @@ LabelledGraph label_network(const CurveNetwork& network, const Surface& surface,
   LayerRays rays(surface, bvh, camera);
   ConsistentLabels consistent(arrangement, rays, moved_px);
   const std::vector<LabelledPath> labels = consistent.run(progress.part(0.3, 1));
+  pull_touches_together(arrangement, touching);
   LabelledGraph graph = build_graph(arrangement, labels, surface);
   graph.repair_max_px = moved_px;
   counts["crossings"] += arrangement.live_crossings();

@@ -79,7 +79,7 @@ class Repairer {
   // is_paid as in joint_touches.h.
   int touches(std::vector<std::uint8_t>& is_paid) {
     start();
-    if (links_.empty()) find_links();
+    if (links_.empty()) links_ = short_links(arrangement_);
     int dropped = 0;
     for (std::size_t c = 0; c < arrangement_.crossings.size(); ++c) {
       const int crossing = static_cast<int>(c);
@@ -284,7 +284,7 @@ class Repairer {
   }
 
   // Whether both strands run, close together, into the two ends of a third one that is no longer
-  // than a touch: a contour ends on a feature curve just beside a node of that.
+  // than a touch: a contour ends on a feature curve just beside a node of that, or beside a cusp.
   bool is_beside_end(int c) {
     const Stop a = stops_[2 * idx(c)], b = stops_[2 * idx(c) + 1];
     for (const bool a_forward : {true, false}) {
@@ -303,19 +303,6 @@ class Repairer {
   bool is_linked(int from, int to) const {
     const std::pair<int, int> link = std::minmax(from, to);
     return std::binary_search(links_.begin(), links_.end(), link);
-  }
-
-  // Pairs of nodes at the two ends of a feature strand that stays near them.
-  void find_links() {
-    const CurveNetwork& network = *arrangement_.network;
-    for (std::size_t s = 0; s < network.strands.size(); ++s) {
-      const Strand& strand = network.strands[s];
-      if (strand.kind == Kind::silhouette || strand.kind == Kind::intersection) continue;
-      if (strand.closed() || strand.start_node == strand.end_node) continue;
-      if (arrangement_.reach_px(static_cast<int>(s)) > joint_lens_px) continue;
-      links_.emplace_back(std::minmax(strand.start_node, strand.end_node));
-    }
-    std::sort(links_.begin(), links_.end());
   }
 
   int end_node(const Stop& stop, bool forward) const {

@@ -8,7 +8,6 @@ namespace illustrate {
 namespace {
 
 constexpr double swallowtail_px = 1.0;
-constexpr double end_px = 0.1;  // a cusp nearer to where its chain ends is not told from the end
 
 // A strand between two cusps of one jump; `step` enters it.
 struct Swallowtail {

@@ -217,6 +217,41 @@ TEST(Touches, OfAContourWithTheCreaseThatItEndsOnAreDroppedPastANode) {
   EXPECT_EQ(dropped(.3, Kind::silhouette), 0) << "another contour between them";
 }
 
+// A contour that has a cusp this far from its end on a boundary; their polylines cross before that.
+CurveNetwork contour_ends_behind_a_cusp(double tip_px) {
+  const Vec3 joint(0, 0, 0), tip(tip_px, 0, -.5);
+  CurveNetwork network;
+  network.nodes = {{NodeKind::joint, joint},
+                   {NodeKind::cusp, tip},
+                   {NodeKind::end, Vec3(-20, .5, 0)},
+                   {NodeKind::end, Vec3(-20, -.5, -1)},
+                   {NodeKind::end, Vec3(20, -3, 0)}};
+  const auto add_strand = [&](Kind kind, const Points& points, int start, int to) {
+    for (const Vec3& p : points) network.points.push({p, {}});
+    network.points.close_list();
+    network.strands.push_back({kind, 0, start, to, kind == Kind::silhouette ? 2 : 1, 0});
+  };
+  add_strand(Kind::boundary, {network.nodes[2].position, Vec3(-.2, -.05, 0), joint}, 2, 0);
+  add_strand(Kind::boundary, {joint, network.nodes[4].position}, 0, 4);
+  add_strand(Kind::silhouette,
+             {network.nodes[3].position, Vec3(-.4, -.05, -1), Vec3(-.1, .05, -1), tip}, 3, 1);
+  add_strand(Kind::silhouette, {tip, joint}, 1, 0);
+  network.ties = {{1, 2, 3, 1}};
+  return network;
+}
+
+TEST(Touches, OfAContourThatEndsRightBehindACuspAreDropped) {
+  const auto dropped = [](double tip_px) {
+    const CurveNetwork network = contour_ends_behind_a_cusp(tip_px);
+    Arrangement arrangement = arrange(network, one_px);
+    EXPECT_EQ(arrangement.crossings.size(), 1U);
+    double moved_px = 0;
+    return drop_touches(arrangement, moved_px);
+  };
+  EXPECT_EQ(dropped(.05), 1);
+  EXPECT_EQ(dropped(.5), 0) << "the cusp shows";
+}
+
 // Its surface is above the x axis; a fold whose contour comes to a cusp at the origin along the
 // axis and leaves again just above, each on its own side. A curve comes over the tip from the left
 // and runs through the lower strand, 0.2 px from the tip: the far strand if `ends_far`.
