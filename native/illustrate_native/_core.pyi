@@ -565,7 +565,7 @@ class Prepared:
     def timings(self) -> dict[str, float]:
         """Seconds per stage, so far.
 
-        'sanitize', 'surface', 'curvature', 'field', 'intersections' and 'hatch_curves'.
+        'sanitize', 'surface', 'dual_surface', 'intersections', 'curvature', 'field', 'hatch_curves'.
         What was taken over from `previous` took none.
         """
 

@@ -43,7 +43,7 @@ Prepared::Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions&
       field_(std::make_shared<Lazy<CrossField>>()),
       hatch_curves_(std::make_shared<Lazy<std::unique_ptr<RankedCurves>>>()),
       derivative_(std::make_shared<Lazy<CurvatureDerivative>>()) {
-  timings_ = {{"sanitize", 0}, {"surface", 0},       {"curvature", 0},
+  timings_ = {{"sanitize", 0}, {"surface", 0},       {"dual_surface", 0}, {"curvature", 0},
               {"field", 0},    {"intersections", 0}, {"hatch_curves", 0}};
   if (previous && previous->has_surface_of(meshes, options)) {
     take_over(*previous);
@@ -113,13 +113,13 @@ void Prepared::make_geometry(const std::vector<MeshPointer>& meshes, const Progr
 const Prepared::Search& Prepared::search(const Progress& progress) const {
   return geometry_->search.get([&] {
     const Progress trees = progress.part(0, 0.4, "surface");
-    Search made = timed("surface", [&] {
-      return Search{
-          Bvh(surface().positions, surface().triangles, options_.threads, trees.part(0, 0.5)),
-          DualSurface(surface(), options_.threads, trees.part(0.5, 1)),
-          {},
-          {}};
+    Bvh bvh = timed("surface", [&] {
+      return Bvh(surface().positions, surface().triangles, options_.threads, trees.part(0, 0.5));
     });
+    DualSurface dual_surface = timed("dual_surface", [&] {
+      return DualSurface(surface(), options_.threads, trees.part(0.5, 1));
+    });
+    Search made{std::move(bvh), std::move(dual_surface), {}, {}};
     timed("intersections", [&] {
       made.intersections = illustrate::intersections(surface(), made.bvh, made.counts,
                                                      progress.part(0.4, 1, "intersections"));

@@ -111,7 +111,8 @@ def test_arrays_of_a_field(prepared: ill.Prepared) -> None:
 
 
 def test_reports_counts_and_timings(prepared: ill.Prepared, drawing: ill.Drawing) -> None:
-    assert {"sanitize", "surface", "curvature", "field", "intersections"} <= set(prepared.timings)
+    stages = {"sanitize", "surface", "dual_surface", "intersections", "curvature", "field"}
+    assert stages <= set(prepared.timings)
     assert set(drawing.timings) == {"contour", "visibility", "tone", "hatch", "stroke"}
     expected = {"triangles_visited", "silhouette_triangles", "crossings", "cusps", "rays", "loops",
                 "unbalanced_loops", "repairs", "hatch_steps", "strokes"}  # fmt: skip
