@@ -565,8 +565,8 @@ class Prepared:
     def timings(self) -> dict[str, float]:
         """Seconds per stage, so far.
 
-        'sanitize', 'surface', 'dual_surface', 'intersections', 'curvature', 'field', 'hatch_curves'.
-        What was taken over from `previous` took none.
+        'sanitize', 'surface', 'dual_surface', 'intersections', 'curvature', 'field' and
+        'hatch_curves'. What was taken over from `previous` took none.
         """
 
 def prepare(
