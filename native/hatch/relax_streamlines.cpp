@@ -115,7 +115,8 @@ class Relaxer {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     const StreamlineNode& node = streamline.nodes[idx(index)];
     const Vec2 left = node.left();
-    const double beside = 2 * band * streamline.spacing * node_step;
+    const double half_piece = std::min(streamline.spacing * node_step, double(set_.grid.widest()));
+    const double beside = 2 * band * half_piece;
     const Vec2 half = far * left.cwiseAbs() + beside * node.heading.cwiseAbs();
     const Eigen::AlignedBox2d box(node.image - half, node.image + half);
     std::array<double, 2> nearest{infinite, infinite};
@@ -250,6 +251,7 @@ class Relaxer {
 template <class Chosen, class Moved>
 void sweep(StreamlineSet& set, const HatchView& view, int number, int threads,
            const Chosen& is_chosen, const Moved& moved) {
+  if (set.grid.has_additions()) set.rebuild();
   std::vector<std::vector<StreamlineNode>> nodes(set.streamlines.size());
   std::vector<std::size_t> starts;
   std::size_t count = 0;
@@ -257,7 +259,6 @@ void sweep(StreamlineSet& set, const HatchView& view, int number, int threads,
     starts.push_back(count);
     count += streamline.nodes.size();
   }
-  set.grid.gather();
   const Relaxer relaxer(set, view, number);
   parallel_for(count, threads, [&](std::size_t begin, std::size_t end) {
     const auto first = std::lower_bound(starts.begin(), starts.end(), begin);
