@@ -36,6 +36,7 @@ std::vector<StreamlineNode> edge_seeds(const StreamlineSet& set, const HatchView
   std::vector<SurfacePoint> places;
   visit_lattice(camera.width_px(), camera.height_px(), lattice_step * spacing,
                 [&](std::int64_t, const Vec2& image) {
+                  if (!view.area.is_covered(image)) return;
                   if (!view.curves.pass(image, strip_width * spacing)) return;
                   const SurfacePoint on = view.area.visible_point(image);
                   if (on.triangle == none) return;

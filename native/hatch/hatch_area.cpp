@@ -14,6 +14,11 @@ constexpr double sheet_cells = 4;
 
 }  // namespace
 
+double HatchArea::pixel_per_w(const Camera& camera) {
+  const Mat4 clip = camera.projection() * camera.view();
+  return 2 / (clip.row(1).head<3>().norm() * camera.height_px());
+}
+
 // The cell of an image point, then the eight around it, within the frame.
 template <class Use>
 void HatchArea::around(const Vec2& image, const Use& use) const {

@@ -36,10 +36,10 @@ StreamlineNode HatchView::node_at(const SurfacePoint& on) const {
   StreamlineNode node;
   node.on = on;
   node.position = position_at(scene_.surface, on);
-  const ImagePoint seen = scene_.camera.project(node.position);
-  node.image = seen.xy;
-  node.depth = seen.depth;
-  node.pixel = scene_.camera.pixel_size(node.position);
+  const Vec3 mapped = apply(walker.map(), node.position);
+  node.image = mapped.head<2>() / mapped[2];
+  node.depth = -(scene_.camera.view().row(2) * node.position.homogeneous()).value();
+  node.pixel = area.pixel_size(mapped);
   return node;
 }
 
@@ -56,9 +56,9 @@ StreamlineNode HatchView::across(StreamlineNode node, const Vec3& normal) const 
 
 void HatchView::show(StreamlineNode& node, const Vec3& normal) const {
   const Vec3 aside = normal.cross(node.tangent);
-  const Vec3 mapped = apply(walker.map(), node.position);
-  const Vec2 a = walker.image_direction_at(mapped, node.tangent);
-  const Vec2 b = walker.image_direction_at(mapped, aside);
+  const double w = walker.map().row(2).head<3>().dot(node.position) + walker.map()(2, 3);
+  const Vec2 a = walker.image_direction_at(node.image, w, node.tangent);
+  const Vec2 b = walker.image_direction_at(node.image, w, aside);
   const double length = a.norm(), determinant = cross(a, b);
   node.heading = length > 0 ? Vec2(a / length) : Vec2(1, 0);
   node.aside = Vec3::Zero();
