@@ -42,8 +42,8 @@ class Cutter {
     const double radius = test_ * streamline.spacing;
     return !set_.grid.any_near(node.image, radius, [&](const GridNode& other) {
       if (other.streamline == number && std::abs(other.index - index) <= own_nodes) return false;
-      return alive_[idx(other.streamline)][idx(other.index)] &&
-             HatchView::distance(node, other, streamline.spacing, radius) < radius &&
+      return HatchView::distance(node, other, streamline.spacing, radius) < radius &&
+             alive_[idx(other.streamline)][idx(other.index)] &&
              !view_.curves.separate(node.image, other.image);
     });
   }

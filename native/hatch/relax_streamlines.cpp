@@ -39,6 +39,9 @@ constexpr double most_overshoot = 1.3;
 constexpr double most_drift = 0.055;  // radians
 constexpr double most_stiffening = 30;
 
+// How far ahead the surface is asked for.
+constexpr std::size_t nodes_ahead = 3;
+
 struct Pull {
   double by = 0;  // px to the left
   double weight = 0;
@@ -95,6 +98,9 @@ class Relaxer {
     std::vector<StreamlineNode> nodes;
     nodes.reserve(streamline.nodes.size());
     for (std::size_t i = 0; i < streamline.nodes.size(); ++i) {
+      if (i + nodes_ahead < streamline.nodes.size()) {
+        view_.walker.fetch(streamline.nodes[i + nodes_ahead].on);
+      }
       const double most = most_move * streamline.spacing;
       nodes.push_back(
           shifted(streamline.nodes[i], std::clamp(share_moved * shift[i], -most, most)));

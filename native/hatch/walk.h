@@ -47,6 +47,8 @@ class Walker {
   }
   const ImageMap& map() const { return map_; }
   const FieldWalker& on_surface() const { return walker_; }
+  // Asks for what is known of the surface there, before it is needed.
+  void fetch(const SurfacePoint& on) const;
   // Positive where the front of the triangle's sheet is seen, 0 on the silhouette.
   double facing_at(const SurfacePoint& on) const;
 
