@@ -60,8 +60,8 @@ class HatchArea {
   }
   bool is_seen_at(int centre, const HatchPoint& point) const;
   bool is_wanted_at(int centre, const Vec2& image, Area area) const;
-  template <class Use>
-  void around(const Vec2& image, const Use& use) const;
+  template <class Test>
+  bool any_around(const Vec2& image, const Test& test) const;
 
   const Surface& surface_;
   const Camera& camera_;

@@ -50,7 +50,7 @@ struct Scene {
   std::vector<double> spacing_scale;
   std::vector<std::uint8_t> unhatched;
   Counts counts;
-  mutable std::optional<CriticalCurves> curves;  // of the graph, of the last view
+  mutable std::optional<CriticalCurves> curves = std::nullopt;  // of the graph, of the last view
 
   HatchScene view() const {
     curves.emplace(graph, camera.width_px(), camera.height_px());
