@@ -40,14 +40,12 @@ class Cutter {
     const StreamlineNode& node = streamline.nodes[idx(index)];
     if (!view_.may_pass(node, streamline.spacing)) return false;
     const double radius = test_ * streamline.spacing;
-    return !set_.grid.any_near(
-        node.image, radius + streamline.spacing * node_step / 2, [&](const GridNode& other) {
-          if (other.streamline == number && std::abs(other.index - index) <= own_nodes)
-            return false;
-          return alive_[idx(other.streamline)][idx(other.index)] &&
-                 HatchView::distance(node, other, streamline.spacing, radius) < radius &&
-                 !view_.curves.separate(node.image, other.image);
-        });
+    return !set_.grid.any_near(node.image, radius, [&](const GridNode& other) {
+      if (other.streamline == number && std::abs(other.index - index) <= own_nodes) return false;
+      return HatchView::distance(node, other, streamline.spacing, radius) < radius &&
+             alive_[idx(other.streamline)][idx(other.index)] &&
+             !view_.curves.separate(node.image, other.image);
+    });
   }
 
   void cut_streamline(int number, Streamlines& pieces) {

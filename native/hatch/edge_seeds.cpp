@@ -27,24 +27,42 @@ bool is_crossed(const StreamlineSet& set, const HatchView& view, const Vec2& ima
   });
 }
 
+// Which squares have their middles on the surface near a critical curve: looked for row by row, as
+// they lie in memory.
+std::vector<std::uint8_t> strips(const HatchView& view, const ImageLattice& lattice,
+                                 double width_px) {
+  std::vector<std::uint8_t> is_near(static_cast<std::size_t>(lattice.count()));
+  std::size_t square = 0;
+  for (std::int64_t row = 0; row < lattice.rows; ++row) {
+    for (std::int64_t column = 0; column < lattice.columns; ++column, ++square) {
+      const Vec2 corner(static_cast<double>(column), static_cast<double>(row));
+      const Vec2 image = (corner + Vec2(0.5, 0.5)) * lattice.step_px;
+      is_near[square] = view.area.is_covered(image) && view.curves.pass(image, width_px);
+    }
+  }
+  return is_near;
+}
+
 }  // namespace
 
 std::vector<StreamlineNode> edge_seeds(const StreamlineSet& set, const HatchView& view) {
   const Camera& camera = view.camera();
   const Surface& surface = view.walker.on_surface().surface();
   const double spacing = std::max(1.0, view.options.spacing_px);
+  const ImageLattice lattice(camera.width_px(), camera.height_px(), lattice_step * spacing);
+  const std::vector<std::uint8_t> is_near = strips(view, lattice, strip_width * spacing);
   std::vector<SurfacePoint> places;
-  visit_lattice(camera.width_px(), camera.height_px(), lattice_step * spacing,
-                [&](std::int64_t, const Vec2& image) {
-                  if (!view.curves.pass(image, strip_width * spacing)) return;
-                  const SurfacePoint on = view.area.visible_point(image);
-                  if (on.triangle == none) return;
-                  const Vec3 position = position_at(surface, on);
-                  const double world = spacing * camera.pixel_size(position);
-                  const double depth = camera.project(position).depth;
-                  if (is_crossed(set, view, image, depth, world, near * spacing)) return;
-                  places.push_back(on);
-                });
+  lattice.visit([&](std::int64_t square) {
+    if (!is_near[static_cast<std::size_t>(square)]) return;
+    const Vec2 image = lattice.middle(square);
+    const SurfacePoint on = view.area.visible_point(image);
+    if (on.triangle == none) return;
+    const Vec3 position = position_at(surface, on);
+    const double world = spacing * camera.pixel_size(position);
+    const double depth = camera.project(position).depth;
+    if (is_crossed(set, view, image, depth, world, near * spacing)) return;
+    places.push_back(on);
+  });
   return seed_nodes(view, places, places.size());
 }
 

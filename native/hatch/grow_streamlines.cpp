@@ -135,8 +135,7 @@ std::vector<StreamlineNode> seed_nodes(const HatchView& view,
     const Vec3 normal = normal_at(surface, on);
     const double spacing = view.spacing_of(surface.triangle_objects[idx(on.triangle)]);
     view.direct(one, normal, normal.unitOrthogonal());
-    StreamlineNode other = one;
-    view.direct(other, normal, normal.cross(one.tangent));
+    const StreamlineNode other = view.across(one, normal);
     if (view.runs_clear(one, spacing)) nodes.push_back(one);
     if (view.runs_clear(other, spacing)) nodes.push_back(other);
   }

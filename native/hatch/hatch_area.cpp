@@ -14,19 +14,29 @@ constexpr double sheet_cells = 4;
 
 }  // namespace
 
-// The cell of an image point, then the eight around it, within the frame.
-template <class Use>
-void HatchArea::around(const Vec2& image, const Use& use) const {
+double HatchArea::pixel_per_w(const Camera& camera) {
+  const Mat4 clip = camera.projection() * camera.view();
+  return 2 / (clip.row(1).head<3>().norm() * camera.height_px());
+}
+
+// Whether `test` accepts the cell of an image point or, asked then, one of the eight around it,
+// within the frame.
+template <class Test>
+bool HatchArea::any_around(const Vec2& image, const Test& test) const {
   const int centre_column = static_cast<int>(image.x() / visible_.cell_px);
   const int centre_row = static_cast<int>(image.y() / visible_.cell_px);
-  use(visible_.index(centre_column, centre_row));
-  for (int row = centre_row - 1; row <= centre_row + 1; ++row) {
-    for (int column = centre_column - 1; column <= centre_column + 1; ++column) {
-      if (row == centre_row && column == centre_column) continue;
-      if (row < 0 || column < 0 || row >= visible_.height || column >= visible_.width) continue;
-      use(visible_.index(column, row));
+  const int centre = visible_.index(centre_column, centre_row);
+  if (test(centre)) return true;
+  const int column_from = std::max(centre_column - 1, 0), row_from = std::max(centre_row - 1, 0);
+  const int column_to = std::min(centre_column + 1, visible_.width - 1);
+  const int row_to = std::min(centre_row + 1, visible_.height - 1);
+  for (int row = row_from; row <= row_to; ++row) {
+    const int to = visible_.index(column_to, row);
+    for (int cell = visible_.index(column_from, row); cell <= to; ++cell) {
+      if (cell != centre && test(cell)) return true;
     }
   }
+  return false;
 }
 
 bool HatchArea::may_pass(const HatchPoint& point, Area area) const {
@@ -48,18 +58,14 @@ bool HatchArea::is_seen_at(int centre, const HatchPoint& point) const {
   if (depth <= visible_.depth[centre]) return true;
   depth -= hidden_cells * cell_size(point.position);
   if (depth <= visible_.depth[centre]) return true;
-  bool is_seen = false;
-  around(point.image, [&](int cell) { is_seen = is_seen || depth <= visible_.depth[cell]; });
-  return is_seen;
+  return any_around(point.image, [&](int cell) { return depth <= visible_.depth[idx(cell)]; });
 }
 
 // Nobody needs to ask for the triangle where the cell itself is wanted.
 bool HatchArea::is_wanted_at(int centre, const Vec2& image, Area area) const {
   if (wanted(centre, area)) return true;
   if (visible_.triangle[centre] != none) return false;
-  bool is_wanted = false;
-  around(image, [&](int cell) { is_wanted = is_wanted || wanted(cell, area); });
-  return is_wanted;
+  return any_around(image, [&](int cell) { return wanted(cell, area); });
 }
 
 SurfacePoint HatchArea::visible_point(const Vec2& image) const {
@@ -68,19 +74,20 @@ SurfacePoint HatchArea::visible_point(const Vec2& image) const {
   if (centre == none || visible_.triangle[centre] == none) return best;
   double least_error = std::numeric_limits<double>::infinity();
   int last = none;
-  around(image, [&](int cell) {
-    const int triangle = visible_.triangle[cell];
-    if (triangle == none || triangle == last || least_error < 1e-6) return;
+  any_around(image, [&](int cell) {
+    const int triangle = visible_.triangle[idx(cell)];
+    if (triangle == none || triangle == last) return false;
     last = triangle;
     const SurfacePoint on = surface_point_under(surface_, map_, triangle, image);
     const Vec3 position = position_at(surface_, on);
-    if (!(camera_.near_distance(position) > 0)) return;
+    if (!(camera_.near_distance(position) > 0)) return false;
     const ImagePoint seen = camera_.project(position);
     const double error = (seen.xy - image).norm();
     const double apart = std::abs(seen.depth - visible_.depth[centre]);
-    if (error >= least_error || apart > sheet_cells * cell_size(position)) return;
+    if (error >= least_error || apart > sheet_cells * cell_size(position)) return false;
     least_error = error;
     best = on;
+    return least_error < 1e-6;
   });
   return best;
 }

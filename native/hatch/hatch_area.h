@@ -20,7 +20,8 @@ class HatchArea {
         camera_(camera),
         visible_(visible),
         tone_(tone),
-        map_(image_map(camera)) {}
+        map_(image_map(camera)),
+        pixel_per_w_(pixel_per_w(camera)) {}
 
   bool wanted(int cell, Area area) const {
     if (tone_.band[cell] != Band::nothing) return tone_.band[cell] == Band::undercut;
@@ -39,24 +40,35 @@ class HatchArea {
   // Before the near plane and inside the image.
   bool is_in_frame(const HatchPoint& point) const { return cell_in_frame(point) != none; }
 
+  // World length of a pixel where the map takes a point to `mapped`.
+  double pixel_size(const Vec3& mapped) const { return std::abs(mapped[2]) * pixel_per_w_; }
+
+  // Whether anything is seen at an image point.
+  bool is_covered(const Vec2& image) const {
+    const int cell = visible_.cell_of(image);
+    return cell != none && visible_.triangle[idx(cell)] != none;
+  }
+
   // The visible point of the surface under an image point, `none` where nothing is seen.
   SurfacePoint visible_point(const Vec2& image) const;
 
  private:
-  double cell_size(const Vec3& p) const { return visible_.cell_px * camera_.pixel_size(p); }
+  static double pixel_per_w(const Camera& camera);
+  double cell_size(const Vec3& p) const { return visible_.cell_px * pixel_size(apply(map_, p)); }
   int cell_in_frame(const HatchPoint& point) const {
     return camera_.near_distance(point.position) > 0 ? visible_.cell_of(point.image) : none;
   }
   bool is_seen_at(int centre, const HatchPoint& point) const;
   bool is_wanted_at(int centre, const Vec2& image, Area area) const;
-  template <class Use>
-  void around(const Vec2& image, const Use& use) const;
+  template <class Test>
+  bool any_around(const Vec2& image, const Test& test) const;
 
   const Surface& surface_;
   const Camera& camera_;
   const VisibleImage& visible_;
   const ToneMap& tone_;
   ImageMap map_;
+  double pixel_per_w_;  // world length of a pixel, by the depth that the map gives
 };
 
 }  // namespace illustrate

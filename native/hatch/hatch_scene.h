@@ -2,6 +2,7 @@
 #pragma once
 
 #include "field/cross_field.h"
+#include "hatch/critical_curves.h"
 #include "tone/tone_regions.h"
 
 namespace illustrate {
@@ -14,6 +15,7 @@ struct HatchScene {
   const VisibleImage& visible;
   const ToneMap& tone;
   const LabelledGraph& graph;
+  const CriticalCurves& curves;                // of the graph
   const std::vector<double>& spacing_scale;    // one factor per object, empty: 1
   const std::vector<std::uint8_t>& unhatched;  // one flag per object, empty: all are hatched
 

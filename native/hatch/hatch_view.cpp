@@ -36,26 +36,36 @@ StreamlineNode HatchView::node_at(const SurfacePoint& on) const {
   StreamlineNode node;
   node.on = on;
   node.position = position_at(scene_.surface, on);
-  const ImagePoint seen = scene_.camera.project(node.position);
-  node.image = seen.xy;
-  node.depth = seen.depth;
-  node.pixel = scene_.camera.pixel_size(node.position);
+  const Vec3 mapped = apply(walker.map(), node.position);
+  node.image = mapped.head<2>() / mapped[2];
+  node.depth = -(scene_.camera.view().row(2) * node.position.homogeneous()).value();
+  node.pixel = area.pixel_size(mapped);
   return node;
 }
 
 void HatchView::direct(StreamlineNode& node, const Vec3& normal, const Vec3& towards) const {
   node.tangent = cross_direction(scene_.surface, scene_.field, node.on, normal, towards);
-  const Vec3 across = normal.cross(node.tangent);
-  const Vec3 mapped = apply(walker.map(), node.position);
-  const Vec2 a = walker.image_direction_at(mapped, node.tangent);
-  const Vec2 b = walker.image_direction_at(mapped, across);
+  show(node, normal);
+}
+
+StreamlineNode HatchView::across(StreamlineNode node, const Vec3& normal) const {
+  node.tangent = normal.cross(node.tangent);
+  show(node, normal);
+  return node;
+}
+
+void HatchView::show(StreamlineNode& node, const Vec3& normal) const {
+  const Vec3 aside = normal.cross(node.tangent);
+  const double w = walker.map().row(2).head<3>().dot(node.position) + walker.map()(2, 3);
+  const Vec2 a = walker.image_direction_at(node.image, w, node.tangent);
+  const Vec2 b = walker.image_direction_at(node.image, w, aside);
   const double length = a.norm(), determinant = cross(a, b);
   node.heading = length > 0 ? Vec2(a / length) : Vec2(1, 0);
   node.aside = Vec3::Zero();
   node.lever = 1 / least_facing;
   if (std::abs(determinant) > least_facing * length * b.norm() && length > 0) {
-    const double by_across = length / determinant;
-    node.aside = by_across * (across - (b.dot(a) / (length * length)) * node.tangent);
+    const double by_aside = length / determinant;
+    node.aside = by_aside * (aside - (b.dot(a) / (length * length)) * node.tangent);
     node.lever = length * length / std::abs(determinant);
   }
 }
@@ -63,8 +73,7 @@ void HatchView::direct(StreamlineNode& node, const Vec3& normal, const Vec3& tow
 bool HatchView::is_near(const StreamlineGrid& grid, const StreamlineNode& node, double spacing,
                         double radius, int streamline, int index) const {
   const int own = static_cast<int>(own_reach / node_step);
-  const double reach = radius + spacing * node_step / 2;
-  return grid.any_near(node.image, reach, [&](const GridNode& other) {
+  return grid.any_near(node.image, radius, [&](const GridNode& other) {
     if (other.streamline == streamline && std::abs(other.index - index) <= own) return false;
     return distance(node, other, spacing, radius) < radius &&
            !curves.separate(node.image, other.image);
@@ -74,7 +83,7 @@ bool HatchView::is_near(const StreamlineGrid& grid, const StreamlineNode& node, 
 double HatchView::nearest(const StreamlineGrid& grid, const StreamlineNode& node, double spacing,
                           double reach) const {
   double least = reach;
-  grid.any_near(node.image, reach + spacing * node_step / 2, [&](const GridNode& other) {
+  grid.any_near(node.image, reach, [&](const GridNode& other) {
     const double found = distance(node, other, spacing, least);
     if (found < least && !curves.separate(node.image, other.image)) {
       least = found;

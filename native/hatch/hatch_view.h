@@ -19,7 +19,7 @@ class HatchView {
   HatchView(const HatchScene& scene, const HatchOptions& hatch_options)
       : area(scene.surface, scene.camera, scene.visible, scene.tone),
         walker(scene.surface, scene.field, scene.camera),
-        curves(scene.graph, scene.camera.width_px(), scene.camera.height_px()),
+        curves(scene.curves),
         options(hatch_options),
         scene_(scene) {}
 
@@ -28,6 +28,8 @@ class HatchView {
   // The same in two steps: where it is, and how it runs there. `normal`: of the surface.
   StreamlineNode node_at(const SurfacePoint& on) const;
   void direct(StreamlineNode& node, const Vec3& normal, const Vec3& towards) const;
+  // The node along the other direction of the cross.
+  StreamlineNode across(StreamlineNode node, const Vec3& normal) const;
 
   // Whether a hatch may run through a node: before the near plane, in the frame, seen, where
   // hatches are wanted, and not close along a critical curve.
@@ -85,10 +87,13 @@ class HatchView {
 
   HatchArea area;
   Walker walker;
-  CriticalCurves curves;
+  const CriticalCurves& curves;
   const HatchOptions& options;
 
  private:
+  // All that depends on the node's tangent.
+  void show(StreamlineNode& node, const Vec3& normal) const;
+
   HatchScene scene_;
 };
 

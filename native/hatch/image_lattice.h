@@ -8,23 +8,44 @@
 
 namespace illustrate {
 
-// Calls visit(i, point) for the middles of all squares of side `step_px` that lie in the image, in
-// an order that spreads evenly: steps of the golden ratio round the list.
+struct ImageLattice {
+  ImageLattice(double width_px, double height_px, double step)
+      : step_px(step),
+        columns(static_cast<std::int64_t>(width_px / step)),
+        rows(static_cast<std::int64_t>(height_px / step)) {}
+
+  std::int64_t count() const { return columns * rows; }
+  // Of a square; they are numbered row by row.
+  Vec2 middle(std::int64_t square) const {
+    const Vec2 corner(static_cast<double>(square % columns), static_cast<double>(square / columns));
+    return (corner + Vec2(0.5, 0.5)) * step_px;
+  }
+
+  // Calls visit(square) for all squares of side `step_px` that lie in the image, in an order that
+  // spreads evenly: steps of the golden ratio round the list.
+  template <class Visit>
+  void visit(const Visit& visit) const {
+    if (count() < 1) return;
+    auto stride = static_cast<std::int64_t>(0.6180339887498949 * static_cast<double>(count())) | 1;
+    while (std::gcd(stride, count()) != 1) ++stride;
+    stride %= count();
+    for (std::int64_t i = 0, square = 0; i < count(); ++i) {
+      visit(square);
+      square += stride;
+      if (square >= count()) square -= count();
+    }
+  }
+
+  double step_px;
+  std::int64_t columns, rows;
+};
+
+// Calls visit(i, middle) for the squares of a lattice, in the same order.
 template <class Visit>
 void visit_lattice(double width_px, double height_px, double step_px, const Visit& visit) {
-  const auto columns = static_cast<std::int64_t>(width_px / step_px);
-  const auto rows = static_cast<std::int64_t>(height_px / step_px), count = columns * rows;
-  if (count < 1) return;
-  auto stride = static_cast<std::int64_t>(0.6180339887498949 * static_cast<double>(count)) | 1;
-  while (std::gcd(stride, count) != 1) ++stride;
-  const std::int64_t row_stride = stride / columns, column_stride = stride % columns;
-  for (std::int64_t i = 0, row = 0, column = 0; i < count; ++i) {
-    const Vec2 square(static_cast<double>(column), static_cast<double>(row));
-    visit(i, Vec2((square + Vec2(0.5, 0.5)) * step_px));
-    row += row_stride, column += column_stride;
-    if (column >= columns) column -= columns, ++row;
-    if (row >= rows) row -= rows;
-  }
+  const ImageLattice lattice(width_px, height_px, step_px);
+  std::int64_t i = 0;
+  lattice.visit([&](std::int64_t square) { visit(i++, lattice.middle(square)); });
 }
 
 }  // namespace illustrate

@@ -85,7 +85,8 @@ class Merger {
     for (int end = 0; end < count; ++end) {
       const StreamlineNode node = outward(end);
       const double spacing = set_.streamlines[idx(end / 2)].spacing;
-      ends.any_near(node.image, most_along * spacing, [&](const GridNode& other) {
+      const double reach = most_along * spacing;
+      ends.any_in_box(node.image, Vec2(reach, reach), [&](const GridNode& other) {
         if (other.streamline <= end / 2) return false;
         const double cost = cost_of(node, other, spacing);
         if (cost >= 0) pairs.push_back({cost, end, other.index});
@@ -184,23 +185,27 @@ class Merger {
   bool is_free(const StreamlineNode& node, double spacing, int one, int other) const {
     const double radius = bridge_clear * spacing;
     return view_.may_pass(node, spacing) &&
-           !set_.grid.any_near(node.image, 2 * radius, [&](const auto& n) {
+           !set_.grid.any_near(node.image, radius, [&](const auto& n) {
              return n.streamline != one && n.streamline != other &&
                     HatchView::distance(node, n, spacing, radius) < radius;
            });
   }
 
-  // All streamlines, those that are joined as one.
-  Streamlines chained() const {
+  // All streamlines, those that are joined as one; the others are taken away.
+  Streamlines chained() {
     Streamlines result;
     std::vector<std::uint8_t> done(set_.streamlines.size(), 0);
     for (int end = 0; end < static_cast<int>(joins_.size()); ++end) {
       if (done[idx(end / 2)] || joins_[idx(end)].mate != none) continue;
+      if (joins_[idx(end ^ 1)].mate == none) {
+        result.push_back(std::move(set_.streamlines[idx(end / 2)]));
+        done[idx(end / 2)] = 1;
+        continue;
+      }
       Streamline streamline{{}, set_.streamlines[idx(end / 2)].object, spacing_of(end)};
       append_chain(end, streamline.nodes, done);
-      const bool is_new = joins_[idx(end ^ 1)].mate != none;
-      streamline.is_joined = is_new || set_.streamlines[idx(end / 2)].is_joined;
-      if (is_new) resample(streamline, view_);
+      streamline.is_joined = true;
+      resample(streamline, view_);
       result.push_back(std::move(streamline));
     }
     return result;

@@ -53,7 +53,7 @@ class Placer {
         progress_(progress),
         area_(surface_, camera_, visible_, scene.tone),
         walker_(surface_, scene.field, camera_),
-        curves_(scene.graph, camera_.width_px(), camera_.height_px()),
+        curves_(scene.curves),
         grid_(camera_.width_px(), camera_.height_px(), options.spacing_px),
         tracer_(surface_, walker_, area_, curves_, grid_, options) {}
 
@@ -261,7 +261,7 @@ class Placer {
   const Progress& progress_;
   HatchArea area_;
   Walker walker_;
-  CriticalCurves curves_;
+  const CriticalCurves& curves_;
   NeighbourGrid grid_;
   Tracer tracer_;
   Hatches hatches_;

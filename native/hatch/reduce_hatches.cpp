@@ -52,7 +52,7 @@ class Reducer {
         scene_(scene),
         surface_(scene.surface),
         options_(options),
-        curves_(scene.graph, scene.camera.width_px(), scene.camera.height_px()),
+        curves_(scene.curves),
         grid_(empty_grid()),
         owner_(points_.size()),
         region_(points_.size(), Region::neither),
@@ -370,7 +370,7 @@ class Reducer {
   const HatchScene& scene_;
   const Surface& surface_;
   const HatchOptions& options_;
-  CriticalCurves curves_;
+  const CriticalCurves& curves_;
   NeighbourGrid grid_;              // points of pieces
   std::vector<int> owner_;          // hatch of each point
   std::vector<Region> region_;      // of each point

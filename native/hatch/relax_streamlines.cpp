@@ -39,6 +39,9 @@ constexpr double most_overshoot = 1.3;
 constexpr double most_drift = 0.055;  // radians
 constexpr double most_stiffening = 30;
 
+// How far ahead the surface is asked for.
+constexpr std::size_t nodes_ahead = 3;
+
 struct Pull {
   double by = 0;  // px to the left
   double weight = 0;
@@ -95,6 +98,9 @@ class Relaxer {
     std::vector<StreamlineNode> nodes;
     nodes.reserve(streamline.nodes.size());
     for (std::size_t i = 0; i < streamline.nodes.size(); ++i) {
+      if (i + nodes_ahead < streamline.nodes.size()) {
+        view_.walker.fetch(streamline.nodes[i + nodes_ahead].on);
+      }
       const double most = most_move * streamline.spacing;
       nodes.push_back(
           shifted(streamline.nodes[i], std::clamp(share_moved * shift[i], -most, most)));
@@ -115,7 +121,8 @@ class Relaxer {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     const StreamlineNode& node = streamline.nodes[idx(index)];
     const Vec2 left = node.left();
-    const double beside = 2 * band * streamline.spacing * node_step;
+    const double half_piece = std::min(streamline.spacing * node_step, double(set_.grid.widest()));
+    const double beside = 2 * band * half_piece;
     const Vec2 half = far * left.cwiseAbs() + beside * node.heading.cwiseAbs();
     const Eigen::AlignedBox2d box(node.image - half, node.image + half);
     std::array<double, 2> nearest{infinite, infinite};
@@ -250,6 +257,7 @@ class Relaxer {
 template <class Chosen, class Moved>
 void sweep(StreamlineSet& set, const HatchView& view, int number, int threads,
            const Chosen& is_chosen, const Moved& moved) {
+  if (set.grid.has_additions()) set.rebuild();
   std::vector<std::vector<StreamlineNode>> nodes(set.streamlines.size());
   std::vector<std::size_t> starts;
   std::size_t count = 0;
@@ -257,7 +265,6 @@ void sweep(StreamlineSet& set, const HatchView& view, int number, int threads,
     starts.push_back(count);
     count += streamline.nodes.size();
   }
-  set.grid.gather();
   const Relaxer relaxer(set, view, number);
   parallel_for(count, threads, [&](std::size_t begin, std::size_t end) {
     const auto first = std::lower_bound(starts.begin(), starts.end(), begin);

@@ -27,15 +27,15 @@ class StreamlineGrid {
       : cell_px_(static_cast<float>(std::max(1e-3, cell_px))),
         columns_(1 + static_cast<int>(width_px / cell_px)),
         rows_(1 + static_cast<int>(height_px / cell_px)),
-        first_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), none) {}
+        first_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), none),
+        starts_(first_.size() + 1, 0) {}
 
-  // Rounds to floats.
+  // Rounds to floats. An added node is found before those that were there.
   void add(const StreamlineNode& node, double half_px, int streamline, int index) {
     int& first = first_[cell_of(node.image)];
-    nodes_.push_back({rounded(node.image), rounded(node.heading), static_cast<float>(half_px),
-                      static_cast<float>(node.depth), node.tangent.cast<float>(), streamline, index,
-                      first});
+    nodes_.push_back(seen(node, static_cast<float>(half_px), streamline, index, first));
     first = static_cast<int>(nodes_.size()) - 1;
+    widest_ = std::max(widest_, nodes_.back().half);
   }
 
   void add(const Streamline& streamline, int number) {
@@ -44,39 +44,30 @@ class StreamlineGrid {
     }
   }
 
-  std::size_t size() const { return nodes_.size(); }
-
-  void clear() {
-    std::fill(first_.begin(), first_.end(), none);
-    nodes_.clear();
-    starts_.clear();
-  }
-
-  // Puts the nodes of a cell side by side in memory, in the order in which they are visited, and
-  // the cells of a row.
-  void gather() {
-    if (!starts_.empty() && starts_.back() == static_cast<int>(nodes_.size())) return;
-    std::vector<GridNode> gathered;
-    gathered.reserve(nodes_.size());
-    places_.clear(), starts_.clear(), widest_ = 0;
-    for (int& first : first_) {
-      starts_.push_back(static_cast<int>(gathered.size()));
-      for (int at = first; at != none; at = nodes_[idx(at)].next) {
-        gathered.push_back(nodes_[idx(at)]);
-        gathered.back().next = static_cast<int>(gathered.size());
-        places_.push_back(nodes_[idx(at)].image.cast<float>());
-        widest_ = std::max(widest_, nodes_[idx(at)].half);
+  // These alone, found in the same order. But the nodes of a cell lie side by side in memory, and
+  // the cells of a row: it takes less than to look for those that were added.
+  void assign(const Streamlines& streamlines) {
+    count(streamlines);
+    const std::size_t size = idx(starts_.back());
+    nodes_.resize(size), x_.resize(size + lanes), y_.resize(size + lanes);
+    widest_ = 0;
+    std::size_t at = 0;
+    for (std::size_t s = 0; s < streamlines.size(); ++s) {
+      const auto half = static_cast<float>(streamlines[s].spacing * node_step / 2);
+      widest_ = std::max(widest_, half);
+      const std::vector<StreamlineNode>& nodes = streamlines[s].nodes;
+      for (std::size_t i = 0; i < nodes.size(); ++i, ++at) {
+        put(seen(nodes[i], half, static_cast<int>(s), static_cast<int>(i), none), cells_[at]);
       }
-      if (first == none) continue;
-      first = starts_.back();
-      gathered.back().next = none;
     }
-    starts_.push_back(static_cast<int>(gathered.size()));
-    nodes_.swap(gathered);
   }
+
+  std::size_t size() const { return nodes_.size(); }
+  bool has_additions() const { return assigned() < static_cast<int>(nodes_.size()); }
 
   // Calls visit(node) for those in the cells that a box touches whose middle is not much farther
-  // from p than `half`, along a unit heading and beside it. Everything must be gathered.
+  // from p than `half`, along a unit heading and beside it. Nothing may have been added since they
+  // were assigned.
   template <class Visit>
   void visit_strip(const Eigen::AlignedBox2d& box, const Vec2& p, const Vec2& heading,
                    const Vec2& half, const Visit& visit) const {
@@ -84,52 +75,132 @@ class StreamlineGrid {
     const Eigen::Vector2f most = (1.001 * half + Vec2(0.01, 0.01)).cast<float>();
     const Eigen::Vector2f low = box.min().cast<float>(), high = box.max().cast<float>();
     const int column_from = column_of(low.x()), column_to = column_of(high.x());
+    const auto excess = [&](const Lanes& x, const Lanes& y) -> Lanes {
+      const Lanes dx = x - middle.x(), dy = y - middle.y();
+      return ((dx * along.x() + dy * along.y()).abs() - most.x())
+          .max((dy * along.x() - dx * along.y()).abs() - most.y());
+    };
+    const auto use = [&](const GridNode& node) {
+      visit(node);
+      return false;
+    };
     for (int row = row_of(low.y()); row <= row_of(high.y()); ++row) {
-      const int end = starts_[index(row, column_to) + 1];
-      for (int i = starts_[index(row, column_from)]; i < end; ++i) {
-        const Eigen::Vector2f offset = places_[idx(i)] - middle;
-        if (std::abs(offset.x() * along.x() + offset.y() * along.y()) > most.x()) continue;
-        if (std::abs(offset.y() * along.x() - offset.x() * along.y()) > most.y()) continue;
-        visit(nodes_[idx(i)]);
-      }
+      any_assigned(starts_[index(row, column_from)], starts_[index(row, column_to) + 1], excess,
+                   use);
     }
   }
-  float widest() const { return widest_; }  // the greatest half length that was gathered
+  float widest() const { return widest_; }  // the greatest half length
 
-  // Takes the last nodes away again, until `size` are left; not those that were gathered.
+  // Takes the last nodes away again, until `size` are left; not those that were assigned.
   void shrink(std::size_t size) {
     for (; nodes_.size() > size; nodes_.pop_back()) {
       first_[cell_of(nodes_.back().image)] = nodes_.back().next;
     }
   }
 
-  // Whether `test` accepts a node in the cells that the square of half side `radius` touches. It is
-  // asked in the middle cell first, where what is near is most likely.
+  // Whether `test` accepts a node whose piece of line may pass p nearer than `radius`. It is asked
+  // in the middle cell first, where what is near is most likely.
   template <class Test>
   bool any_near(const Vec2& p, double radius, const Test& test) const {
-    const auto middle = static_cast<int>(cell_of(p));
-    return any_in_cell(first_[idx(middle)], test) ||
-           any_in_box(p, Vec2(radius, radius), test, middle);
+    const double reach = radius + double(widest_);
+    const Eigen::Vector2f middle = p.cast<float>();
+    const auto most = static_cast<float>((1.001 * reach + 0.01) * (1.001 * reach + 0.01));
+    const auto excess = [&](const Lanes& x, const Lanes& y) -> Lanes {
+      return (x - middle.x()).square() + (y - middle.y()).square() - most;
+    };
+    const auto any_from = [&](std::size_t cell, std::size_t end) {
+      return any_assigned(starts_[cell], starts_[end], excess, test);
+    };
+    const std::size_t own = cell_of(p);
+    if (any_added(own, test) || any_from(own, own + 1)) return true;
+    const int column_from = column_of(static_cast<float>(p.x() - reach));
+    const int column_to = column_of(static_cast<float>(p.x() + reach));
+    const int row_to = row_of(static_cast<float>(p.y() + reach));
+    for (int row = row_of(static_cast<float>(p.y() - reach)); row <= row_to; ++row) {
+      const std::size_t from = index(row, column_from), end = index(row, column_to) + 1;
+      const bool has_own = from <= own && own < end;
+      if (any_from(from, has_own ? own : end) || (has_own && any_from(own + 1, end))) return true;
+      for (std::size_t cell = from; cell < end; ++cell) {
+        if (cell != own && any_added(cell, test)) return true;
+      }
+    }
+    return false;
   }
-  // The same for a rectangle of half sides `reach`, cell by cell in their order, without `passed`.
+  // Whether it accepts a node in the cells that a rectangle of half sides `reach` touches, cell by
+  // cell in their order.
   template <class Test>
-  bool any_in_box(const Vec2& p, const Vec2& reach, const Test& test, int passed = none) const {
+  bool any_in_box(const Vec2& p, const Vec2& reach, const Test& test) const {
     const int column_from = column_of(static_cast<float>(p.x() - reach.x()));
     const int column_to = column_of(static_cast<float>(p.x() + reach.x()));
     const int row_to = row_of(static_cast<float>(p.y() + reach.y()));
     for (int row = row_of(static_cast<float>(p.y() - reach.y())); row <= row_to; ++row) {
       for (int column = column_from; column <= column_to; ++column) {
-        const int cell = static_cast<int>(index(row, column));
-        if (cell != passed && any_in_cell(first_[idx(cell)], test)) return true;
+        for (int at = first_[index(row, column)]; at != none; at = nodes_[idx(at)].next) {
+          if (test(nodes_[idx(at)])) return true;
+        }
       }
     }
     return false;
   }
 
  private:
+  static constexpr int lanes = 4;
+  using Lanes = Eigen::Array<float, lanes, 1>;
+
+  int assigned() const { return starts_.back(); }
+
+  static GridNode seen(const StreamlineNode& node, float half, int streamline, int index,
+                       int next) {
+    return {rounded(node.image),
+            rounded(node.heading),
+            half,
+            static_cast<float>(node.depth),
+            node.tangent.cast<float>(),
+            streamline,
+            index,
+            next};
+  }
+
+  // Where cells start, and the cell of each node.
+  void count(const Streamlines& streamlines) {
+    cells_.clear();
+    std::fill(starts_.begin(), starts_.end(), 0);
+    for (const Streamline& streamline : streamlines) {
+      for (const StreamlineNode& node : streamline.nodes) {
+        cells_.push_back(cell_of(node.image));
+        ++starts_[cells_.back() + 1];
+      }
+    }
+    for (std::size_t cell = 0; cell < first_.size(); ++cell) starts_[cell + 1] += starts_[cell];
+    std::fill(first_.begin(), first_.end(), none);
+  }
+
+  // Before all that is in its cell; the first one comes last.
+  void put(const GridNode& node, std::size_t cell) {
+    int& first = first_[cell];
+    const int at = (first == none ? starts_[cell + 1] : first) - 1;
+    nodes_[idx(at)] = node;
+    nodes_[idx(at)].next = first;
+    x_[idx(at)] = static_cast<float>(node.image.x());
+    y_[idx(at)] = static_cast<float>(node.image.y());
+    first = at;
+  }
+
+  // Of assigned nodes [from, to) with excess(x, y) <= 0.
+  template <class Excess, class Test>
+  bool any_assigned(int from, int to, const Excess& excess, const Test& test) const {
+    for (int i = from; i < to; i += lanes) {
+      const Lanes over = excess(Lanes::Map(&x_[idx(i)]), Lanes::Map(&y_[idx(i)]));
+      for (int k = 0; k < std::min(lanes, to - i); ++k) {
+        if (over[k] <= 0 && test(nodes_[idx(i + k)])) return true;
+      }
+    }
+    return false;
+  }
+  // Of those in a cell that were added since.
   template <class Test>
-  bool any_in_cell(int first, const Test& test) const {
-    for (int at = first; at != none; at = nodes_[idx(at)].next) {
+  bool any_added(std::size_t cell, const Test& test) const {
+    for (int at = first_[cell]; at >= assigned(); at = nodes_[idx(at)].next) {
       if (test(nodes_[idx(at)])) return true;
     }
     return false;
@@ -150,8 +221,9 @@ class StreamlineGrid {
   int columns_, rows_;
   std::vector<int> first_;  // of each cell, its last added node
   std::vector<GridNode> nodes_;
-  std::vector<int> starts_;              // of each cell, once all are gathered; empty before
-  std::vector<Eigen::Vector2f> places_;  // of those that were gathered
+  std::vector<int> starts_;         // of each cell, among the nodes that were assigned
+  std::vector<float> x_, y_;        // of those, and some more
+  std::vector<std::size_t> cells_;  // of those, one streamline after another
   float widest_ = 0;
 };
 

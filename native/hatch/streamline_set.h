@@ -19,10 +19,7 @@ class StreamlineSet {
         std::remove_if(streamlines.begin(), streamlines.end(),
                        [](const Streamline& streamline) { return streamline.nodes.size() < 2; }),
         streamlines.end());
-    grid.clear();
-    for (std::size_t s = 0; s < streamlines.size(); ++s)
-      grid.add(streamlines[s], static_cast<int>(s));
-    grid.gather();
+    grid.assign(streamlines);
   }
   // Shorter ones, in spacings, go.
   void drop_shorter(double least) {

@@ -68,12 +68,11 @@ class Thinner {
     const Vec2 image = node.image;
     const double spacing = set_.streamlines[idx(number)].spacing, radius = reach * spacing;
     node.image += std::min(1.0, view_.curves.first_crossing(image, image + aside)) * aside;
-    return set_.grid.any_near(
-        node.image, radius + spacing * node_step / 2, [&](const GridNode& other) {
-          return other.streamline != number && stays_[idx(other.streamline)] &&
-                 HatchView::distance(node, other, spacing, radius) < radius &&
-                 !view_.curves.separate(image, other.image);
-        });
+    return set_.grid.any_near(node.image, radius, [&](const GridNode& other) {
+      return other.streamline != number && stays_[idx(other.streamline)] &&
+             HatchView::distance(node, other, spacing, radius) < radius &&
+             !view_.curves.separate(image, other.image);
+    });
   }
 
   StreamlineSet& set_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/prefetch.h"
+
 namespace illustrate {
 namespace {
 
@@ -36,6 +38,16 @@ Walk Walker::turned(Walk walk) {
 HatchPoint Walker::point(const SurfacePoint& on) const {
   const Vec3 position = position_at(surface_, on);
   return {position, on, camera_.project(position).xy};
+}
+
+void Walker::fetch(const SurfacePoint& on) const {
+  prefetch(&surface_.neighbours[idx(on.triangle)]);
+  for (const int vertex : surface_.triangles[idx(on.triangle)]) {
+    prefetch(&surface_.positions[idx(vertex)]);
+    prefetch(&surface_.normals[idx(vertex)]);
+    prefetch(&walker_.field().directions[idx(vertex)]);
+    prefetch(&front_[idx(vertex)]);
+  }
 }
 
 // The function whose zero set is the silhouette: linear on a triangle of a smooth object, constant

@@ -37,15 +37,18 @@ class Walker {
   HatchPoint point(const SurfacePoint& on) const;
   // How a world direction at p shows in the image, px per world unit.
   Vec2 image_direction(const Vec3& p, const Vec3& direction) const {
-    return image_direction_at(apply(map_, p), direction);
+    const Vec3 mapped = apply(map_, p);
+    return image_direction_at(mapped.head<2>() / mapped[2], mapped[2], direction);
   }
-  // The same where the map takes p to `mapped`.
-  Vec2 image_direction_at(const Vec3& mapped, const Vec3& direction) const {
+  // The same where p is seen at `image`; `w`: the last of what the map gives.
+  Vec2 image_direction_at(const Vec2& image, double w, const Vec3& direction) const {
     const Vec3 change = map_.leftCols<3>() * direction;
-    return (change.head<2>() - mapped.head<2>() * (change[2] / mapped[2])) / mapped[2];
+    return (change.head<2>() - image * change[2]) / w;
   }
   const ImageMap& map() const { return map_; }
   const FieldWalker& on_surface() const { return walker_; }
+  // Asks for what is known of the surface there, before it is needed.
+  void fetch(const SurfacePoint& on) const;
   // Positive where the front of the triangle's sheet is seen, 0 on the silhouette.
   double facing_at(const SurfacePoint& on) const;
 

@@ -168,8 +168,11 @@ class View {
                           &scene_.bvh(), unhatched, tone_progress);
     });
     const std::vector<double> spacing_scale = spacing_scales(options_.styles);
-    const HatchScene hatch_scene{surface,      field,         camera_,       visible,
-                                 result_.tone, result_.graph, spacing_scale, unhatched};
+    const CriticalCurves curves = timed(result_.timings["hatch"], [&] {
+      return CriticalCurves(result_.graph, camera_.width_px(), camera_.height_px());
+    });
+    const HatchScene hatch_scene{surface,       field,  camera_,       visible,  result_.tone,
+                                 result_.graph, curves, spacing_scale, unhatched};
     const Progress hatch_progress = progress.part(0.4, 1, "hatch");
     if (options_.hatch.seeding == HatchSeeding::surface_curves) {
       curves_ =
@@ -216,8 +219,8 @@ class View {
   void add_extra(Hatches& made, const HatchScene& scene, const Progress& progress) {
     const CrossField turned = diagonals(scene.surface, scene.field);
     const ToneMap tone = extra_tones(scene.tone);
-    const HatchScene deep{scene.surface, turned,      scene.camera,        scene.visible,
-                          tone,          scene.graph, scene.spacing_scale, scene.unhatched};
+    const HatchScene deep{scene.surface, turned,       scene.camera,        scene.visible,  tone,
+                          scene.graph,   scene.curves, scene.spacing_scale, scene.unhatched};
     const Hatches extra =
         reduced(place_hatches(deep, options_.hatch, result_.counts, progress), deep);
     for (std::size_t i = 0; i < extra.kinds.size(); ++i) {

@@ -1,6 +1,8 @@
 // Scenes of hatches, and what is measured of them.
 #pragma once
 
+#include <optional>
+
 #include <gtest/gtest.h>
 
 #include "hatch/even_hatches.h"
@@ -48,9 +50,11 @@ struct Scene {
   std::vector<double> spacing_scale;
   std::vector<std::uint8_t> unhatched;
   Counts counts;
+  mutable std::optional<CriticalCurves> curves = std::nullopt;  // of the graph, of the last view
 
   HatchScene view() const {
-    return {surface, field, camera, visible, tone, graph, spacing_scale, unhatched};
+    curves.emplace(graph, camera.width_px(), camera.height_px());
+    return {surface, field, camera, visible, tone, graph, *curves, spacing_scale, unhatched};
   }
   Hatches place() { return place_hatches(view(), options, counts); }
   Hatches even(const Ragged<SurfacePoint>& first = {}, int threads = 1) {
