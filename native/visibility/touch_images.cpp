@@ -15,6 +15,10 @@ struct Way {
   int count = 0;
 };
 
+// What stands out farther is not the noise of two polylines of one fold: a hook of the contour
+// beyond the joint, say.
+constexpr double farthest_move_px = 0.1;
+
 struct Foot {
   Vec2 point;
   bool is_left;  // whether what it is the foot of is left of the way, as the viewer sees it
@@ -96,7 +100,8 @@ class TouchImages {
     for (int k = 1; k < way.count; ++k) {
       if (is_next_to_crossing(way.strand, index(way, k))) continue;
       const Foot foot = nearest_on(line, image(way, k));
-      if (foot.is_left == left) image(way, k) = foot.point;
+      const bool is_near = (foot.point - image(way, k)).norm() <= farthest_move_px;
+      if (foot.is_left == left && is_near) image(way, k) = foot.point;
     }
   }
 

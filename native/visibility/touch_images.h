@@ -11,7 +11,8 @@ std::vector<int> dropped_crossings(const Arrangement& arrangement);
 // Between the joint and a touch of two strands both polylines are the image of a fold and of a
 // curve on its surface, which cannot stand out of it: where it does, its points are moved onto the
 // contour, and then the contour's points that are still on the surface's side of it onto the curve.
-// Only `image.image` changes. Points next to which another curve crosses stay, and so do nodes.
+// Only `image.image` changes. Points next to which another curve crosses stay, and so do nodes and
+// what is more than a tenth of a pixel away.
 void pull_touches_together(Arrangement& arrangement, const std::vector<int>& touches);
 
 }  // namespace illustrate

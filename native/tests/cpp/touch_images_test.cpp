@@ -88,6 +88,14 @@ TEST(TouchImages, AreMovedNowhereElse) {
   }
 }
 
+// What hangs out that far is no noise; drawn onto the fold, the other curve would stand out of it.
+TEST(TouchImages, StayWhereTheyAreFarOutside) {
+  CurveNetwork network = rim_beside_fold(false, false);
+  network.points.values[fold.size() + 3].position.y() = -.5;
+  const Arrangement before = arrange(network, one_px), after = pulled_together(network);
+  EXPECT_EQ(after.image.image[before.point(1, 3)], before.image.image[before.point(1, 3)]);
+}
+
 // Its crossings would no longer lie on the curves.
 TEST(TouchImages, StayWhereAnotherCurveCrosses) {
   const CurveNetwork network = rim_beside_fold(false, true);
