@@ -54,7 +54,7 @@ bool HatchArea::is_wanted(const HatchPoint& point, Area area) const {
 }
 
 bool HatchArea::is_seen_at(int centre, const HatchPoint& point) const {
-  double depth = -(camera_.view().row(2) * point.position.homogeneous()).value();
+  double depth = camera_.depth(point.position);
   if (depth <= visible_.depth[centre]) return true;
   depth -= hidden_cells * cell_size(point.position);
   if (depth <= visible_.depth[centre]) return true;

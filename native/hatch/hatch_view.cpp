@@ -38,7 +38,7 @@ StreamlineNode HatchView::node_at(const SurfacePoint& on) const {
   node.position = position_at(scene_.surface, on);
   const Vec3 mapped = apply(walker.map(), node.position);
   node.image = mapped.head<2>() / mapped[2];
-  node.depth = -(scene_.camera.view().row(2) * node.position.homogeneous()).value();
+  node.depth = scene_.camera.depth(node.position);
   node.pixel = area.pixel_size(mapped);
   return node;
 }

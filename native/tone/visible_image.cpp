@@ -22,7 +22,7 @@ struct Projector {
 
   GridVertex operator()(const Vec3& position) const {
     const Vec3 h = apply(map, position);
-    const double depth = -(camera.view().row(2) * position.homogeneous()).value();
+    const double depth = camera.depth(position);
     const double scale = 1 / (h[2] * cell_px);
     return {h[0] * scale, h[1] * scale, depth,
             depth / h[2], 1 / h[2],     camera.near_distance(position)};

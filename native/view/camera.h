@@ -36,12 +36,13 @@ class Camera {
     return is_perspective() ? Vec3(eye_.head<3>() - p) : Vec3(eye_.head<3>());
   }
 
+  double depth(const Vec3& p) const { return -(view_.row(2) * p.homogeneous()).value(); }
+
   // Only for points before the near plane (`near_distance` > 0).
   ImagePoint project(const Vec3& p) const {
     const Vec4 clip = clip_ * p.homogeneous();
-    const double depth = -(view_.row(2) * p.homogeneous()).value();
     return {Vec2((clip[0] / clip[3] + 1) / 2 * width_, (1 - clip[1] / clip[3]) / 2 * height_),
-            depth};
+            depth(p)};
   }
 
   // How the image of p moves when p moves along d: px per unit of d.
