@@ -1,6 +1,7 @@
 #include "contour/contour_functions.h"
 
 namespace illustrate {
+
 bool ContourFunctions::front(int triangle, int corner) const {
   const int v = surface_.triangles[idx(triangle)][idx(corner)];
   return (g(v) >= 0) == (surface_.corner_sign(triangle, corner) > 0);

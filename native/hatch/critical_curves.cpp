@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/segments.h"
 #include "tone/step_along.h"
 
 namespace illustrate {
@@ -150,9 +151,8 @@ bool CriticalCurves::any_near(const Vec2& p, double radius, const Test& test) co
          ++i) {
       for (const Piece& piece : cells_[row * grid_cells_.columns + i]) {
         const Vec2 &a = piece.a, run = piece.b - a;
-        const double square = run.squaredNorm();
-        if (!(square > 0) || !test(run)) continue;
-        const double t = std::clamp(run.dot(p - a) / square, 0.0, 1.0);
+        if (!(run.squaredNorm() > 0) || !test(run)) continue;
+        const double t = nearest_share(a, piece.b, p);
         if ((p - a - t * run).squaredNorm() < radius * radius) return true;
       }
     }

@@ -35,8 +35,7 @@ std::vector<std::uint8_t> strips(const HatchView& view, const ImageLattice& latt
   std::size_t square = 0;
   for (std::int64_t row = 0; row < lattice.rows; ++row) {
     for (std::int64_t column = 0; column < lattice.columns; ++column, ++square) {
-      const Vec2 corner(static_cast<double>(column), static_cast<double>(row));
-      const Vec2 image = (corner + Vec2(0.5, 0.5)) * lattice.step_px;
+      const Vec2 image = lattice.middle(row, column);
       is_near[square] = view.area.is_covered(image) && view.curves.pass(image, width_px);
     }
   }

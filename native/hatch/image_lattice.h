@@ -16,8 +16,8 @@ struct ImageLattice {
 
   std::int64_t count() const { return columns * rows; }
   // Of a square; they are numbered row by row.
-  Vec2 middle(std::int64_t square) const {
-    const std::int64_t row = square / columns, column = square % columns;
+  Vec2 middle(std::int64_t square) const { return middle(square / columns, square % columns); }
+  Vec2 middle(std::int64_t row, std::int64_t column) const {
     const Vec2 corner(static_cast<double>(column), static_cast<double>(row));
     return (corner + Vec2(0.5, 0.5)) * step_px;
   }

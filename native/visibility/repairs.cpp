@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "core/segments.h"
 #include "visibility/joint_touches.h"
 #include "visibility/potential.h"
 
@@ -24,10 +25,7 @@ struct Stop {
 };
 
 double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const Vec2 along = b - a;
-  const double square = along.squaredNorm();
-  const double t = square > 0 ? std::clamp((p - a).dot(along) / square, 0.0, 1.0) : 0;
-  return (p - a - t * along).norm();
+  return (p - a - nearest_share(a, b, p) * (b - a)).norm();
 }
 
 double farthest(const std::vector<Vec2>& from, const std::vector<Vec2>& to) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/segments.h"
 #include "visibility/repairs.h"
 
 namespace illustrate {
@@ -28,14 +29,13 @@ Foot nearest_on(const std::vector<Vec2>& line, const Vec2& p) {
   Foot result{p, false};
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const Vec2 along = line[i + 1] - line[i], to_p = p - line[i];
-    const double square = along.squaredNorm();
-    if (square == 0) continue;
-    const Vec2 foot = line[i] + std::clamp(to_p.dot(along) / square, 0.0, 1.0) * along;
+    const Vec2 along = line[i + 1] - line[i];
+    if (along.squaredNorm() == 0) continue;
+    const Vec2 foot = line[i] + nearest_share(line[i], line[i + 1], p) * along;
     const double distance = (p - foot).squaredNorm();
     if (distance >= least) continue;
     least = distance;
-    result = {foot, cross(along, to_p) < 0};  // y is down
+    result = {foot, cross(along, p - line[i]) < 0};  // y is down
   }
   return result;
 }

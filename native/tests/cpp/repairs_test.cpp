@@ -181,26 +181,44 @@ TEST(Touches, OfACurveThatStaysOnItsSurfaceAreNone) {
   EXPECT_TRUE(arrangement.is_live(0));
 }
 
+// A contour and a feature curve come from the left to a joint at the origin and to this second
+// node, their polylines crossing before that; the curve goes on to the right.
+struct Approach : CurveNetwork {
+  Approach(NodeKind second, const Vec3& second_at) {
+    nodes = {{NodeKind::joint, Vec3::Zero()},
+             {second, second_at},
+             {NodeKind::end, Vec3(-20, .5, 0)},
+             {NodeKind::end, Vec3(-20, -.5, -1)},
+             {NodeKind::end, Vec3(20, -3, 0)}};
+  }
+
+  void add_strand(Kind kind, const Points& way, int start, int end, int left_layers) {
+    for (const Vec3& p : way) points.push({p, {}});
+    points.close_list();
+    strands.push_back({kind, 0, start, end, left_layers, 0});
+  }
+  void add_curve(Kind kind, int left_layers) {
+    add_strand(kind, {nodes[2].position, Vec3(-.2, -.05, 0), nodes[0].position}, 2, 0, left_layers);
+  }
+  void add_rest(Kind kind, int from, int left_layers) {
+    add_strand(kind, {nodes[idx(from)].position, nodes[4].position}, from, 4, left_layers);
+  }
+  void add_contour() {
+    add_strand(Kind::silhouette,
+               {nodes[3].position, Vec3(-.4, -.05, -1), Vec3(-.1, .05, -1), nodes[1].position}, 3,
+               1, 2);
+  }
+};
+
 // A contour that ends on a crease; the crease has a node, where one of its sides turns back, just
-// before that or this far along, and polylines cross between the two.
+// before that or this far along.
 CurveNetwork contour_ends_beside_a_node(double link_px, Kind link) {
-  const Vec3 turning(0, 0, 0), end(link_px, 0, 0);
-  CurveNetwork network;
-  network.nodes = {{NodeKind::joint, turning},
-                   {NodeKind::joint, end},
-                   {NodeKind::end, Vec3(-20, .5, 0)},
-                   {NodeKind::end, Vec3(-20, -.5, -1)},
-                   {NodeKind::end, Vec3(20, -3, 0)}};
-  const auto add_strand = [&](Kind kind, const Points& points, int start, int to) {
-    for (const Vec3& p : points) network.points.push({p, {}});
-    network.points.close_list();
-    network.strands.push_back({kind, 0, start, to, kind == Kind::silhouette ? 2 : 0, 0});
-  };
-  add_strand(Kind::crease, {network.nodes[2].position, Vec3(-.2, -.05, 0), turning}, 2, 0);
-  add_strand(link, {turning, end}, 0, 1);
-  add_strand(Kind::crease, {end, network.nodes[4].position}, 1, 4);
-  add_strand(Kind::silhouette,
-             {network.nodes[3].position, Vec3(-.4, -.05, -1), Vec3(-.1, .05, -1), end}, 3, 1);
+  Approach network(NodeKind::joint, Vec3(link_px, 0, 0));
+  network.add_curve(Kind::crease, 0);
+  network.add_strand(link, {network.nodes[0].position, network.nodes[1].position}, 0, 1,
+                     link == Kind::silhouette ? 2 : 0);
+  network.add_rest(Kind::crease, 1, 0);
+  network.add_contour();
   return network;
 }
 
@@ -217,25 +235,14 @@ TEST(Touches, OfAContourWithTheCreaseThatItEndsOnAreDroppedPastANode) {
   EXPECT_EQ(dropped(.3, Kind::silhouette), 0) << "another contour between them";
 }
 
-// A contour that has a cusp this far from its end on a boundary; their polylines cross before that.
+// A contour that has a cusp this far from its end on a boundary.
 CurveNetwork contour_ends_behind_a_cusp(double tip_px) {
-  const Vec3 joint(0, 0, 0), tip(tip_px, 0, -.5);
-  CurveNetwork network;
-  network.nodes = {{NodeKind::joint, joint},
-                   {NodeKind::cusp, tip},
-                   {NodeKind::end, Vec3(-20, .5, 0)},
-                   {NodeKind::end, Vec3(-20, -.5, -1)},
-                   {NodeKind::end, Vec3(20, -3, 0)}};
-  const auto add_strand = [&](Kind kind, const Points& points, int start, int to) {
-    for (const Vec3& p : points) network.points.push({p, {}});
-    network.points.close_list();
-    network.strands.push_back({kind, 0, start, to, kind == Kind::silhouette ? 2 : 1, 0});
-  };
-  add_strand(Kind::boundary, {network.nodes[2].position, Vec3(-.2, -.05, 0), joint}, 2, 0);
-  add_strand(Kind::boundary, {joint, network.nodes[4].position}, 0, 4);
-  add_strand(Kind::silhouette,
-             {network.nodes[3].position, Vec3(-.4, -.05, -1), Vec3(-.1, .05, -1), tip}, 3, 1);
-  add_strand(Kind::silhouette, {tip, joint}, 1, 0);
+  Approach network(NodeKind::cusp, Vec3(tip_px, 0, -.5));
+  network.add_curve(Kind::boundary, 1);
+  network.add_rest(Kind::boundary, 0, 1);
+  network.add_contour();
+  network.add_strand(Kind::silhouette, {network.nodes[1].position, network.nodes[0].position}, 1, 0,
+                     2);
   network.ties = {{1, 2, 3, 1}};
   return network;
 }
