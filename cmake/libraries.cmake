@@ -1,5 +1,6 @@
 # illustrate_opensubdiv and illustrate_nlopt: static and hidden, so that they cannot meet the
 # copies inside Blender. ILLUSTRATE_LICENSES is the folder of their licences.
+include(cmake/search_paths.cmake)
 find_package(Threads REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 
@@ -69,4 +70,10 @@ else()
   imported_library(illustrate_opensubdiv "${static_libraries}" osdCPU)
   imported_library(illustrate_nlopt "${static_libraries}" nlopt)
   set(ILLUSTRATE_LICENSES "${static_libraries}/licenses")
+endif()
+
+if(NOT ILLUSTRATE_SYSTEM_LIBRARIES)
+  refuse_system_headers(opensubdiv illustrate_opensubdiv)
+  refuse_system_headers(nlopt.h illustrate_nlopt)
+  refuse_system_headers(nlopt.hpp illustrate_nlopt)
 endif()
