@@ -1,5 +1,5 @@
 # Each target sets up what it needs and can be run first; what is already there is not done again.
-.PHONY: build demo test test-window bench sanitize extension matrix lint
+.PHONY: build demo test test-window bench sanitize extension matrix lint fresh
 
 build:
 	tools/build.sh
@@ -27,3 +27,6 @@ matrix:
 
 lint:
 	tools/lint.sh
+
+fresh:
+	tools/fresh.sh
