@@ -54,7 +54,8 @@ std::shared_ptr<PolygonMesh> make_mesh(
     const py::object& vertex_sharpness, const py::object& marked_edges,
     const py::object& face_materials, const py::object& hole_faces, const std::string& boundary,
     double crease_angle_deg, const py::object& scheme, const py::object& level,
-    const py::object& edge_length, const std::string& name) {
+    const py::object& edge_length, const std::string& name, const py::object& corner_normals,
+    bool cage) {
   auto mesh = std::make_shared<PolygonMesh>();
   mesh->positions = read_points(positions, "positions");
   mesh->face_sizes = read_indices(face_sizes, "face_sizes");
@@ -65,6 +66,8 @@ std::shared_ptr<PolygonMesh> make_mesh(
   read_if_given(marked_edges, "marked_edges", mesh->marked_edges, read_edges);
   read_if_given(face_materials, "face_materials", mesh->face_materials, read_indices);
   read_if_given(hole_faces, "hole_faces", mesh->hole_faces, read_indices);
+  read_if_given(corner_normals, "corner_normals", mesh->corner_normals, read_points);
+  mesh->cage = cage;
   mesh->boundary = boundary_named(boundary);
   mesh->crease_angle_deg = crease_angle_deg;
   read_if_given(scheme, "scheme", mesh->scheme, read_scheme);
@@ -84,7 +87,8 @@ void bind_polygon_mesh(py::module_& m) {
            "edge_vertices"_a = none, "edge_sharpness"_a = none, "vertex_sharpness"_a = none,
            "marked_edges"_a = none, "face_materials"_a = none, "hole_faces"_a = none,
            "boundary"_a = "corners", "crease_angle_deg"_a = 180.0, "scheme"_a = none,
-           "level"_a = none, "edge_length"_a = none, "name"_a = "")
+           "level"_a = none, "edge_length"_a = none, "name"_a = "", "corner_normals"_a = none,
+           "cage"_a = true)
       .def_readonly("name", &PolygonMesh::name)
       .def_property_readonly("vertex_count",
                              [](const PolygonMesh& mesh) { return mesh.positions.size(); })

@@ -80,6 +80,8 @@ class PolygonMesh:
         level: int | None = None,
         edge_length: float | None = None,
         name: str = "",
+        corner_normals: ArrayLike | None = None,
+        cage: bool = True,
     ) -> None:
         """Copies its arguments.
 
@@ -94,11 +96,18 @@ class PolygonMesh:
             face_materials: (f,) int, their borders drawn as Kind.MATERIAL when asked for.
             hole_faces: (h,) int, faces that shape the limit and are not there.
             boundary: 'corners' or 'edges' (OpenSubdiv's EDGE_AND_CORNER, EDGE_ONLY).
-            crease_angle_deg: edges with a sharper turn become infinitely sharp; 180: none.
+            crease_angle_deg: edges with a sharper turn become infinitely sharp; 180: none. With
+                corner_normals, or where cage is False, only between faces that are shaded flat.
             scheme: this mesh's own, in place of PrepareOptions.scheme.
             level: this mesh's own, in place of PrepareOptions.level.
             edge_length: this mesh's own, in place of PrepareOptions.edge_length.
             name: for reports.
+            corner_normals: (sum of face_sizes, 3) float, shading normals at the corners in the
+                space of positions, of any length; zero or not finite: unknown, the face's own
+                stands in. Edges where those of both faces differ are creases.
+            cage: True: the vertices are the control mesh of a subdivision surface. False: the
+                surface keeps to the mesh: its vertices lie on it, and corners of its boundaries
+                are those that turn, whatever `boundary` says.
 
         Raises:
             InvalidInput: wrong shapes, wrong types, indices out of range.

@@ -73,6 +73,9 @@ void validate(const PolygonMesh& mesh) {
     check_length("vertex_sharpness", mesh.vertex_sharpness.size(), "positions", vertices);
   if (!mesh.face_materials.empty())
     check_length("face_materials", mesh.face_materials.size(), "faces", faces);
+  if (!mesh.corner_normals.empty())
+    check_length("corner_normals", mesh.corner_normals.size(), "corners",
+                 mesh.corner_vertices.size());
   for (std::size_t i = 0; i < mesh.hole_faces.size(); ++i)
     check_index("hole_faces", i, mesh.hole_faces[i], "faces", faces);
   check_settings(mesh);

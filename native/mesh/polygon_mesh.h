@@ -28,8 +28,16 @@ struct PolygonMesh {
   std::vector<Edge> marked_edges;        // (m) drawn as Kind::mark when asked for
   std::vector<int> face_materials;       // (f) or empty; their borders are Kind::material
   std::vector<int> hole_faces;           // (h) faces that shape the limit and are not there
+  // (sum of face_sizes) or empty: shading normals of any length at the corners, in the space of
+  // positions; where one is zero or not finite the face's own stands in.
+  Points corner_normals;
+  // The vertices are the control mesh of a subdivision surface, which goes near them; else the
+  // surface keeps to the mesh, and its boundaries have corners by their angle, whatever `boundary`.
+  bool cage = true;
   BoundaryRule boundary = BoundaryRule::corners;
-  double crease_angle_deg = 180;  // edges that turn more become infinitely sharp; 180: none
+  // Edges that turn more become infinitely sharp; 180: none. With corner_normals, or where the mesh
+  // is no cage: only between faces that are shaded flat (mesh/creases.h).
+  double crease_angle_deg = 180;
   std::optional<Scheme> scheme;   // this mesh's own, instead of the options'
   std::optional<int> level;
   std::optional<double> edge_length;  // world units
@@ -37,8 +45,8 @@ struct PolygonMesh {
 };
 
 // Throws InvalidInput, naming the argument and the index, where arrays do not fit together:
-// face_sizes that are negative or do not sum up to the corners, sharpness or materials of another
-// length, indices of faces, corners and edges out of range.
+// face_sizes that are negative or do not sum up to the corners, sharpness, materials or normals of
+// another length, indices of faces, corners and edges out of range.
 void validate(const PolygonMesh& mesh);
 
 }  // namespace illustrate

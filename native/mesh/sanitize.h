@@ -31,6 +31,7 @@ struct SoundMesh {
   std::vector<double> vertex_sharpness;  // (n)
   std::vector<Edge> marked_edges;        // (m)
   std::vector<Edge> seams;  // (s) open edges made by splitting, as their face runs along them
+  Points corner_normals;  // (c) unit, on the side of their face; empty: not asked for (creases.h)
   std::vector<int> face_materials;  // (f)
   std::vector<std::uint8_t> holes;  // (f) 1: shapes the limit, is not there
   // Orientation double cover: the same face (vertex) on the other sheet; `none` where the part is
@@ -38,6 +39,7 @@ struct SoundMesh {
   std::vector<int> twin_faces;     // (f)
   std::vector<int> twin_vertices;  // (n)
   std::vector<std::uint8_t> kept;  // (f) 1: drawn; of a face and its twin exactly one is kept
+  bool cage = true;                // the control mesh of a surface; else the surface keeps to it
   BoundaryRule boundary = BoundaryRule::corners;
   std::optional<Scheme> scheme;
   std::optional<int> level;

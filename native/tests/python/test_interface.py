@@ -204,6 +204,8 @@ def test_previous_is_taken_over_only_where_nothing_changed() -> None:
     lines = ill.DrawOptions(hatching=False)  # the field may start from the last one
     fresh = draw(prepared_of(moved), look_at(), lines)
     assert digest(draw(other, look_at(), lines)) == digest(fresh)
+    kept = torus().mesh(cage=False)
+    assert ill.prepare([kept], options, previous=first).timings["surface"] > 0
     turned = ill.PrepareOptions(level=LEVEL, parabolic_ratio=0)
     unreliable = ill.prepare([torus().mesh()], turned, previous=first)
     assert unreliable.timings["surface"] == 0

@@ -41,6 +41,8 @@ def changed(array: Any, index: int, value: Any) -> Any:
         ({"edge_vertices": [[0, 99]], "edge_sharpness": [1.0]}, r"edge_vertices\[0\]"),
         ({"vertex_sharpness": [1.0]}, "vertex_sharpness"),
         ({"face_materials": [0]}, "face_materials"),
+        ({"corner_normals": [[0, 0, 1]]}, r"corner_normals \(1\) must match the number of corners"),
+        ({"corner_normals": [0, 0, 1]}, r"corner_normals has shape \(3,\), expected \(n, 3\)"),
         ({"hole_faces": [6]}, r"hole_faces\[0\]"),
         ({"marked_edges": [0, 1]}, r"marked_edges has shape \(2,\), expected \(n, 2\)"),
         ({"boundary": "none"}, "boundary is 'none'"),
