@@ -82,9 +82,10 @@ def set_up(blender: Blender) -> Place:
     if ran.returncode:
         raise SetUpError(f"Blender {blender.version} could not be set up")
     found = ran.stdout.splitlines()[-1]
-    if blender.source in ("system", "wheel"):
+    if not Path(found).is_dir():
         return Place(found, Path("/"))
-    place = Place("/usr/bin/blender", Path(found))
+    program = "/usr/bin/blender" if blender.is_program else "/opt/bpy/bin/python"
+    place = Place(program, Path(found))
     _stage(place.checkout)
     return place
 

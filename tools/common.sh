@@ -41,6 +41,15 @@ CHECK
     return 1
 }
 
+# suite_of_python VERSION: the Debian that has this Python, newer than that of Debian 12.
+suite_of_python() {
+    case $1 in
+        3.13) echo trixie ;;
+        3.14) echo sid ;;
+        *) return 1 ;;
+    esac
+}
+
 # debian_mirror: where this machine's own package lists say that Debian's packages are.
 debian_mirror() {
     sed -n 's/^URIs:[[:space:]]*\([^[:space:]]*\).*/\1/p' \

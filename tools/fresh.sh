@@ -12,6 +12,7 @@
 # root and downloads (Debian's packages, Python's wheels, source archives); nothing installed or
 # built. Needs root, debootstrap and the registries.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+source "$ROOT/tools/root_folders.sh"
 
 SUITE=bookworm
 DOWNLOADS=$CACHE/downloads
@@ -45,25 +46,6 @@ check() {
 }
 
 # --- The bare root ---
-
-# registry_settings ROOT: how this machine reaches its registries, and whom it trusts.
-registry_settings() {
-    local root=$1 path in_root
-    rm -rf "$root/etc/apt/sources.list" "$root"/etc/apt/sources.list.d/*
-    for path in /etc/apt/sources.list /etc/apt/sources.list.d/*.list \
-        /etc/apt/sources.list.d/*.sources /etc/apt/auth.conf /etc/apt/auth.conf.d \
-        $(grep -ls '^ *Acquire::' /etc/apt/apt.conf /etc/apt/apt.conf.d/*) \
-        /etc/resolv.conf /etc/hosts /usr/local/share/ca-certificates \
-        /etc/pip.conf "$HOME/.config/pip" "$HOME/.pip" "$HOME/.netrc"; do
-        [ -e "$path" ] || continue
-        in_root=$root${path/#$HOME//root}
-        mkdir -p "$(dirname "$in_root")"
-        rm -rf "$in_root"
-        cp -RL "$path" "$in_root"
-    done
-    mkdir -p "$root/etc/ssl/certs"
-    cp -L /etc/ssl/certs/ca-certificates.crt "$root/etc/ssl/certs/"
-}
 
 # bare_root FOLDER: debootstrap's smallest variant with what a checkout needs.
 bare_root() {
@@ -116,12 +98,6 @@ new_root() {
 
 # --- In it ---
 
-# registry_variables: those of the environment that say how registries are reached.
-registry_variables() {
-    env -0 | grep -zE '^(PIP_|SSL_CERT|REQUESTS_CA|CURL_CA|GIT_SSL_CAINFO|[a-zA-Z]+_proxy=|[A-Z]+_PROXY=|CI=)' |
-        tr '\0' '\n' || true
-}
-
 # enter SHARED TARGET: make TARGET in the root's clone, in place of this process. What is mounted is
 # seen by it alone and gone with it; so is whatever it leaves running. SHARED: a folder to show
 # beside the clone, or nothing.
@@ -155,7 +131,7 @@ enter() {
         chroot "$root" /usr/bin/env -i HOME=/root LANG=C.UTF-8 \
             PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin "$@"
     ' bash "$ROOTFS" "$DOWNLOADS" "$CHECKOUT" "$1" "${variables[@]}" \
-        make --no-print-directory -C "/$CHECKOUT" "$2" 7>&- </dev/null
+        ${CI:+CI=$CI} make --no-print-directory -C "/$CHECKOUT" "$2" 7>&- </dev/null
 }
 
 # attend SHARED TARGET: enters beside this script, so that a signal to it is heard at once.

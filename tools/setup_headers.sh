@@ -8,11 +8,8 @@ if python=$(find_python "$version"); then
     "$python" -c 'import sysconfig; print(sysconfig.get_paths()["include"])'
     exit
 fi
-case $version in
-    3.13) suite=trixie ;;
-    3.14) suite=sid ;;
-    *) fail "no headers of Python $version: install it with them, or with 'pyenv install $version'" ;;
-esac
+suite=$(suite_of_python "$version") || fail "no headers of Python $version: install it with them," \
+    "or with 'pyenv install $version'"
 
 # A private copy of the machine's package list that names the other Debian.
 fetch() {

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# setup_system.sh GROUP...: installs the Debian packages that are missing.
-# Groups: build, test, lint, window, root, blender (unless $BLENDER or another Blender on the path is there).
+# setup_system.sh GROUP...: installs the Debian packages that are missing. --list GROUP...: names them.
+# Groups: build, test, lint, window, root, bpy (what the official module asks of the system),
+# blender (unless $BLENDER or another Blender on the path is there).
 # As root or with a sudo that asks nothing; else prints the command to run and fails.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -16,9 +17,9 @@ packages_of() {
             echo g++ make patch xz-utils libeigen3-dev
             find_python >/dev/null || echo python3.11 python3.11-venv python3.11-dev
             ;;
-        test)
-            # GoogleTest, and what the official Blender module asks of the system.
-            echo libgtest-dev libegl1 libgl1 libgl1-mesa-dri libice6 libsm6 libx11-6 libxext6 \
+        test) echo libgtest-dev && packages_of bpy ;;
+        bpy)
+            echo libegl1 libgl1 libgl1-mesa-dri libice6 libsm6 libx11-6 libxext6 \
                 libxfixes3 libxi6 libxkbcommon0 libxrender1
             ;;
         root) echo debootstrap ;;
@@ -54,6 +55,10 @@ install_packages() {
         "${apt[@]}" -qq -y install --no-install-recommends "$@" >&2
 }
 
+if [ "${1:-}" = --list ]; then
+    for group in "${@:2}"; do packages_of "$group"; done
+    exit
+fi
 if ! command -v dpkg-query >/dev/null; then
     say "not a Debian system: make sure that these are there:" \
         $(for group in "$@"; do packages_of "$group"; done)

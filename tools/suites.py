@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import subprocess
+import time
 import xml.etree.ElementTree as ElementTree
 from collections import Counter
 from dataclasses import dataclass, field
@@ -28,11 +29,13 @@ class Outcome:
 
     counts: Counter[str] = field(default_factory=Counter)
     skipped: list[str] = field(default_factory=list)
+    seconds: float = 0
 
     def add(self, other: Outcome) -> None:
         """Counts in what another suite left."""
         self.counts += other.counts
         self.skipped += other.skipped
+        self.seconds += other.seconds
 
     def __str__(self) -> str:
         """Such as '12 passed, 0 failed, 1 skipped'."""
@@ -61,16 +64,29 @@ def _read(junit: Path) -> Outcome:
     return found
 
 
+def _output(suite: Suite) -> tuple[int, str]:
+    """The exit code and all that it printed, at once: suites may run side by side."""
+    try:
+        ran = subprocess.run(
+            suite.command,
+            cwd=ROOT,
+            timeout=TIMEOUT_S,
+            check=False,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+        )
+    except (OSError, subprocess.TimeoutExpired) as error:
+        return 1, str(error)
+    return ran.returncode, ran.stdout.decode(errors="replace")
+
+
 def run(suite: Suite) -> Outcome:
     """Runs one suite; one that leaves no result or fails without saying where is a failure."""
-    print(f"== {suite.name}", flush=True)
     suite.junit.unlink(missing_ok=True)
-    try:
-        code = subprocess.run(suite.command, cwd=ROOT, timeout=TIMEOUT_S, check=False).returncode
-    except (OSError, subprocess.TimeoutExpired) as error:
-        print(f"{suite.name}: {error}")
-        code = 1
-    found = Outcome()
+    start = time.monotonic()
+    code, text = _output(suite)
+    print(f"== {suite.name}\n{text}", flush=True)
+    found = Outcome(seconds=time.monotonic() - start)
     try:
         found = _read(suite.junit)
     except (OSError, ElementTree.ParseError) as error:
@@ -85,7 +101,7 @@ def report(results: dict[str, Outcome]) -> int:
     """Prints a line for each name, its skipped tests, and the total; the exit code."""
     total = Outcome()
     for name, found in results.items():
-        print(f"{name}: {found}")
+        print(f"{name}: {found}, in {found.seconds:.0f} s")
         for skipped in found.skipped:
             print(f"    skipped {skipped}")
         total.add(found)

@@ -5,4 +5,5 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 "$ROOT/tools/setup_system.sh" build test blender
 "$ROOT/tools/build.sh" tests
 "$ROOT/tools/extension.sh"
+say "set-up, build and packages took $SECONDS s"
 exec "$VENV/bin/python" "$ROOT/tools/run_tests.py"
