@@ -79,7 +79,8 @@ remove_stale() {
 
 remove_root() {
     if [ -n "$JOB" ]; then
-        kill "$JOB" 2>/dev/null && wait "$JOB" 2>/dev/null || true
+        # unshare itself hears nothing softer.
+        kill -KILL "$JOB" 2>/dev/null && wait "$JOB" 2>/dev/null || true
     fi
     [ -z "${ROOTFS:-}" ] || rm -rf --one-file-system "$ROOTFS" "$ROOTFS.lock"
     ROOTFS=
