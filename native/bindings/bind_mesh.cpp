@@ -5,7 +5,7 @@
 #include "bindings/bind.h"
 #include "bindings/names.h"
 #include "contour/curve_network.h"
-#include "mesh/polygon_mesh.h"
+#include "mesh/instance.h"
 #include "tone/light.h"
 #include "view/camera.h"
 
@@ -78,6 +78,17 @@ std::shared_ptr<PolygonMesh> make_mesh(
   return mesh;
 }
 
+std::shared_ptr<PolygonMesh> make_instance(const std::shared_ptr<PolygonMesh>& mesh,
+                                           const py::object& placement, const py::object& name,
+                                           const py::object& edge_length) {
+  auto made = std::make_shared<PolygonMesh>(
+      instance(mesh, read_matrix(placement, "placement"),
+               name.is_none() ? mesh->name : py::cast<std::string>(name)));
+  read_if_given(edge_length, "edge_length", made->edge_length, read_number);
+  validate(*made);
+  return made;
+}
+
 void bind_polygon_mesh(py::module_& m) {
   using namespace py::literals;
   const py::none none;
@@ -89,6 +100,10 @@ void bind_polygon_mesh(py::module_& m) {
            "boundary"_a = "corners", "crease_angle_deg"_a = 180.0, "scheme"_a = none,
            "level"_a = none, "edge_length"_a = none, "name"_a = "", "corner_normals"_a = none,
            "cage"_a = true)
+      .def("instance", &make_instance, "placement"_a, "name"_a = none, "edge_length"_a = none,
+           "The same mesh at another place, moved by a (4, 4) affine matrix. Where that is a "
+           "similarity (no mirror, one scale), what is prepared of the mesh is made once and "
+           "shared; else the result is a mesh of its own. edge_length: its own, world units.")
       .def_readonly("name", &PolygonMesh::name)
       .def_property_readonly("vertex_count",
                              [](const PolygonMesh& mesh) { return mesh.positions.size(); })

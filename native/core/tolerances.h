@@ -18,4 +18,9 @@ constexpr double degenerate_area = 1e-12;
 // zero.
 constexpr double facing_noise = 1e-9;
 
+// A placement whose lengths along different directions differ by a smaller share is a rigid motion
+// with one scale: a product of a few matrices in single precision is off by 1e-6; over a page of
+// 1400 px this moves nothing by a hundredth of a pixel.
+constexpr double similarity = 5e-6;
+
 }  // namespace illustrate::tolerance

@@ -17,6 +17,7 @@ namespace illustrate {
 using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 using Vec4 = Eigen::Vector4d;
+using Mat3 = Eigen::Matrix3d;
 using Mat4 = Eigen::Matrix4d;
 
 using Points = std::vector<Vec3>;

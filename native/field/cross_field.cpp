@@ -191,6 +191,21 @@ double total(const std::vector<double>& energies) {
   return sum;
 }
 
+// (objects) what their parts have of the energy.
+std::vector<double> energies_of_objects(const Surface& surface, const FieldProblem& p,
+                                        const CrossNumbers& z) {
+  std::vector<int> objects(idx(p.parts.count), 0);
+  for (std::size_t v = 0; v < z.size(); ++v) {
+    objects[idx(p.parts.of_vertex[v])] = surface.objects[v];
+  }
+  const std::vector<double> energies = part_energies(p, z);
+  std::vector<double> result(surface.object_is_smooth.size(), 0);
+  for (std::size_t part = 0; part < objects.size(); ++part) {
+    result[idx(objects[part])] += energies[part];
+  }
+  return result;
+}
+
 // The branch that is a principal direction where the vertex is reliable.
 void describe(const Surface& surface, const FieldProblem& p, const CrossNumbers& z, int threads,
               const Progress& progress, CrossField& field) {
@@ -285,6 +300,8 @@ CrossField solve_cross_field(const Surface& surface, const Curvature& curvature,
   progress.report(0.87);
   if (!p.turns.empty()) obey_prescription(surface, p, options, z, progress.part(0.87, 0.9));
   field.energy = total(part_energies(p, z));
+  field.object_energies = energies_of_objects(surface, p, z);
+  field.object_energies_initial = energies_of_objects(surface, p, p.initial);
   describe(surface, p, z, options.threads, progress.part(0.9, 1), field);
   return field;
 }

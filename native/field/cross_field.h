@@ -58,6 +58,8 @@ struct CrossField {
   // alignments; by the adjusted connection where singularities are prescribed.
   double energy = 0;
   double energy_initial = 0;
+  std::vector<double> object_energies;          // (objects) their shares of both
+  std::vector<double> object_energies_initial;  // (objects)
   bool converged = false;
   int evaluations = 0;
   std::vector<int> singular_triangles;  // (s)

@@ -113,6 +113,21 @@ class PolygonMesh:
             InvalidInput: wrong shapes, wrong types, indices out of range.
         """
 
+    def instance(
+        self,
+        placement: ArrayLike,
+        name: str | None = None,
+        edge_length: float | None = None,
+    ) -> PolygonMesh:
+        """The same mesh at another place, which shares what is prepared of it.
+
+        Args:
+            placement: (4, 4) float, affine, points as columns. Where it is no similarity (it
+                mirrors, or has more than one scale) the result is a mesh of its own.
+            name: for reports; this mesh's where it is None.
+            edge_length: its own, world units; this mesh's where it is None.
+        """
+
     @property
     def name(self) -> str:
         """As given."""

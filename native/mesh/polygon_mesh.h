@@ -1,9 +1,11 @@
 // Polygon meshes as a modelling program holds them, and their soundness after mending.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "core/report.h"
+#include "core/similarity.h"
 #include "core/types.h"
 
 namespace illustrate {
@@ -42,6 +44,9 @@ struct PolygonMesh {
   std::optional<int> level;
   std::optional<double> edge_length;  // world units
   std::string name;
+  // Of an instance (mesh/instance.h): what it is a copy of, and from there to here.
+  std::shared_ptr<const PolygonMesh> original;
+  Similarity placement;
 };
 
 // Throws InvalidInput, naming the argument and the index, where arrays do not fit together:

@@ -15,6 +15,7 @@
 #pragma once
 
 #include "core/progress.h"
+#include "core/similarity.h"
 #include "mesh/polygon_mesh.h"
 
 namespace illustrate {
@@ -44,6 +45,7 @@ struct SoundMesh {
   std::optional<Scheme> scheme;
   std::optional<int> level;
   std::optional<double> edge_length;
+  std::vector<Similarity> placements;  // of the objects that share it; empty: one, as it is
   std::string name;
 };
 

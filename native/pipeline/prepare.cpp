@@ -1,5 +1,7 @@
 #include "pipeline/prepare.h"
 
+#include "field/placed_field.h"
+#include "pipeline/originals.h"
 #include "pipeline/same_input.h"
 #include "pipeline/stopwatch.h"
 
@@ -40,7 +42,9 @@ Prepared::Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions&
                    const Prepared* previous, const Progress& progress)
     : options_(with_threads(options)),
       curvature_(std::make_shared<Lazy<Curvature>>()),
+      placed_curvature_(std::make_shared<Lazy<Curvature>>()),
       field_(std::make_shared<Lazy<CrossField>>()),
+      placed_field_(std::make_shared<Lazy<CrossField>>()),
       hatch_curves_(std::make_shared<Lazy<std::unique_ptr<RankedCurves>>>()),
       derivative_(std::make_shared<Lazy<CurvatureDerivative>>()) {
   timings_ = {{"sanitize", 0}, {"surface", 0},       {"dual_surface", 0}, {"curvature", 0},
@@ -51,7 +55,8 @@ Prepared::Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions&
     make_geometry(meshes, progress.part(0, options.field ? 0.4 : 0.7));
   }
   if (previous && previous->field_ != field_ && previous->field_->peek()) {
-    last_field_ = {previous->geometry_, previous->field_};
+    const Geometry& last = *previous->geometry_;
+    last_field_ = {previous->shares_field() ? last.originals : last.surface, previous->field_};
   }
   const bool searches = options.field || surface().triangles.size() <= most_searched_at_once;
   if (searches) search(progress.part(options.field ? 0.4 : 0.7, options.field ? 0.6 : 1));
@@ -74,23 +79,47 @@ void Prepared::take_over(const Prepared& previous) {
   geometry_ = previous.geometry_;
   if (!is_same(options_.jet, previous.options_.jet)) return;
   curvature_ = previous.curvature_;
+  placed_curvature_ = previous.placed_curvature_;
   derivative_ = previous.derivative_;
   if (!is_same(options_.cross_field, previous.options_.cross_field)) return;
   field_ = previous.field_;
+  placed_field_ = previous.placed_field_;
   hatch_curves_ = previous.hatch_curves_;
 }
 
+// Each original once. What the instances need of it is what the most demanding of them needs.
 std::vector<SoundMesh> Prepared::sanitize_all(Geometry& geometry, const Progress& progress) const {
+  const OriginalMeshes originals = find_originals(geometry.meshes);
+  geometry.instances = originals.instances;
   std::vector<SoundMesh> sound;
-  const auto count = static_cast<double>(geometry.meshes.size());
-  for (const MeshPointer& mesh : geometry.meshes) {
+  std::vector<Counts> counts(originals.meshes.size());
+  const auto count = static_cast<double>(originals.meshes.size());
+  for (const PolygonMesh* mesh : originals.meshes) {
     const auto done = static_cast<double>(sound.size());
-    Counts counts;
-    sound.push_back(sanitize(*mesh, counts, progress.part(done / count, (done + 1) / count)));
-    add(geometry.counts, counts);
-    geometry.mesh_reports.push_back({mesh->name, std::move(counts)});
+    const Progress part = progress.part(done / count, (done + 1) / count);
+    sound.push_back(sanitize(*mesh, counts[sound.size()], part));
+  }
+  set_placements(geometry.meshes, geometry.instances, sound);
+  for (std::size_t i = 0; i < geometry.meshes.size(); ++i) {
+    const Counts& of_original = counts[idx(geometry.instances.originals[i])];
+    add(geometry.counts, of_original);
+    geometry.mesh_reports.push_back({geometry.meshes[i]->name, of_original});
   }
   return sound;
+}
+
+// The surface of all objects, and its size and levels in the report.
+void Prepared::place_originals(Geometry& geometry) const {
+  geometry.surface = geometry.originals;
+  if (geometry.instances.are_trivial) return;
+  geometry.surface =
+      std::make_shared<const Surface>(placed(*geometry.originals, geometry.instances));
+  const Surface& surface = *geometry.surface;
+  geometry.counts["triangles"] = static_cast<std::int64_t>(surface.triangles.size());
+  geometry.counts["vertices"] = static_cast<std::int64_t>(surface.positions.size());
+  for (std::size_t o = 0; o < surface.controls.size(); ++o) {
+    geometry.counts["level_" + std::to_string(o)] = surface.controls[o].mesh->level;
+  }
 }
 
 void Prepared::make_geometry(const std::vector<MeshPointer>& meshes, const Progress& progress) {
@@ -99,12 +128,12 @@ void Prepared::make_geometry(const std::vector<MeshPointer>& meshes, const Progr
   std::vector<SoundMesh> sound =
       timed("sanitize", [&] { return sanitize_all(*geometry, progress.part(0, 0.1, "sanitize")); });
   const Progress surface_progress = progress.part(0.1, 1, "surface");
-  geometry->surface = timed("surface", [&] {
-    return refine(std::move(sound), options_.surface, geometry->counts, surface_progress);
-  });
   timed("surface", [&] {
-    geometry->limit_surface.emplace(geometry->surface);
-    geometry->features = feature_edges(geometry->surface);
+    geometry->originals = std::make_shared<const Surface>(
+        refine(std::move(sound), options_.surface, geometry->counts, surface_progress));
+    place_originals(*geometry);
+    geometry->limit_surface.emplace(*geometry->surface);
+    geometry->features = feature_edges(*geometry->surface);
   });
   surface_progress.report(1);
   geometry_ = std::move(geometry);
@@ -134,29 +163,46 @@ Counts Prepared::report() const {
   return report;
 }
 
-const Curvature& Prepared::hatch_curvature(const Progress& progress) const {
+const Curvature& Prepared::curvature_of_originals(const Progress& progress) const {
   return curvature_->get([&] {
     return timed("curvature", [&] {
-      return jet_curvature(surface(), options_.jet, progress.part(0, 1, "curvature"));
+      return jet_curvature(*geometry_->originals, options_.jet, progress.part(0, 1, "curvature"));
     });
   });
 }
 
+const Curvature& Prepared::hatch_curvature(const Progress& progress) const {
+  const Curvature& curvature = curvature_of_originals(progress);
+  if (geometry_->instances.are_trivial) return curvature;
+  return placed_curvature_->get(
+      [&] { return placed(curvature, *geometry_->originals, geometry_->instances); });
+}
+
+// What guides the field is in the world, and not the same for two objects that share a surface.
+bool Prepared::shares_field() const {
+  return !geometry_->instances.are_trivial && !needs_tree(options_.cross_field);
+}
+
 const CrossField& Prepared::field(const Progress& progress) const {
-  return field_->get([&] { return solve_field(progress); });
+  const CrossField& field = field_->get([&] { return solve_field(progress); });
+  if (!shares_field()) return field;
+  return placed_field_->get(
+      [&] { return placed(field, *geometry_->originals, geometry_->instances); });
 }
 
 CrossField Prepared::solve_field(const Progress& progress) const {
-  const Curvature& curvature = hatch_curvature(progress.part(0, 0.2));
+  const bool is_shared = shares_field();
+  const Progress before = progress.part(0, 0.2);
+  const Curvature& curvature = is_shared ? curvature_of_originals(before) : hatch_curvature(before);
   FieldAids aids;
   if (needs_tree(options_.cross_field)) aids.bvh = &bvh();
   if (last_field_.field) {
-    aids.last_surface = &last_field_.geometry->surface;
+    aids.last_surface = last_field_.surface.get();
     aids.last_field = last_field_.field->peek();
   }
   CrossField solved = timed("field", [&] {
-    return solve_cross_field(surface(), curvature, options_.cross_field, aids,
-                             progress.part(0.2, 1, "field"));
+    return solve_cross_field(is_shared ? *geometry_->originals : surface(), curvature,
+                             options_.cross_field, aids, progress.part(0.2, 1, "field"));
   });
   last_field_ = {};
   return solved;

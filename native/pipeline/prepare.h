@@ -12,6 +12,7 @@
 #include "mesh/bvh.h"
 #include "pipeline/options.h"
 #include "surface/curvature_derivative.h"
+#include "surface/instances.h"
 #include "surface/limit_surface.h"
 
 namespace illustrate {
@@ -32,7 +33,7 @@ class Prepared {
            const Prepared* previous, const Progress& progress);
 
   std::size_t object_count() const { return geometry_->meshes.size(); }
-  const Surface& surface() const { return geometry_->surface; }
+  const Surface& surface() const { return *geometry_->surface; }
   const LimitSurface& limit_surface() const { return *geometry_->limit_surface; }
   const Bvh& bvh() const { return search().bvh; }
   const DualSurface& dual_surface() const { return search().dual_surface; }
@@ -65,7 +66,9 @@ class Prepared {
     std::vector<MeshPointer> meshes;
     std::vector<MeshReport> mesh_reports;
     Counts counts;
-    Surface surface;
+    Instances instances;
+    std::shared_ptr<const Surface> originals;  // each once, however many objects share it
+    std::shared_ptr<const Surface> surface;    // of all objects; the same where none is shared
     std::optional<const LimitSurface> limit_surface;
     std::vector<FeatureEdge> features;
     Lazy<Search> search;
@@ -73,6 +76,9 @@ class Prepared {
 
   void make_geometry(const std::vector<MeshPointer>& meshes, const Progress& progress);
   std::vector<SoundMesh> sanitize_all(Geometry& geometry, const Progress& progress) const;
+  void place_originals(Geometry& geometry) const;
+  const Curvature& curvature_of_originals(const Progress& progress) const;
+  bool shares_field() const;
   const Search& search(const Progress& progress = {}) const;
   bool has_surface_of(const std::vector<MeshPointer>& meshes, const PrepareOptions& options) const;
   void take_over(const Prepared& previous);
@@ -82,14 +88,15 @@ class Prepared {
 
   // A solved field that this one's search may start from, and its surface.
   struct LastField {
-    std::shared_ptr<Geometry> geometry;
+    std::shared_ptr<const Surface> surface;
     std::shared_ptr<Lazy<CrossField>> field;
   };
 
   PrepareOptions options_;
   std::shared_ptr<Geometry> geometry_;
-  std::shared_ptr<Lazy<Curvature>> curvature_;
-  std::shared_ptr<Lazy<CrossField>> field_;
+  // Of the originals (a guided field: of all objects), and where objects share them, of all.
+  std::shared_ptr<Lazy<Curvature>> curvature_, placed_curvature_;
+  std::shared_ptr<Lazy<CrossField>> field_, placed_field_;
   mutable LastField last_field_;  // until this field is solved
   std::shared_ptr<Lazy<std::unique_ptr<RankedCurves>>> hatch_curves_;
   std::shared_ptr<Lazy<CurvatureDerivative>> derivative_;

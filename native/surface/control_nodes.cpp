@@ -28,9 +28,10 @@ ControlNodes::ControlNodes(const Surface& surface) : surface_(surface) {
 }
 
 void ControlNodes::choose_levels() {
-  for (const auto& control : surface_.controls) {
-    const int wanted = control->ptex_faces <= coarse_mesh ? 2 : 1;
-    levels_.push_back(control->scheme == Scheme::polygons ? 0 : std::min(control->level, wanted));
+  for (const PlacedControl& placed : surface_.controls) {
+    const ControlMesh& control = *placed.mesh;
+    const int wanted = control.ptex_faces <= coarse_mesh ? 2 : 1;
+    levels_.push_back(control.scheme == Scheme::polygons ? 0 : std::min(control.level, wanted));
   }
 }
 
@@ -42,7 +43,7 @@ void ControlNodes::lay_grids() {
     if (idx(patch.ptex_face) >= grids_.size()) grids_.resize(idx(patch.ptex_face) + 1);
     Grid& grid = grids_[idx(patch.ptex_face)];
     if (grid.cells > 0) continue;
-    const ControlMesh& control = *surface_.controls[idx(object)];
+    const ControlMesh& control = *surface_.controls[idx(object)].mesh;
     // A quarter of a pentagon is a ptex face as well: it has fewer cells than a quad.
     grid.cells = std::max(1, whole_face / (size_in_steps(patch) << (control.level - level)));
     grid.is_triangle = control.scheme == Scheme::loop;

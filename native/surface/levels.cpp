@@ -20,20 +20,37 @@ bool is_drawn(const SoundMesh& mesh, std::size_t face) {
   return (mesh.kept.empty() || mesh.kept[face]) && (mesh.holes.empty() || !mesh.holes[face]);
 }
 
-// Triangles of the drawn faces on a level; more than most_triangles only says that it is more.
-std::int64_t triangle_count(const SoundMesh& mesh, Scheme scheme, int level) {
-  std::int64_t coarse = 0, corners = 0;
+// The drawn faces of a mesh, in all the places where it is drawn.
+struct FaceCount {
+  std::int64_t triangles = 0, corners = 0;
+};
+
+FaceCount count_faces(const SoundMesh& mesh) {
+  FaceCount count;
   for (std::size_t f = 0; f < mesh.face_sizes.size(); ++f) {
     if (!is_drawn(mesh, f)) continue;
-    coarse += mesh.face_sizes[f] - 2;
-    corners += mesh.face_sizes[f];
+    count.triangles += mesh.face_sizes[f] - 2;
+    count.corners += mesh.face_sizes[f];
   }
-  if (level == 0 || scheme == Scheme::polygons) return coarse;
-  std::int64_t count = scheme == Scheme::loop ? 4 * coarse : 2 * corners;
+  const auto copies = static_cast<std::int64_t>(std::max<std::size_t>(1, mesh.placements.size()));
+  return {copies * count.triangles, copies * count.corners};
+}
+
+// Triangles on a level; more than most_triangles only says that it is more.
+std::int64_t triangle_count(const FaceCount& faces, Scheme scheme, int level) {
+  if (level == 0 || scheme == Scheme::polygons) return faces.triangles;
+  std::int64_t count = scheme == Scheme::loop ? 4 * faces.triangles : 2 * faces.corners;
   for (int l = 1; l < level && count <= most_triangles; ++l) count *= 4;
   return count;
 }
 
+double largest_scale(const SoundMesh& mesh) {
+  double scale = mesh.placements.empty() ? 1 : 0;
+  for (const Similarity& placement : mesh.placements) scale = std::max(scale, placement.scale);
+  return scale;
+}
+
+// In world units, where the mesh is drawn largest.
 double median_edge(const SoundMesh& mesh) {
   std::vector<double> lengths;
   const std::vector<int> offsets = face_offsets(mesh.face_sizes);
@@ -47,13 +64,16 @@ double median_edge(const SoundMesh& mesh) {
   if (lengths.empty()) return 0;
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
   std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle;
+  return largest_scale(mesh) * *middle;
 }
 
 double automatic_edge_length(const std::vector<SoundMesh>& meshes) {
+  static const std::vector<Similarity> as_it_is(1);
   Eigen::AlignedBox3d box;
   for (const SoundMesh& mesh : meshes) {
-    for (const int v : mesh.corner_vertices) box.extend(mesh.positions[idx(v)]);
+    for (const Similarity& placement : mesh.placements.empty() ? as_it_is : mesh.placements) {
+      for (const int v : mesh.corner_vertices) box.extend(placement.point(mesh.positions[idx(v)]));
+    }
   }
   return box.isEmpty() ? 0 : box.diagonal().stableNorm() * automatic_edge_share;
 }
@@ -73,7 +93,7 @@ int explicit_level(const SoundMesh& mesh, const SurfaceOptions& options) {
 }
 
 void check_explicit_level(const SoundMesh& mesh, Scheme scheme, int level) {
-  if (triangle_count(mesh, scheme, level) <= most_triangles) return;
+  if (triangle_count(count_faces(mesh), scheme, level) <= most_triangles) return;
   throw InvalidInput("level " + std::to_string(level) + " of mesh '" + mesh.name +
                      "' makes more than 200 million triangles: choose a lower level");
 }
@@ -81,22 +101,24 @@ void check_explicit_level(const SoundMesh& mesh, Scheme scheme, int level) {
 void keep_budget(const std::vector<SoundMesh>& meshes, const std::vector<Scheme>& schemes,
                  const std::vector<double>& edges, const std::vector<std::uint8_t>& automatic,
                  int budget, std::vector<int>& levels) {
-  const auto total = [&] {
-    std::int64_t sum = 0;
-    for (std::size_t i = 0; i < meshes.size(); ++i) {
-      if (automatic[i]) sum += triangle_count(meshes[i], schemes[i], levels[i]);
-    }
-    return sum;
-  };
+  std::vector<FaceCount> faces;
+  std::int64_t total = 0;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    faces.push_back(automatic[i] ? count_faces(meshes[i]) : FaceCount{});
+    total += triangle_count(faces[i], schemes[i], levels[i]);
+  }
   const auto edge = [&](std::size_t i) { return std::ldexp(edges[i], -levels[i]); };
-  while (total() > budget) {
+  while (total > budget) {
     int shortest = none;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
       if (!automatic[i] || levels[i] == 0) continue;
       if (shortest == none || edge(i) < edge(idx(shortest))) shortest = static_cast<int>(i);
     }
     if (shortest == none) return;
-    --levels[idx(shortest)];
+    const FaceCount& given_up = faces[idx(shortest)];
+    int& level = levels[idx(shortest)];
+    total -= triangle_count(given_up, schemes[idx(shortest)], level);
+    total += triangle_count(given_up, schemes[idx(shortest)], --level);
   }
 }
 

@@ -32,15 +32,17 @@ class Refiner {
 
   // Returns the level that was made.
   int add(SoundMesh mesh, Scheme scheme, int level, const Progress& progress) {
-    ControlMesh control{std::move(mesh), scheme, level, next_ptex_face_, 0};
+    ControlMesh control{std::move(mesh), scheme, level, 0};
     if (scheme == Scheme::polygons || !add_subdivided(control, progress)) {
       add_polygons(control.mesh, progress);
       control.scheme = Scheme::polygons;
       control.level = 0;
     }
-    next_ptex_face_ += control.ptex_faces;
-    surface_.controls.push_back(std::make_shared<const ControlMesh>(std::move(control)));
-    return surface_.controls.back()->level;
+    const auto shared = std::make_shared<const ControlMesh>(std::move(control));
+    const int object = static_cast<int>(surface_.controls.size());
+    surface_.controls.push_back({shared, next_ptex_face_, object, {}});
+    next_ptex_face_ += shared->ptex_faces;
+    return shared->level;
   }
 
  private:
@@ -74,7 +76,7 @@ class Refiner {
         limits(subdivision, mesh, sectors, limit_level, options_.threads, progress.part(.6, .8));
     progress.report(.8);
     surface_.object_is_smooth.push_back(1);
-    const int object = next_object_++, ptex = control.first_ptex_face;
+    const int object = next_object_++, ptex = next_ptex_face_;
     control.ptex_faces = subdivision.ptex_faces();
     const RefinedMesh& drawn = subdivision.level(level);
     const std::vector<int> corner_sectors = limit_level == level
@@ -91,12 +93,6 @@ class Refiner {
   int next_object_ = 0;
   int next_ptex_face_ = 0;
 };
-
-double diagonal(const Points& positions) {
-  Eigen::AlignedBox3d box;
-  for (const Vec3& p : positions) box.extend(p);
-  return box.isEmpty() ? 0 : box.diagonal().stableNorm();
-}
 
 }  // namespace
 

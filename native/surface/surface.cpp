@@ -8,6 +8,12 @@ Vec3 weights(const SurfacePoint& point) { return {1 - point.b1 - point.b2, point
 
 }  // namespace
 
+double diagonal(const Points& positions) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : positions) box.extend(p);
+  return box.isEmpty() ? 0 : box.diagonal().stableNorm();
+}
+
 std::vector<Eigen::AlignedBox3d> object_boxes(const Surface& surface) {
   std::vector<Eigen::AlignedBox3d> boxes(surface.object_is_smooth.size());
   for (std::size_t v = 0; v < surface.positions.size(); ++v) {

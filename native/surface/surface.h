@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "core/similarity.h"
 #include "core/types.h"
 #include "mesh/sanitize.h"
 
@@ -42,7 +43,15 @@ struct ControlMesh {
   SoundMesh mesh;  // for Loop's scheme split into triangles
   Scheme scheme = Scheme::polygons;
   int level = 0;
-  int first_ptex_face = 0, ptex_faces = 0;  // its ptex faces among those of all meshes
+  int ptex_faces = 0;
+};
+
+// The control mesh of one object: several may share one, each at a place of its own.
+struct PlacedControl {
+  std::shared_ptr<const ControlMesh> mesh;
+  int first_ptex_face = 0;  // its ptex faces among those of all objects
+  int original = none;      // what shares this number shares the control mesh
+  Similarity placement;     // from the control mesh to the object
 };
 
 // All meshes in one. A vertex on a crease stands once for each smooth side, with that side's normal
@@ -68,7 +77,7 @@ struct Surface {
   std::vector<Vec2> base_uv;
   std::vector<PatchTriangle> patches;          // (t)
   std::vector<std::uint8_t> object_is_smooth;  // (objects) 0: drawn as the polygon mesh it is
-  std::vector<std::shared_ptr<const ControlMesh>> controls;  // (objects)
+  std::vector<PlacedControl> controls;         // (objects)
 
   std::vector<Edge> feature_edges;      // (e) vertices; a crease edge once for each side
   std::vector<EdgeKind> feature_kinds;  // (e)
@@ -80,6 +89,9 @@ struct Surface {
     return flips[static_cast<std::size_t>(triangle)] >> corner & 1 ? -1.0 : 1.0;
   }
 };
+
+// Length of the diagonal of the box of all points.
+double diagonal(const Points& positions);
 
 // (objects) the box of each object's vertices, empty where it has none.
 std::vector<Eigen::AlignedBox3d> object_boxes(const Surface& surface);
