@@ -1,5 +1,5 @@
 # Each target sets up what it needs and can be run first; what is already there is not done again.
-.PHONY: build demo test test-window bench sanitize extension matrix lint fresh
+.PHONY: build demo test test-window bench sanitize unoptimised extension matrix lint fresh
 
 build:
 	tools/build.sh
@@ -18,6 +18,9 @@ bench:
 
 sanitize:
 	tools/sanitize.sh
+
+unoptimised:
+	tools/unoptimised.sh
 
 extension:
 	tools/extension.sh

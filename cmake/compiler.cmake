@@ -19,3 +19,7 @@ endif()
 # Build type Sanitize: ends at the first memory error or undefined behaviour.
 set(CMAKE_CXX_FLAGS_SANITIZE "-O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined \
 -fno-sanitize-recover=all -D_GLIBCXX_ASSERTIONS")
+
+# Build type Unoptimised: each statement as written, with the asserts of Eigen and of the standard
+# library. What a compiler may do with undefined behaviour it does differently here.
+set(CMAKE_CXX_FLAGS_UNOPTIMISED "-O0 -g1 -D_GLIBCXX_ASSERTIONS")

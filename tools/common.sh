@@ -68,6 +68,15 @@ configure() {
 # compile FOLDER TARGET...
 compile() { cmake --build "$1" --parallel "$JOBS" --target "${@:2}"; }
 
+# build_unoptimised TARGET...: in build/unoptimised. Link-time optimisation shows the compiler all
+# files at once: it refuses types of one name that differ (the one-definition rule).
+build_unoptimised() {
+    configure "$ROOT/build/unoptimised" "$VENV/bin/python" -DCMAKE_BUILD_TYPE=Unoptimised \
+        -DILLUSTRATE_TESTS=ON -DCMAKE_INTERPROCEDURAL_OPTIMIZATION=ON \
+        "-DCMAKE_CXX_FLAGS=-Werror=odr -Werror=lto-type-mismatch" &&
+        compile "$ROOT/build/unoptimised" "$@"
+}
+
 # compile_for_pythons VERSION...: the module for these Pythons, in build/native/pythons.
 compile_for_pythons() {
     local version folders list=

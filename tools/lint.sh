@@ -33,4 +33,5 @@ for folder in native/illustrate_native native/benchmarks native/tests/python too
     check "mypy $folder" mypy "$folder"
 done
 check clang-tidy tidy
+check "one-definition rule" build_unoptimised illustrate_tests _core
 exit "$status"

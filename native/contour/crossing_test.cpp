@@ -202,18 +202,18 @@ void CrossingTest::add_piercings(int triangle, int other, Ends& ends) const {
   }
 }
 
-Crossing CrossingTest::cross(int s, int t, std::array<Piercing, 2>& found) const {
+TriangleIntersection CrossingTest::cross(int s, int t, std::array<Piercing, 2>& found) const {
   if (share_vertex_or_are_flat(s, t) || are_equal(filtered_sides(s, t)) ||
       are_equal(filtered_sides(t, s)) || has_separating_edge(s, t) || has_separating_edge(t, s) ||
       are_coplanar(s, t))
-    return Crossing::apart;
+    return TriangleIntersection::apart;
   Ends ends;
   add_piercings(s, t, ends);
   add_piercings(t, s, ends);
-  if (ends.count == 0) return Crossing::apart;
-  if (ends.count != 2) return Crossing::undecided;
+  if (ends.count == 0) return TriangleIntersection::apart;
+  if (ends.count != 2) return TriangleIntersection::undecided;
   found = {ends.piercings[0], ends.piercings[1]};
-  return Crossing::segment;
+  return TriangleIntersection::segment;
 }
 
 double CrossingTest::parameter(const Piercing& piercing) const {

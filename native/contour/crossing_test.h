@@ -21,14 +21,14 @@ struct Piercing {
   }
 };
 
-enum class Crossing { apart, segment, undecided };
+enum class TriangleIntersection { apart, segment, undecided };
 
 class CrossingTest {
  public:
   explicit CrossingTest(const Surface& surface);
 
   // segment: the triangles share a segment between the two ends.
-  Crossing cross(int s, int t, std::array<Piercing, 2>& ends) const;
+  TriangleIntersection cross(int s, int t, std::array<Piercing, 2>& ends) const;
 
   // How far along its edge, from low to high, a piercing lies.
   double parameter(const Piercing& piercing) const;

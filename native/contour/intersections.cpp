@@ -30,9 +30,9 @@ std::vector<Segment> find_segments(const CrossingTest& test, const Bvh& bvh, std
       progress.report(done / (done + expected));
     }
     Segment segment{{s, t}, {}, {}};
-    const Crossing crossing = test.cross(s, t, segment.ends);
-    if (crossing == Crossing::segment) segments.push_back(segment);
-    undecided += crossing == Crossing::undecided;
+    const TriangleIntersection found = test.cross(s, t, segment.ends);
+    if (found == TriangleIntersection::segment) segments.push_back(segment);
+    undecided += found == TriangleIntersection::undecided;
   };
   bvh.overlapping_pairs(visit, test.reach());
   report["intersection_ties"] += undecided;

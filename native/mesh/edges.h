@@ -8,9 +8,9 @@
 namespace illustrate {
 
 // Fills edge_vertices, edge_sharpness, vertex_sharpness, marked_edges and seams of `sound`, whose
-// positions, source_vertices, twins and kept stand. faces: its faces; is_cut: Joints'; numbers:
-// weld_open_edges'. Of several sharpnesses on one edge the largest counts. Counts "open_edges",
-// "ignored_creases", "ignored_marks", "angle_creases".
+// positions, source_vertices, twins and kept stand. faces: its faces; is_cut:
+// FaceAdjacency's; numbers: weld_open_edges'. Of several sharpnesses on one edge the largest
+// counts. Counts "open_edges", "ignored_creases", "ignored_marks", "angle_creases".
 void carry_edges(const PolygonMesh& mesh, const Faces& faces,
                  const std::vector<std::uint8_t>& is_cut, const std::vector<int>& numbers,
                  SoundMesh& sound, Counts& report);

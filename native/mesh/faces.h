@@ -42,8 +42,8 @@ struct Faces {
   void close_face(int source);
 };
 
-// What joins the faces. Two half-edges of one edge name each other.
-struct Joints {
+// Which faces are joined, and along which edges: the two half-edges of an edge name each other.
+struct FaceAdjacency {
   std::vector<int> partners;         // (c) half-edge on the other side; none at open edges
   std::vector<std::uint8_t> is_cut;  // (c) 1: of an edge that was split
 };

@@ -15,9 +15,10 @@ struct Part {
 class FloodFill {
  public:
   // Sets is_flipped for the faces to be reversed.
-  FloodFill(const Faces& faces, const Joints& joints, std::vector<std::uint8_t>& is_flipped)
+  FloodFill(const Faces& faces, const FaceAdjacency& adjacency,
+            std::vector<std::uint8_t>& is_flipped)
       : faces_(faces),
-        joints_(joints),
+        adjacency_(adjacency),
         is_reached_(faces.sources.size(), 0),
         is_flipped_(is_flipped) {}
 
@@ -36,7 +37,7 @@ class FloodFill {
 
  private:
   void cross(int half_edge, Part& part) {
-    const int partner = joints_.partners[half_edge];
+    const int partner = adjacency_.partners[half_edge];
     if (partner == none) {
       part.is_closed = false;
       return;
@@ -54,7 +55,7 @@ class FloodFill {
   }
 
   const Faces& faces_;
-  const Joints& joints_;
+  const FaceAdjacency& adjacency_;
   std::vector<std::uint8_t> is_reached_;
   std::vector<std::uint8_t>& is_flipped_;
 };
@@ -83,17 +84,18 @@ void turn(const Part& part, std::vector<std::uint8_t>& is_flipped) {
   for (const int face : part.faces) is_flipped[face] ^= 1;
 }
 
-void reverse_flipped(Faces& faces, Joints& joints, const std::vector<std::uint8_t>& is_flipped) {
+void reverse_flipped(Faces& faces, FaceAdjacency& adjacency,
+                     const std::vector<std::uint8_t>& is_flipped) {
   std::vector<int> places(faces.corners.size());  // of each half-edge, afterwards
   for (int h = 0; h < faces.corner_count(); ++h) {
     const int face = faces.corner_faces[h];
     places[h] = is_flipped[face] ? faces.reversed(h, faces.offsets[face]) : h;
   }
-  const Joints before = joints;
+  const FaceAdjacency before = adjacency;
   for (int h = 0; h < faces.corner_count(); ++h) {
     const int partner = before.partners[h];
-    joints.partners[places[h]] = partner == none ? none : places[partner];
-    joints.is_cut[places[h]] = before.is_cut[h];
+    adjacency.partners[places[h]] = partner == none ? none : places[partner];
+    adjacency.is_cut[places[h]] = before.is_cut[h];
   }
   for (int f = 0; f < faces.size(); ++f)
     if (is_flipped[f])
@@ -103,11 +105,11 @@ void reverse_flipped(Faces& faces, Joints& joints, const std::vector<std::uint8_
 
 }  // namespace
 
-std::vector<std::uint8_t> orient(Faces& faces, Joints& joints, const Points& positions,
+std::vector<std::uint8_t> orient(Faces& faces, FaceAdjacency& adjacency, const Points& positions,
                                  Counts& report) {
   std::vector<std::uint8_t> is_unorientable(faces.sources.size(), 0);
   std::vector<std::uint8_t> is_flipped(faces.sources.size(), 0);
-  FloodFill flood(faces, joints, is_flipped);
+  FloodFill flood(faces, adjacency, is_flipped);
   for (int f = 0; f < faces.size(); ++f) {
     if (flood.is_reached(f)) continue;
     const Part part = flood.fill(f);
@@ -130,11 +132,11 @@ std::vector<std::uint8_t> orient(Faces& faces, Joints& joints, const Points& pos
       ++report["turned_parts"];
     }
   }
-  reverse_flipped(faces, joints, is_flipped);
+  reverse_flipped(faces, adjacency, is_flipped);
   return is_unorientable;
 }
 
-std::vector<int> add_double_cover(Faces& faces, Joints& joints,
+std::vector<int> add_double_cover(Faces& faces, FaceAdjacency& adjacency,
                                   const std::vector<std::uint8_t>& is_covered) {
   const int face_count = faces.size(), corner_count = faces.corner_count();
   std::vector<int> twins(faces.sources.size(), none);
@@ -146,21 +148,22 @@ std::vector<int> add_double_cover(Faces& faces, Joints& joints,
       faces.push_corner(faces.corners[c]);
     faces.close_face(faces.sources[f]);
   }
-  joints.partners.resize(faces.corners.size(), none);
-  joints.is_cut.resize(faces.corners.size(), 0);
+  adjacency.partners.resize(faces.corners.size(), none);
+  adjacency.is_cut.resize(faces.corners.size(), 0);
 
   const auto twin = [&](int h) {
     return faces.reversed(h, faces.offsets[twins[faces.corner_faces[h]]]);
   };
-  const std::vector<int> before(joints.partners.begin(), joints.partners.begin() + corner_count);
+  const std::vector<int> before(adjacency.partners.begin(),
+                                adjacency.partners.begin() + corner_count);
   for (int h = 0; h < corner_count; ++h) {
     if (is_covered[faces.corner_faces[h]] == 0) continue;
-    joints.is_cut[twin(h)] = joints.is_cut[h];
+    adjacency.is_cut[twin(h)] = adjacency.is_cut[h];
     const int partner = before[h];
     if (partner == none) continue;
     const bool disagrees = faces.corners[h] == faces.corners[partner];
-    joints.partners[h] = disagrees ? twin(partner) : partner;
-    joints.partners[twin(h)] = disagrees ? partner : twin(partner);
+    adjacency.partners[h] = disagrees ? twin(partner) : partner;
+    adjacency.partners[twin(h)] = disagrees ? partner : twin(partner);
   }
   return twins;
 }

@@ -91,19 +91,19 @@ SoundMesh sanitize(const PolygonMesh& mesh, Counts& report, const Progress& prog
   Faces faces = clean_faces(mesh, report);
   const std::vector<int> numbers = weld_open_edges(faces, mesh.positions, report);
   progress.report(0.25);
-  Joints joints = join_faces(faces, mesh.positions, report);
+  FaceAdjacency adjacency = join_faces(faces, mesh.positions, report);
   progress.report(0.5);
-  const std::vector<std::uint8_t> is_covered = orient(faces, joints, mesh.positions, report);
-  std::vector<int> twins = add_double_cover(faces, joints, is_covered);
+  const std::vector<std::uint8_t> is_covered = orient(faces, adjacency, mesh.positions, report);
+  std::vector<int> twins = add_double_cover(faces, adjacency, is_covered);
 
   progress.report(0.75);
   SoundMesh sound;
-  set_vertices(mesh, split_vertices(faces, joints, mesh.positions.size()), sound);
+  set_vertices(mesh, split_vertices(faces, adjacency, mesh.positions.size()), sound);
   set_faces(mesh, faces, sound);
   set_twins(faces, std::move(twins), sound);
   count_faces(sound, report);
   report["split_vertices"] += count_split(sound);
-  carry_edges(mesh, faces, joints.is_cut, numbers, sound, report);
+  carry_edges(mesh, faces, adjacency.is_cut, numbers, sound, report);
   sound.boundary = mesh.boundary;
   sound.scheme = mesh.scheme;
   sound.level = mesh.level;

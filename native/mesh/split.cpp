@@ -55,15 +55,15 @@ std::vector<Match> rank_matches(const Faces& faces, const std::vector<Leaf>& lea
   return matches;
 }
 
-void join(int a, int b, Joints& joints) {
-  joints.partners[a] = b;
-  joints.partners[b] = a;
+void join(int a, int b, FaceAdjacency& adjacency) {
+  adjacency.partners[a] = b;
+  adjacency.partners[b] = a;
 }
 
-void match_leaves(const Faces& faces, const std::vector<Leaf>& leaves, Joints& joints) {
+void match_leaves(const Faces& faces, const std::vector<Leaf>& leaves, FaceAdjacency& adjacency) {
   for (const Match& match : rank_matches(faces, leaves)) {
     const int a = leaves[match.a].half_edge, b = leaves[match.b].half_edge;
-    if (joints.partners[a] == none && joints.partners[b] == none) join(a, b, joints);
+    if (adjacency.partners[a] == none && adjacency.partners[b] == none) join(a, b, adjacency);
   }
 }
 
@@ -77,29 +77,30 @@ std::vector<int> valences(const Faces& faces, std::size_t vertex_count) {
 // Walks round the fan of a corner, from its open end if it has one.
 class FanWalk {
  public:
-  FanWalk(const Faces& faces, const Joints& joints) : faces_(faces), joints_(joints) {}
+  FanWalk(const Faces& faces, const FaceAdjacency& adjacency)
+      : faces_(faces), adjacency_(adjacency) {}
 
   // The corner at the end of the fan in clockwise direction; of a closed fan, the corner itself.
   int first(int corner) const {
     int current = corner;
-    while (joints_.partners[current] != none) {
-      current = faces_.next(joints_.partners[current]);
+    while (adjacency_.partners[current] != none) {
+      current = faces_.next(adjacency_.partners[current]);
       if (current == corner) break;
     }
     return current;
   }
 
   // The next corner in counter-clockwise direction; none at an open end.
-  int after(int corner) const { return joints_.partners[faces_.previous(corner)]; }
+  int after(int corner) const { return adjacency_.partners[faces_.previous(corner)]; }
 
  private:
   const Faces& faces_;
-  const Joints& joints_;
+  const FaceAdjacency& adjacency_;
 };
 
 // A number for the fan of each corner, in the order of first corners; returns their count.
-int number_fans(const Faces& faces, const Joints& joints, std::vector<int>& fans) {
-  const FanWalk walk(faces, joints);
+int number_fans(const Faces& faces, const FaceAdjacency& adjacency, std::vector<int>& fans) {
+  const FanWalk walk(faces, adjacency);
   fans.assign(faces.corners.size(), none);
   int count = 0;
   for (int c = 0; c < faces.corner_count(); ++c) {
@@ -128,15 +129,15 @@ std::vector<int> sort_fans(const Faces& faces, std::vector<int>& fans, int fan_c
 
 // Opens the edges that have more than two faces when named by their fans. Afterwards none has: at
 // each fan at most one open half-edge starts and one ends.
-bool open_crowded_edges(const Faces& faces, Joints& joints, std::size_t fan_count) {
+bool open_crowded_edges(const Faces& faces, FaceAdjacency& adjacency, std::size_t fan_count) {
   const Ragged<int> edges = half_edges_by_edge(faces, fan_count);
   bool is_changed = false;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (edges[e].size() <= 2) continue;
     is_changed = true;
     for (const int h : edges[e]) {
-      joints.partners[h] = none;
-      joints.is_cut[h] = 1;
+      adjacency.partners[h] = none;
+      adjacency.is_cut[h] = 1;
     }
   }
   return is_changed;
@@ -144,9 +145,9 @@ bool open_crowded_edges(const Faces& faces, Joints& joints, std::size_t fan_coun
 
 }  // namespace
 
-Joints join_faces(const Faces& faces, const Points& positions, Counts& report) {
-  Joints joints{std::vector<int>(faces.corners.size(), none),
-                std::vector<std::uint8_t>(faces.corners.size(), 0)};
+FaceAdjacency join_faces(const Faces& faces, const Points& positions, Counts& report) {
+  FaceAdjacency adjacency{std::vector<int>(faces.corners.size(), none),
+                          std::vector<std::uint8_t>(faces.corners.size(), 0)};
   const Ragged<int> edges = half_edges_by_edge(faces, positions.size());
   const std::vector<int> valence = valences(faces, positions.size());
   const auto is_crowded = [&](int h) {
@@ -159,32 +160,32 @@ Joints join_faces(const Faces& faces, const Points& positions, Counts& report) {
     if (edge.size() == 1) continue;
     const bool stays_open = is_crowded(edge[0]);
     if (edge.size() == 2 && !stays_open) {
-      join(edge[0], edge[1], joints);
+      join(edge[0], edge[1], adjacency);
       continue;
     }
     ++split_edges;
-    for (const int h : edge) joints.is_cut[h] = 1;
+    for (const int h : edge) adjacency.is_cut[h] = 1;
     if (stays_open || edge.size() > max_faces_to_match) continue;
     if (normals.empty()) normals = unit_normals(faces, positions);
     std::vector<Leaf> leaves;
     for (const int h : edge) leaves.push_back(make_leaf(faces, positions, normals, h));
-    match_leaves(faces, leaves, joints);
+    match_leaves(faces, leaves, adjacency);
   }
   report["split_edges"] += split_edges;
-  return joints;
+  return adjacency;
 }
 
-std::vector<int> split_vertices(Faces& faces, Joints& joints, std::size_t vertex_count) {
+std::vector<int> split_vertices(Faces& faces, FaceAdjacency& adjacency, std::size_t vertex_count) {
   const std::vector<int> vertex_corners = faces.corners;
   std::vector<int> fans, vertices;
   const auto number = [&] {
     faces.corners = vertex_corners;
-    const int count = number_fans(faces, joints, fans);
+    const int count = number_fans(faces, adjacency, fans);
     vertices = sort_fans(faces, fans, count, vertex_count);
     faces.corners = fans;
   };
   number();
-  if (open_crowded_edges(faces, joints, vertices.size())) number();
+  if (open_crowded_edges(faces, adjacency, vertices.size())) number();
   return vertices;
 }
 

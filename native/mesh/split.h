@@ -10,11 +10,11 @@ namespace illustrate {
 // continue each other best are joined: first pairs whose windings agree, then the straightest, then
 // the convex before the concave (solids that touch along an edge come apart). The rest stays open.
 // At vertices of more than max_valence corners nothing is joined. Counts "split_edges".
-Joints join_faces(const Faces& faces, const Points& positions, Counts& report);
+FaceAdjacency join_faces(const Faces& faces, const Points& positions, Counts& report);
 
 // Numbers the fans of consistently wound faces: faces.corners become numbers of fans, in the order
 // of the vertices they stem from. Returns the vertex of each fan. Opens edges that would still have
 // more than two faces.
-std::vector<int> split_vertices(Faces& faces, Joints& joints, std::size_t vertex_count);
+std::vector<int> split_vertices(Faces& faces, FaceAdjacency& adjacency, std::size_t vertex_count);
 
 }  // namespace illustrate
