@@ -62,6 +62,10 @@ class Assembler {
   bool is_hole(int face) const {
     return !object_.base.holes.empty() && object_.base.holes[idx(mesh_.base_faces[idx(face)])];
   }
+  bool is_without_patch(int face) const {
+    const std::vector<std::uint8_t>& without = object_.without_patch;
+    return !without.empty() && without[idx(mesh_.base_faces[idx(face)])];
+  }
   bool is_drawn(int face) const {
     const std::vector<std::uint8_t>& kept = object_.base.kept;
     return !is_hole(face) && (kept.empty() || kept[idx(mesh_.base_faces[idx(face)])]);
@@ -121,7 +125,7 @@ class Assembler {
   PatchTriangle patch_triangle(int face, const Triangle& local) const {
     const int size = mesh_.face_size(face);
     const bool is_patch = size == 4 || (size == 3 && mesh_.triangles_are_patches);
-    if (mesh_.domains.empty() || !is_patch) return {};
+    if (mesh_.domains.empty() || !is_patch || is_without_patch(face)) return {};
     const FaceDomain& domain = mesh_.domains[idx(face)];
     PatchTriangle result;
     result.ptex_face = domain.ptex_face + object_.first_ptex_face;

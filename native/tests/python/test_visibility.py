@@ -9,7 +9,17 @@ import numpy as np
 import pytest
 from checker import draw
 from numpy.typing import NDArray
-from shapes import Shape, drape, grid_quads, klein_bottle, look_at, of_quads, sphere, torus
+from shapes import (
+    Shape,
+    drape,
+    grid_quads,
+    klein_bottle,
+    look_at,
+    of_quads,
+    plate,
+    sphere,
+    torus,
+)
 
 LINES = ill.DrawOptions(hatching=False)
 # Nothing that depends on which other lines meet an end: no specks, no thin ends.
@@ -234,6 +244,23 @@ def strokes(drawing: ill.Drawing, chosen: NDArray[np.bool_]) -> list[bytes]:
     """The image points of the chosen strokes."""
     starts, ends = drawing.offsets[:-1][chosen], drawing.offsets[1:][chosen]
     return [drawing.image[a:b].tobytes() for a, b in zip(starts, ends, strict=True)]
+
+
+# --- flat faces
+
+
+@pytest.mark.parametrize(("sides", "wobble"), [(3, 0.0), (4, 0.0), (5, 0.0), (24, 0.08)])
+def test_flat_faces_between_creases_carry_no_lines(sides: int, wobble: float) -> None:
+    """Their limit folded over itself: silhouettes ran through it, and it passed through the next
+    face."""
+    mesh = plate(sides, wobble).mesh(crease_angle_deg=60.0, scheme="loop")
+    prepared = ill.prepare([mesh], ill.PrepareOptions(level=4, field=False))
+    for camera in CAMERAS:
+        drawing = draw(prepared, camera, LINES)
+        assert not (drawing.graph.arc_kind == ill.Kind.INTERSECTION).any()
+        assert drawing.counts["repairs"] == drawing.counts["unbalanced_loops"] == 0
+        if sides < 6:
+            assert not (drawing.graph.arc_kind == ill.Kind.SILHOUETTE).any()
 
 
 def test_hidden_lines_are_drawn_by_their_layers() -> None:
