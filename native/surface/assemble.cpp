@@ -112,8 +112,10 @@ class Assembler {
     static const std::vector<Triangle> first{{0, 1, 2}, {0, 2, 3}}, second{{1, 2, 3}, {1, 3, 0}};
     const int c = mesh_.first(face), size = mesh_.face_size(face);
     if (size == 4 && !mesh_.domains.empty()) {
-      const double a = (position(c + 2) - position(c)).squaredNorm();
-      return a <= (position(c + 3) - position(c + 1)).squaredNorm() ? first : second;
+      return is_first_diagonal_shorter(position(c), position(c + 1), position(c + 2),
+                                       position(c + 3))
+                 ? first
+                 : second;
     }
     work.polygon.clear();
     for (int k = 0; k < size; ++k) work.polygon.push_back(position(c + k));
