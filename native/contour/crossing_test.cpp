@@ -15,9 +15,10 @@ constexpr double separation = 1e-10;
 // Coordinates relative to the largest one below which exact products could underflow.
 constexpr double smallest_coordinate = 0x1p-200;
 
-// How far points are moved, relative to the largest coordinate: a few times the rounding to single
-// precision, in which modelling programs store them.
-constexpr double rounding_inset = 0x1p-22;
+// How far points are moved, relative to their farthest distance from their middle: a few times the
+// rounding to single precision, in which modelling programs store them. That grows with the
+// distance from the origin, which is not to count where it is a few times that one.
+constexpr double rounding_inset = 0x1p-22, far_off = 16;
 
 // And never more than this share of the median edge: one far vertex, or a vast ground, makes the
 // rounding larger than the detail, and every box would be near every other.
@@ -88,6 +89,23 @@ void CrossingTest::scale_points(const Surface& surface) {
   scale_ = std::ldexp(1.0, -exponent);
 }
 
+// The same wherever the points are and however they are turned.
+double CrossingTest::extent() const {
+  Vec3 sum = Vec3::Zero();
+  double count = 0, farthest = 0, largest = 0;
+  for (const Triangle& t : triangles_) {
+    for (const int place : t) sum += points_[place];
+    count += 3;
+  }
+  for (const Triangle& t : triangles_) {
+    for (const int place : t) {
+      farthest = std::max(farthest, (points_[place] - sum / count).squaredNorm());
+      largest = std::max(largest, points_[place].squaredNorm());
+    }
+  }
+  return std::sqrt(std::max(farthest, largest / (far_off * far_off)));
+}
+
 void CrossingTest::choose_inset() {
   std::vector<double> edges;
   for (const Triangle& t : triangles_)
@@ -95,7 +113,7 @@ void CrossingTest::choose_inset() {
       const double length = (points_[t[next_corner(k)]] - points_[t[k]]).norm();
       if (length > 0) edges.push_back(length);
     }
-  inset_ = rounding_inset;
+  inset_ = rounding_inset * extent();
   if (edges.empty()) return;
   const auto median = edges.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2);
   std::nth_element(edges.begin(), median, edges.end());

@@ -50,6 +50,7 @@ class CrossingTest {
   const Vec3& moved(int triangle, int corner) const { return moved_[triangles_[triangle][corner]]; }
   void place_vertices(const Surface& surface);
   void scale_points(const Surface& surface);
+  double extent() const;
   void choose_inset();
   void move_points_inward(const Surface& surface);
   std::vector<int> parts() const;

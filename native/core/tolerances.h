@@ -23,4 +23,9 @@ constexpr double facing_noise = 1e-9;
 // 1400 px this moves nothing by a hundredth of a pixel.
 constexpr double similarity = 5e-6;
 
+// Squared lengths that differ by less than this share are the same, and turns of less than this
+// (radians) are straight: rounding must not choose between diagonals or ears of a square or a
+// regular polygon, which is turned with the scene.
+constexpr double same_length = 1e-9, straight_rad = 1e-9;
+
 }  // namespace illustrate::tolerance

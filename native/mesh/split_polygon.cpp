@@ -45,8 +45,9 @@ bool is_inside(const Vec2& p, Span<const Vec2> polygon) {
 // A polygon in its plane, counter-clockwise, whose corners 0 and `middle` are the same vertex.
 class Ring {
  public:
-  Ring(const std::vector<int>& corners, std::size_t middle, ImagePoints points)
-      : corners_(corners), middle_(middle), points_(std::move(points)) {}
+  // points: as they are, and in the plane.
+  Ring(const std::vector<int>& corners, std::size_t middle, Points points, ImagePoints flat)
+      : corners_(corners), middle_(middle), in_space_(std::move(points)), points_(std::move(flat)) {}
 
   // One of the two loops lies inside the other.
   bool has_hole() const {
@@ -68,7 +69,7 @@ class Ring {
 
  private:
   struct Diagonal {
-    double length;
+    float length;  // coarse, so that rounding does not choose between equals
     std::size_t from, to;
     bool operator<(const Diagonal& d) const {
       return std::tie(length, from, to) < std::tie(d.length, d.from, d.to);
@@ -94,7 +95,7 @@ class Ring {
     for (std::size_t i = 1; i < middle_; ++i)
       for (std::size_t j = middle_ + 1; j < points_.size(); ++j)
         if (corners_[i] != corners_[j])
-          found.push_back({(points_[i] - points_[j]).squaredNorm(), i, j});
+          found.push_back({static_cast<float>((in_space_[i] - in_space_[j]).squaredNorm()), i, j});
     std::sort(found.begin(), found.end());
     return found;
   }
@@ -125,6 +126,7 @@ class Ring {
 
   const std::vector<int>& corners_;
   std::size_t middle_;
+  Points in_space_;
   ImagePoints points_;
 };
 
@@ -195,7 +197,8 @@ class PolygonSplitter {
     const Vec3 second = area_of({points.data() + loop, points.size() - loop});
     if (first.dot(second) >= 0) return {};
     const Vec3& normal = first.squaredNorm() > second.squaredNorm() ? first : second;
-    return Ring(polygon, loop, in_plane({points.data(), points.size()}, normal));
+    ImagePoints flat = in_plane({points.data(), points.size()}, normal);
+    return Ring(polygon, loop, std::move(points), std::move(flat));
   }
 
   void cut(const std::vector<int>& polygon, std::pair<std::size_t, std::size_t> diagonal) {

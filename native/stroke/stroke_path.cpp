@@ -122,6 +122,10 @@ StrokePath opened_outside(const StrokePath& path, const Vec2& frame) {
 using Place = Eigen::Matrix<double, 6, 1>;
 constexpr double world_share = 0.2;
 
+// Squared distances that differ by less than this share are the same: a symmetric line is not to
+// change where rounding does.
+constexpr double same_distance = 1e-3;
+
 std::vector<Place> places_of(const std::vector<StrokePoint>& points, double pixel_size) {
   std::vector<Place> places;
   for (const StrokePoint& p : points) {
@@ -136,7 +140,8 @@ struct Farthest {
   double square;  // of its distance
 };
 
-// Of the points strictly between two, the one farthest from their chord.
+// Of the points strictly between two, the one farthest from their chord; of several as far but for
+// the rounding to the image grid, the first.
 Farthest farthest_between(const std::vector<Place>& points, std::size_t first, std::size_t last) {
   const Place &start = points[first], chord = points[last] - start;
   const double square = chord.squaredNorm(), per_square = square > 0 ? 1 / square : 0;
@@ -145,7 +150,7 @@ Farthest farthest_between(const std::vector<Place>& points, std::size_t first, s
     const Place offset = points[i] - start;
     const double t = std::clamp(offset.dot(chord) * per_square, 0.0, 1.0);
     const double distance = (offset - t * chord).squaredNorm();
-    if (distance > found.square) found = {i, distance};
+    if (distance > found.square * (1 + same_distance)) found = {i, distance};
   }
   return found;
 }

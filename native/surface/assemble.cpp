@@ -62,6 +62,10 @@ class Assembler {
   bool is_hole(int face) const {
     return !object_.base.holes.empty() && object_.base.holes[idx(mesh_.base_faces[idx(face)])];
   }
+  bool is_without_patch(int face) const {
+    const std::vector<std::uint8_t>& without = object_.without_patch;
+    return !without.empty() && without[idx(mesh_.base_faces[idx(face)])];
+  }
   bool is_drawn(int face) const {
     const std::vector<std::uint8_t>& kept = object_.base.kept;
     return !is_hole(face) && (kept.empty() || kept[idx(mesh_.base_faces[idx(face)])]);
@@ -108,8 +112,10 @@ class Assembler {
     static const std::vector<Triangle> first{{0, 1, 2}, {0, 2, 3}}, second{{1, 2, 3}, {1, 3, 0}};
     const int c = mesh_.first(face), size = mesh_.face_size(face);
     if (size == 4 && !mesh_.domains.empty()) {
-      const double a = (position(c + 2) - position(c)).squaredNorm();
-      return a <= (position(c + 3) - position(c + 1)).squaredNorm() ? first : second;
+      return is_first_diagonal_shorter(position(c), position(c + 1), position(c + 2),
+                                       position(c + 3))
+                 ? first
+                 : second;
     }
     work.polygon.clear();
     for (int k = 0; k < size; ++k) work.polygon.push_back(position(c + k));
@@ -121,7 +127,7 @@ class Assembler {
   PatchTriangle patch_triangle(int face, const Triangle& local) const {
     const int size = mesh_.face_size(face);
     const bool is_patch = size == 4 || (size == 3 && mesh_.triangles_are_patches);
-    if (mesh_.domains.empty() || !is_patch) return {};
+    if (mesh_.domains.empty() || !is_patch || is_without_patch(face)) return {};
     const FaceDomain& domain = mesh_.domains[idx(face)];
     PatchTriangle result;
     result.ptex_face = domain.ptex_face + object_.first_ptex_face;

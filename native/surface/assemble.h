@@ -10,6 +10,8 @@ struct RefinedObject {
   const RefinedMesh& mesh;
   const std::vector<int>& corner_sectors;  // of `mesh`, into `limits`
   SectorLimits limits;
+  // (faces of `base`) 1: triangles of the face are on no patch; empty: none are.
+  std::vector<std::uint8_t> without_patch;
   int object = 0;
   int first_ptex_face = 0;
 };

@@ -3,11 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/tolerances.h"
+
 namespace illustrate {
 namespace {
 
+// Twice the area of a triangle; zero where it is straight but for rounding.
 double cross(const Vec2& a, const Vec2& b, const Vec2& c) {
-  return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
+  const Vec2 ab = b - a, ac = c - a;
+  const double area = ab.x() * ac.y() - ab.y() * ac.x();
+  const double least = tolerance::straight_rad * std::sqrt(ab.squaredNorm() * ac.squaredNorm());
+  return std::abs(area) > least ? area : 0;
 }
 
 std::vector<Triangle> fan(int size) {
@@ -19,12 +25,15 @@ std::vector<Triangle> fan(int size) {
 std::vector<Triangle> split_quad(Span<const Vec3> p) {
   const Vec3 normal = newell_normal(p);
   const auto faces_front = [&](std::size_t a, std::size_t b, std::size_t c) {
-    return normal.dot((p[b] - p[a]).cross(p[c] - p[a])) > 0;
+    const Vec3 ab = p[b] - p[a], ac = p[c] - p[a];
+    const double least = tolerance::straight_rad * normal.norm() * ab.norm() * ac.norm();
+    return normal.dot(ab.cross(ac)) > least;
   };
   const bool first_inside = faces_front(0, 1, 2) && faces_front(0, 2, 3);
   const bool second_inside = faces_front(1, 2, 3) && faces_front(1, 3, 0);
-  const bool first_shorter = (p[2] - p[0]).squaredNorm() <= (p[3] - p[1]).squaredNorm();
-  const bool first = first_inside == second_inside ? first_shorter : first_inside;
+  const bool first = first_inside == second_inside
+                         ? is_first_diagonal_shorter(p[0], p[1], p[2], p[3])
+                         : first_inside;
   if (first) return {{0, 1, 2}, {0, 2, 3}};
   return {{1, 2, 3}, {1, 3, 0}};
 }
@@ -136,6 +145,10 @@ Vec3 tangent_towards(const Vec3& wanted, const Vec3& v) {
   // Once more: where little was left, it is rounding along v as well.
   const Vec3 tangent = unit_or_zero(rough - rough.dot(v) * v);
   return tangent.isZero() || std::abs(tangent.dot(v)) > 1e-9 ? any_tangent(v) : tangent;
+}
+
+bool is_first_diagonal_shorter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return (c - a).squaredNorm() <= (1 + tolerance::same_length) * (d - b).squaredNorm();
 }
 
 Vec3 newell_normal(Span<const Vec3> polygon) {

@@ -8,6 +8,7 @@
 #include "surface/child_corners.h"
 #include "surface/curvature.h"
 #include "surface/edges.h"
+#include "surface/flat_faces.h"
 #include "surface/jet.h"
 #include "surface/levels.h"
 #include "surface/split_faces.h"
@@ -53,7 +54,7 @@ class Refiner {
     SectorLimits limits = polygonal_limits(mesh, sectors, options_.threads);
     progress.report(.6);
     surface_.object_is_smooth.push_back(0);
-    assemble({base, mesh, sectors.corner_sectors, std::move(limits), next_object_++, 0},
+    assemble({base, mesh, sectors.corner_sectors, std::move(limits), {}, next_object_++, 0},
              options_.threads, surface_, needs_jet_);
   }
 
@@ -82,8 +83,13 @@ class Refiner {
     const std::vector<int> corner_sectors = limit_level == level
                                                 ? std::move(sectors.corner_sectors)
                                                 : sectors_of_parents(drawn, sectors);
-    assemble({base, drawn, corner_sectors, std::move(vertices), object, ptex}, options_.threads,
-             surface_, needs_jet_);
+    std::vector<std::uint8_t> unfolded;
+    if (level > 0) {
+      unfolded = unfold_flat_faces(subdivision.level(0), drawn, corner_sectors, options_.threads,
+                                   vertices);
+    }
+    assemble({base, drawn, corner_sectors, std::move(vertices), unfolded, object, ptex},
+             options_.threads, surface_, needs_jet_);
     return true;
   }
 

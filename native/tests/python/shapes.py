@@ -103,6 +103,29 @@ def drape(rows: int = 24) -> Shape:
     return of_quads(positions.reshape(-1, 3), grid_quads(rows, rows, False, False))
 
 
+def plate(sides: int, wobble: float = 0.0) -> Shape:
+    """A prism over a polygon with a pocket of the same shape, in triangles as exporters of CAD
+    models make them; the wobble makes some of its corners sharper than others."""
+    angle = 2 * np.pi * np.arange(sides) / sides
+    radius = 1 + wobble * np.sin(5.0 * np.arange(sides) ** 2)
+    outline = np.stack([radius * np.cos(angle), radius * np.sin(angle)], axis=-1)
+    rings = [(1.0, 0.0), (1.0, 0.4), (0.5, 0.4), (0.5, 0.15)]
+    positions = [np.column_stack([size * outline, np.full(sides, z)]) for size, z in rings]
+    positions.append(np.array([[0.0, 0.0, 0.0], [0.0, 0.0, 0.15]]))
+    k = np.arange(sides)
+    after, under, floor = (k + 1) % sides, 0 * k + 4 * sides, 0 * k + 4 * sides + 1
+    faces = []
+    for ring in range(3):
+        low, high = ring * sides, (ring + 1) * sides
+        faces.append(np.stack([low + k, low + after, high + after], axis=-1))
+        faces.append(np.stack([low + k, high + after, high + k], axis=-1))
+    faces.append(np.stack([under, after, k], axis=-1))
+    faces.append(np.stack([floor, 3 * sides + k, 3 * sides + after], axis=-1))
+    triangles = np.concatenate(faces)
+    return Shape(np.concatenate(positions), np.full(len(triangles), 3, np.int32),
+                 triangles.reshape(-1).astype(np.int32))  # fmt: skip
+
+
 def look_at(
     direction: tuple[float, float, float] = (1.0, -2.0, 0.8),
     radius: float = 1.8,

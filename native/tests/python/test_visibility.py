@@ -9,7 +9,18 @@ import numpy as np
 import pytest
 from checker import draw
 from numpy.typing import NDArray
-from shapes import Shape, drape, grid_quads, klein_bottle, look_at, of_quads, sphere, torus
+from shapes import (
+    Shape,
+    cube,
+    drape,
+    grid_quads,
+    klein_bottle,
+    look_at,
+    of_quads,
+    plate,
+    sphere,
+    torus,
+)
 
 LINES = ill.DrawOptions(hatching=False)
 # Nothing that depends on which other lines meet an end: no specks, no thin ends.
@@ -234,6 +245,77 @@ def strokes(drawing: ill.Drawing, chosen: NDArray[np.bool_]) -> list[bytes]:
     """The image points of the chosen strokes."""
     starts, ends = drawing.offsets[:-1][chosen], drawing.offsets[1:][chosen]
     return [drawing.image[a:b].tobytes() for a, b in zip(starts, ends, strict=True)]
+
+
+# --- flat faces
+
+
+@pytest.mark.parametrize(("sides", "wobble"), [(3, 0.0), (4, 0.0), (5, 0.0), (24, 0.08)])
+def test_flat_faces_between_creases_carry_no_lines(sides: int, wobble: float) -> None:
+    """Their limit folded over itself: silhouettes ran through it, and it passed through the next
+    face."""
+    mesh = plate(sides, wobble).mesh(crease_angle_deg=60.0, scheme="loop")
+    prepared = ill.prepare([mesh], ill.PrepareOptions(level=4, field=False))
+    for camera in CAMERAS:
+        drawing = draw(prepared, camera, LINES)
+        assert not (drawing.graph.arc_kind == ill.Kind.INTERSECTION).any()
+        assert drawing.counts["repairs"] == drawing.counts["unbalanced_loops"] == 0
+        if sides < 6:
+            assert not (drawing.graph.arc_kind == ill.Kind.SILHOUETTE).any()
+
+
+# --- motions
+
+
+def walled() -> Shape:
+    """A box of six polygons with four corners on each side."""
+    box, steps = cube(), np.arange(4) / 4
+    corners = np.concatenate(
+        [
+            (1 - s) * box.positions[quad[k]] + s * box.positions[quad[(k + 1) % 4]]
+            for quad in box.corner_vertices.reshape(-1, 4)
+            for k in range(4)
+            for s in steps
+        ]
+    ).reshape(-1, 3)
+    positions, merged = np.unique(np.round(corners, 9), axis=0, return_inverse=True)
+    return Shape(positions, np.full(6, 16, np.int32), merged.reshape(-1).astype(np.int32))
+
+
+def moved(camera: ill.Camera, turn: NDArray[np.float64], shift: NDArray[np.float64]) -> ill.Camera:
+    """The camera that sees a scene turned and shifted as this one sees it where it was."""
+    view = np.array(camera.view)
+    view[:3, :3] = view[:3, :3] @ turn.T
+    view[:3, 3] -= view[:3, :3] @ shift
+    return ill.Camera(camera.projection, view, camera.width_px, camera.height_px)
+
+
+@pytest.mark.parametrize(
+    ("shape", "scheme", "crease_deg"),
+    [
+        (cube(), "loop", 180.0),
+        (cube(), "catmull-clark", 180.0),
+        (walled(), "loop", 180.0),
+        (plate(5), "loop", 60.0),
+        (plate(24, 0.08), "loop", 60.0),
+    ],
+    ids=["cube", "quads", "polygons", "pocket", "wobble"],
+)  # fmt: skip
+def test_rigid_motions_move_no_line(shape: Shape, scheme: str, crease_deg: float) -> None:
+    angle = np.array([0.7, -0.4, 1.1])
+    skew = np.array([[0, -angle[2], angle[1]], [angle[2], 0, -angle[0]], [-angle[1], angle[0], 0]])
+    turn = np.linalg.solve(np.eye(3) + skew, np.eye(3) - skew)
+    shift = np.array([5.0, -3.0, 2.0])
+    there = Shape(shape.positions @ turn.T + shift, shape.face_sizes, shape.corner_vertices)
+    options = ill.PrepareOptions(level=4, scheme=scheme, field=False)
+    here, gone = (
+        ill.prepare([s.mesh(crease_angle_deg=crease_deg)], options) for s in (shape, there)
+    )
+    for camera in CAMERAS:
+        one = draw(here, camera, LINES)
+        two = draw(gone, moved(camera, turn, shift), LINES)
+        assert one.image.shape == two.image.shape
+        assert np.abs(one.image - two.image).max() < 1e-3
 
 
 def test_hidden_lines_are_drawn_by_their_layers() -> None:

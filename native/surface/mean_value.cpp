@@ -1,0 +1,24 @@
+#include "surface/mean_value.h"
+
+namespace illustrate {
+
+Vec2 mean_value(const std::vector<BorderPiece>& border, const Vec2& at) {
+  Vec2 sum = Vec2::Zero();
+  double weights = 0;
+  for (const BorderPiece& piece : border) {
+    const Vec2 a = piece.from - at, b = piece.to - at;
+    const double from = a.norm(), to = b.norm(), ahead = a.dot(b), aside = cross(a, b);
+    if (from == 0) return piece.value_from;
+    if (to == 0) return piece.value_to;
+    if (aside == 0) {
+      if (ahead > 0) continue;
+      return (to * piece.value_from + from * piece.value_to) / (from + to);
+    }
+    const double half_tan = (from * to - ahead) / aside;  // of half the angle that it fills
+    sum += half_tan / from * piece.value_from + half_tan / to * piece.value_to;
+    weights += half_tan / from + half_tan / to;
+  }
+  return weights != 0 ? Vec2(sum / weights) : Vec2::Zero();
+}
+
+}  // namespace illustrate
