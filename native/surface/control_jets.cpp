@@ -6,7 +6,7 @@
 #include "core/parallel.h"
 #include "surface/control_nodes.h"
 #include "surface/local_jet.h"
-#include "surface/polygons.h"
+#include "mesh/polygons.h"
 
 namespace illustrate {
 namespace {

@@ -6,7 +6,7 @@
 #include "core/parallel.h"
 #include "surface/curvature.h"
 #include "surface/limit_patches.h"
-#include "surface/polygons.h"
+#include "mesh/polygons.h"
 #include "surface/shading.h"
 
 namespace illustrate {

@@ -8,7 +8,7 @@
 
 #include "core/parallel.h"
 #include "surface/level_topology.h"
-#include "surface/split_faces.h"
+#include "control/split_faces.h"
 #include "surface/topology.h"
 #include "surface_checks.h"
 

@@ -2,7 +2,7 @@
 
 #include "surface/curvature.h"
 #include "surface/limit_patches.h"
-#include "surface/split_faces.h"
+#include "control/split_faces.h"
 #include "surface_checks.h"
 
 namespace illustrate {
