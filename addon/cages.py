@@ -10,12 +10,23 @@ import numpy as np
 from .mesh_arrays import MeshArrays, read_mesh
 
 DEFORMING_PARENTS = ("ARMATURE", "LATTICE")
+NORMALS_ONLY = ("WEIGHTED_NORMAL", "NORMAL_EDIT")
+SMOOTH_BY_ANGLE = "Smooth by Angle"  # the nodes that Blender's Shade Auto Smooth adds, from 4.1
 
 
 def trailing_subdivision(thing: Any) -> Any:
-    """The Subdivision modifier that ends the stack of modifiers in use, or None."""
-    used = [modifier for modifier in thing.modifiers if modifier.show_viewport]
+    """The Subdivision modifier that ends the stack of modifiers in use, or None.
+
+    Those after it that change normals and nothing else do not count.
+    """
+    used = [m for m in thing.modifiers if m.show_viewport and not _keeps_shape(m)]
     return used[-1] if used and used[-1].type == "SUBSURF" else None
+
+
+def _keeps_shape(modifier: Any) -> bool:
+    nodes = modifier.node_group if modifier.type == "NODES" else None
+    is_smoothing = nodes is not None and nodes.name.startswith(SMOOTH_BY_ANGLE)
+    return modifier.type in NORMALS_ONLY or is_smoothing
 
 
 @contextmanager

@@ -121,10 +121,8 @@ def test_auto_smooth_makes_edges_hard(scene: Any, degrees: float, count: int) ->
     assert len(hard_edges(only_mesh(scene))) == count
 
 
-@pytest.mark.skipif(bpy.app.version < (4, 1, 0), reason="the modifier came with Blender 4.1")
-@pytest.mark.parametrize(("degrees", "count"), [(30, 12), (100, 0)])
-def test_a_modifier_that_marks_sharp_edges_counts(scene: Any, degrees: float, count: int) -> None:
-    cube = smooth_cube(scene)
+def add_smooth_by_angle(thing: Any, degrees: float) -> None:
+    """The modifier that Blender's Shade Auto Smooth adds from 4.1 on."""
     group = bpy.data.node_groups.new("Smooth by Angle", "GeometryNodeTree")
     for direction in ("INPUT", "OUTPUT"):
         group.interface.new_socket("Geometry", in_out=direction, socket_type="NodeSocketGeometry")
@@ -145,7 +143,13 @@ def test_a_modifier_that_marks_sharp_edges_counts(scene: Any, degrees: float, co
     group.links.new(nodes["more"].outputs[0], nodes["smooth"].inputs["Shade Smooth"])
     group.links.new(nodes["in"].outputs[0], nodes["smooth"].inputs["Geometry"])
     group.links.new(nodes["smooth"].outputs[0], nodes["out"].inputs[0])
-    cube.modifiers.new("Smooth by Angle", "NODES").node_group = group
+    thing.modifiers.new("Smooth by Angle", "NODES").node_group = group
+
+
+@pytest.mark.skipif(bpy.app.version < (4, 1, 0), reason="the modifier came with Blender 4.1")
+@pytest.mark.parametrize(("degrees", "count"), [(30, 12), (100, 0)])
+def test_a_modifier_that_marks_sharp_edges_counts(scene: Any, degrees: float, count: int) -> None:
+    add_smooth_by_angle(smooth_cube(scene), degrees)
     assert len(hard_edges(only_mesh(scene))) == count
 
 
@@ -231,6 +235,16 @@ def test_a_form_says_what_a_mesh_is(scene: Any) -> None:
     mesh = only_mesh(scene)
     assert not mesh.cage and len(mesh.positions) == 98
     assert mesh.corner_normals.shape == (96 * 4, 3)
+
+
+def test_modifiers_of_normals_alone_leave_a_cage_a_cage(scene: Any) -> None:
+    cube = smooth_cube(scene)
+    tools.subdivide(cube, levels=2)
+    cube.modifiers.new("Weighted", "WEIGHTED_NORMAL")
+    if bpy.app.version >= (4, 1, 0):
+        add_smooth_by_angle(cube, 30)
+    mesh = only_mesh(scene)
+    assert mesh.cage and len(mesh.positions) == 8
 
 
 def test_crease_angles_of_scene_collection_and_object(scene: Any) -> None:
