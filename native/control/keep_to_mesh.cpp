@@ -109,16 +109,44 @@ class Keeper {
     return shortest;
   }
 
+  // How far smooth vertices step along their normals: as far as their limit is off, or as those of
+  // their smooth neighbours are on average, whichever is less; not where those are off to the other
+  // side. On a sphere that is the same; what alternates from vertex to vertex is noise that a step
+  // would sharpen.
+  std::vector<double> calm_steps(const Points& targets, const LimitPlaces& limits) const {
+    std::vector<double> own(targets.size(), 0), sums(targets.size(), 0), counts(targets.size(), 0);
+    const auto is_smooth = [&](int v) {
+      return limits.rules[idx(v)] == LimitPlaces::Rule::smooth;
+    };
+    for (std::size_t v = 0; v < own.size(); ++v)
+      own[v] = (targets[v] - limits.positions[v]).dot(limits.directions[v]);
+    for (const int h : child_edges_.first) {
+      const int a = child_edges_.faces.corners[idx(h)], b = child_edges_.faces.head(h);
+      if (!is_smooth(a) || !is_smooth(b)) continue;
+      for (const auto& [here, other] : {Edge{a, b}, Edge{b, a}}) {
+        sums[idx(here)] += own[idx(other)];
+        ++counts[idx(here)];
+      }
+    }
+    for (std::size_t v = 0; v < own.size(); ++v) {
+      if (counts[v] == 0) continue;
+      const double mean = sums[v] / counts[v];
+      own[v] = own[v] * mean <= 0 ? 0 : std::abs(mean) < std::abs(own[v]) ? mean : own[v];
+    }
+    return own;
+  }
+
   Points stepped(const Points& targets) const {
     const LimitPlaces limits = limit_places(child_, child_edges_, child_sectors_, targets, scheme_);
     const std::vector<double> shortest = shortest_edges(targets);
+    const std::vector<double> steps = calm_steps(targets, limits);
     Points points = targets;
     for (std::size_t v = 0; v < points.size(); ++v) {
       if (limits.rules[v] == LimitPlaces::Rule::corner) continue;
       const Vec3 off = targets[v] - limits.positions[v];
       const Vec3& direction = limits.directions[v];
-      const Vec3 along = off.dot(direction) * direction;
-      Vec3 step = limits.rules[v] == LimitPlaces::Rule::smooth ? along : Vec3(off - along);
+      const bool smooth = limits.rules[v] == LimitPlaces::Rule::smooth;
+      Vec3 step = smooth ? Vec3(steps[v] * direction) : Vec3(off - off.dot(direction) * direction);
       const double length = step.norm(), most = longest_step * shortest[v];
       if (length > most) step *= most / length;
       points[v] += step;
