@@ -17,6 +17,7 @@ FORMS = [
     ("CAGE", "Cage", "It controls a smooth surface, as below a Subdivision modifier", 1),
     ("MESH", "Mesh", "It is the surface itself, with hard edges where it is shaded so", 2),
 ]
+LEAST_TURN_DEG = 0.1  # triangles of a flat face turn less in files, whose coordinates are rounded
 OWN_SCHEMES = [
     ("SCENE", "As the Scene", "As the settings of the scene say", 0),
     ("auto", "Automatic", "Catmull-Clark for meshes of quads, Loop for others", 1),
@@ -67,7 +68,7 @@ def crease_angle(description: str) -> Any:
         min=0.0,
         max=math.radians(180),
         subtype="ANGLE",
-        description=f"{description}, degrees. 0: every edge is hard, 180: none is",
+        description=f"{description}, degrees. 0: every edge that turns is hard, 180: none is",
     )
 
 
@@ -134,8 +135,8 @@ def surface_of(thing: Any, scene: Any) -> Surface:
 
 
 def _degrees(angle: float) -> float:
-    """The number that was typed."""
-    return round(math.degrees(angle), 4)
+    """The number that was typed, or what tells an edge from one amid a flat face."""
+    return max(round(math.degrees(angle), 4), LEAST_TURN_DEG)
 
 
 def _own_style(thing: Any, scene: Any) -> Any:

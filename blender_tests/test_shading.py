@@ -263,7 +263,7 @@ def test_crease_angles_of_scene_collection_and_object(scene: Any) -> None:
     cube.illustrate.crease_angle = math.pi
     assert angle() == 180
     cube.illustrate.crease_angle = 0
-    assert angle() == 0
+    assert angle() == 0.1  # below it, what is cut of a flat face turns by rounding
 
 
 def test_schemes_of_collection_and_object(scene: Any) -> None:
