@@ -1,11 +1,11 @@
 // Points of a mesh split once, on curves through its vertices.
 //
-// The idea is PN triangles' (Vlachos et al. 2001): an edge leaves its ends across their normals. The
-// point in its middle is off its chord by a *sag*; here by the sag of circular arcs, so that those
-// of circles and spheres are exact. Two sags are known for a smooth edge, one from the shading
-// normals, one from the normals of the faces round its ends: the lesser is taken, none where they
-// point to different sides. Following the shading alone pillows flat roofs, whose shading tilts
-// beside unweighted bevels; following the faces alone rounds what is shaded flat.
+// The idea is PN triangles' (Vlachos et al. 2001): an edge leaves its ends across their normals.
+// The point in its middle is off its chord by a *sag*; here by the sag of circular arcs, so that
+// those of circles and spheres are exact. Two sags are known for a smooth edge, one from the
+// shading normals, one from the normals of the faces round its ends: the lesser is taken, none
+// where they point to different sides. Following the shading alone pillows flat roofs, whose
+// shading tilts beside unweighted bevels; following the faces alone rounds what is shaded flat.
 #pragma once
 
 #include "control/fan_normals.h"

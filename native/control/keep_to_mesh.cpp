@@ -115,9 +115,7 @@ class Keeper {
   // would sharpen.
   std::vector<double> calm_steps(const Points& targets, const LimitPlaces& limits) const {
     std::vector<double> own(targets.size(), 0), sums(targets.size(), 0), counts(targets.size(), 0);
-    const auto is_smooth = [&](int v) {
-      return limits.rules[idx(v)] == LimitPlaces::Rule::smooth;
-    };
+    const auto is_smooth = [&](int v) { return limits.rules[idx(v)] == LimitPlaces::Rule::smooth; };
     for (std::size_t v = 0; v < own.size(); ++v)
       own[v] = (targets[v] - limits.positions[v]).dot(limits.directions[v]);
     for (const int h : child_edges_.first) {
@@ -164,8 +162,7 @@ class Keeper {
       const int extra = scheme_ == Scheme::loop ? 1 : 0;
       const int end = child + static_cast<int>(parents[f].size()) + extra;
       for (; child < end; ++child)
-        for (const int v : faces[child])
-          shares[idx(v)] = std::max(shares[idx(v)], weights[idx(f)]);
+        for (const int v : faces[child]) shares[idx(v)] = std::max(shares[idx(v)], weights[idx(f)]);
     }
     return shares;
   }

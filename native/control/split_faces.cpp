@@ -184,7 +184,8 @@ class FaceSplitter {
       sum += normal;
     }
     const auto& triangles = triangles_[idx(face)];
-    if (static_cast<int>(triangles.size()) == size) normals[idx(triangles[0][0])] = unit_or_zero(sum);
+    if (static_cast<int>(triangles.size()) == size)
+      normals[idx(triangles[0][0])] = unit_or_zero(sum);
   }
 
   template <class T>

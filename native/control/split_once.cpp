@@ -19,6 +19,7 @@ class Splitter {
 
   SoundMesh run() {
     child_.scheme = quads_ ? Scheme::catmull_clark : Scheme::loop;
+    child_.cage = parent_.cage;
     child_.boundary = parent_.boundary;
     child_.level = parent_.level;
     child_.edge_length = parent_.edge_length;
@@ -123,7 +124,8 @@ class Splitter {
       for (int k = 0; k < size; ++k)
         child_.twin_faces.push_back(twin == none ? none
                                                  : first_children_[idx(twin)] + size - 1 - k);
-      if (!quads_) child_.twin_faces.push_back(twin == none ? none : first_children_[idx(twin)] + 3);
+      if (!quads_)
+        child_.twin_faces.push_back(twin == none ? none : first_children_[idx(twin)] + 3);
     }
   }
 
@@ -155,8 +157,8 @@ class Splitter {
 
   void soften_vertices() {
     for (const double sharpness : parent_.vertex_sharpness)
-      child_.vertex_sharpness.push_back(sharpness >= infinitely_sharp ? sharpness
-                                                                      : std::max(0., sharpness - 1));
+      child_.vertex_sharpness.push_back(
+          sharpness >= infinitely_sharp ? sharpness : std::max(0., sharpness - 1));
     child_.vertex_sharpness.resize(child_.positions.size(), 0);
   }
 
@@ -177,9 +179,9 @@ struct Surroundings {
   Vec3 edge_ends = Vec3::Zero();     // sum
   Vec3 face_centres = Vec3::Zero();  // sum
   double edges = 0, faces = 0;
-  int sharp = 0, sharp_after = 0;              // edges here and one level on
+  int sharp = 0, sharp_after = 0;  // edges here and one level on
   Vec3 sharp_ends = Vec3::Zero(), sharp_ends_after = Vec3::Zero();
-  double fading = 0;                           // sum of sharpness of what is sharp here only
+  double fading = 0;  // sum of sharpness of what is sharp here only
   int fading_count = 0;
 
   void add_sharpness(double sharpness, const Vec3& end) {
@@ -269,8 +271,7 @@ class CagePoints {
     if (rule == Rule::crease) return (6 * p_[v] + sharp_ends) / 8;
     const Surroundings& round = round_[v];
     const double n = round.edges;
-    if (quads_)
-      return (n - 2) / n * p_[v] + (round.edge_ends + round.face_centres) / (n * n);
+    if (quads_) return (n - 2) / n * p_[v] + (round.edge_ends + round.face_centres) / (n * n);
     constexpr double pi = 3.14159265358979323846;
     const double c = 3. / 8 + std::cos(2 * pi / n) / 4, beta = (5. / 8 - c * c) / n;
     return (1 - n * beta) * p_[v] + beta * round.edge_ends;

@@ -1,9 +1,9 @@
 // What is sharp of a mesh that is shown as it is shaded: creases, tips and corners.
 //
 // An artist sees a mesh by its shading, so what is shaded sharp is sharp: an edge is a crease where
-// the corner normals of its two faces differ by more than crease_normals_deg at either end, whatever
-// made them differ. Where the faces' windings disagreed in the input, normals are compared up to
-// their side. Two exceptions:
+// the corner normals of its two faces differ by more than crease_normals_deg at either end,
+// whatever made them differ. Where the faces' windings disagreed in the input, normals are compared
+// up to their side. Two exceptions:
 // - Faces that are flat in fact were meant flat or never told otherwise (every STL, any import
 //   without normals): between two of them an edge is sharp where it turns more than
 //   crease_angle_deg.
@@ -16,8 +16,8 @@
 // A mesh that is no cage has *corners* besides, by the angle between the two sharp or open edges at
 // a vertex: a boundary that turns more than 50 degrees, a crease that turns more than 80 (a crease
 // has faces on both sides that say more about it). A vertex amid a straight border is none, and a
-// plane has four, however it is cut. Copies of a vertex where parts touch only there are corners, so
-// that they stay together.
+// plane has four, however it is cut. Copies of a vertex where parts touch only there are corners,
+// so that they stay together.
 #pragma once
 
 #include "core/report.h"

@@ -192,9 +192,16 @@ class ShadingReader {
     shading_.is_flat.assign(faces_.sources.size(), 1);
     shading_.is_reversed.assign(faces_.sources.size(), 0);
     for (int f = 0; f < faces_.size(); ++f) {
-      if (sound_.kept[f] == 0) shading_.face_normals[f] = -shading_.face_normals[sound_.twin_faces[f]];
+      if (sound_.kept[f] == 0)
+        shading_.face_normals[f] = -shading_.face_normals[sound_.twin_faces[f]];
     }
-    for (int f = 0; f < faces_.size(); ++f) read_face(f);
+    for (int f = 0; f < faces_.size(); ++f) {
+      if (sound_.kept[f]) {
+        read_face(f);
+      } else {
+        read_twin(f, sound_.twin_faces[f]);  // which comes before
+      }
+    }
     for (int f = 0; f < faces_.size(); ++f) shading_.is_flat[f] = is_flat(f);
   }
 
@@ -212,6 +219,14 @@ class ShadingReader {
   }
 
  private:
+  // A twin reads its partner's corners backwards.
+  void read_twin(int f, int partner) {
+    shading_.is_reversed[f] = !shading_.is_reversed[partner];
+    const int first = faces_.offsets[f], last = faces_.offsets[f + 1] - 1;
+    for (int c = first; c <= last; ++c)
+      shading_.corner_normals[c] = -shading_.corner_normals[faces_.offsets[partner] + last - c];
+  }
+
   void read_face(int f) {
     const int first = faces_.offsets[f], source = faces_.sources[f];
     input_corners_.clear();
@@ -247,7 +262,8 @@ class ShadingReader {
   bool is_flat(int f) const {
     static const double flat = std::cos(flat_shading_deg * pi / 180);
     for (int h = faces_.offsets[f]; h < faces_.offsets[f + 1]; ++h) {
-      if (!(std::abs(shading_.corner_normals[h].dot(shading_.face_normals[f])) >= flat)) return false;
+      if (!(std::abs(shading_.corner_normals[h].dot(shading_.face_normals[f])) >= flat))
+        return false;
     }
     return true;
   }

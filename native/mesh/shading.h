@@ -10,9 +10,9 @@ struct Shading {
   // (f) unit, zero where there is none: of slivers that of the face that they lie along. A sliver
   // is so thin that the rounding of its coordinates turns its plane: its own normal says nothing.
   Points face_normals;
-  Points corner_normals;                 // (c) unit, as given in the input; else the face's
-  std::vector<std::uint8_t> is_flat;     // (f) 1: shaded with its own normal at all corners
-  std::vector<std::uint8_t> is_reversed; // (f) 1: wound against the input
+  Points corner_normals;                  // (c) unit, as given in the input; else the face's
+  std::vector<std::uint8_t> is_flat;      // (f) 1: shaded with its own normal at all corners
+  std::vector<std::uint8_t> is_reversed;  // (f) 1: wound against the input
 };
 
 // Normals within this angle of their face's own are shaded flat: far above the rounding of what

@@ -24,7 +24,8 @@ bool is_same(const std::vector<Guide>& a, const std::vector<Guide>& b) {
 
 bool is_same(const PolygonMesh& a, const PolygonMesh& b) {
   const auto settings = [](const PolygonMesh& m) {
-    return std::tie(m.cage, m.boundary, m.crease_angle_deg, m.scheme, m.level, m.edge_length, m.name);
+    return std::tie(m.cage, m.boundary, m.crease_angle_deg, m.scheme, m.level, m.edge_length,
+                    m.name);
   };
   return settings(a) == settings(b) && same_bytes(a.positions, b.positions) &&
          same_bytes(a.face_sizes, b.face_sizes) &&
@@ -33,8 +34,7 @@ bool is_same(const PolygonMesh& a, const PolygonMesh& b) {
          same_bytes(a.edge_sharpness, b.edge_sharpness) &&
          same_bytes(a.vertex_sharpness, b.vertex_sharpness) &&
          same_bytes(a.marked_edges, b.marked_edges) &&
-         same_bytes(a.face_materials, b.face_materials) &&
-         same_bytes(a.hole_faces, b.hole_faces) &&
+         same_bytes(a.face_materials, b.face_materials) && same_bytes(a.hole_faces, b.hole_faces) &&
          same_bytes(a.corner_normals, b.corner_normals);
 }
 

@@ -59,8 +59,8 @@ double farthest_nearest(const Points& from, const Points& to) {
   return farthest;
 }
 
-// The scheme's own points on the split mesh have the parent's limit: level 2 of the one are those of
-// level 1 of the other.
+// The scheme's own points on the split mesh have the parent's limit: level 2 of the one are those
+// of level 1 of the other.
 TEST(Control, ASplitCageHasTheLimitOfItsParent) {
   for (const PolygonMesh& mesh : varied_meshes()) {
     const SoundMesh parent = sound(mesh, true);
@@ -133,8 +133,8 @@ PolygonMesh cylinder(int n, int k) {
   std::vector<int> top, bottom;
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < k; ++j)
-      shapes::add_face(mesh, {n * j + i, n * j + (i + 1) % n, n * (j + 1) + (i + 1) % n,
-                              n * (j + 1) + i});
+      shapes::add_face(
+          mesh, {n * j + i, n * j + (i + 1) % n, n * (j + 1) + (i + 1) % n, n * (j + 1) + i});
     top.push_back(n * k + i);
     bottom.insert(bottom.begin(), i);
   }
@@ -183,9 +183,10 @@ TEST(Control, FlatAndSharpMeshesAreTheirOwnCages) {
 // falls from 1 to 0 without a jump.
 TEST(Control, TheFadeIsSteady) {
   const auto weight = [](double distance) {
-    const PolygonMesh speck = shapes::polygon_mesh({{0, 0, 0}, {0, .01, 0}, {.01, 0, 0}}, {{0, 1, 2}});
-    const SoundMesh mesh = sound(
-        shapes::joined(shapes::icosphere_mesh(1, 2), shapes::moved(speck, {distance, 0, 0})));
+    const PolygonMesh speck =
+        shapes::polygon_mesh({{0, 0, 0}, {0, .01, 0}, {.01, 0, 0}}, {{0, 1, 2}});
+    const SoundMesh mesh =
+        sound(shapes::joined(shapes::icosphere_mesh(1, 2), shapes::moved(speck, {distance, 0, 0})));
     return kept_weights(mesh, Scheme::loop)[0];
   };
   double last = weight(0);
@@ -240,9 +241,15 @@ TEST(Control, MarksMaterialsAndHolesAreKept) {
 
 // Three sheets along one edge: the fin's middle stays at that of the sheet.
 TEST(Control, CopiesAlongASeamShareTheirPlaces) {
-  const PolygonMesh mesh = shapes::polygon_mesh(
-      {{0, 0, 0}, {0, 1, 0}, {1, 0, .2}, {1, 1, .2}, {-1, 0, .3}, {-1, 1, .3}, {0, 0, 1}, {0, 1, 1}},
-      {{0, 2, 3, 1}, {1, 5, 4, 0}, {0, 1, 7, 6}});
+  const PolygonMesh mesh = shapes::polygon_mesh({{0, 0, 0},
+                                                 {0, 1, 0},
+                                                 {1, 0, .2},
+                                                 {1, 1, .2},
+                                                 {-1, 0, .3},
+                                                 {-1, 1, .3},
+                                                 {0, 0, 1},
+                                                 {0, 1, 1}},
+                                                {{0, 2, 3, 1}, {1, 5, 4, 0}, {0, 1, 7, 6}});
   const SoundMesh parent = sound(mesh);
   ASSERT_FALSE(parent.seams.empty());
   const HalfEdges edges(parent);

@@ -96,7 +96,8 @@ TEST(Creases, SmoothShadingIsSmooth) {
 }
 
 TEST(Creases, SplitVerticesAreWeldedAndTheirNormalsKept) {
-  for (const auto& mesh : {shaded(drum(12), of_drum), with_split_vertices(shaded(drum(12), of_drum))}) {
+  for (const auto& mesh :
+       {shaded(drum(12), of_drum), with_split_vertices(shaded(drum(12), of_drum))}) {
     const Mended drum = mend(mesh);
     EXPECT_EQ(drum.mesh.positions.size(), 24U);
     EXPECT_EQ(drum.report.at("open_edges"), 0);
@@ -111,8 +112,10 @@ TEST(Creases, FacesWoundAgainstTheOthersAreComparedUpToTheirSide) {
   for (const int f : {1, 5, 12}) {
     const int first = f == 12 ? 48 : 4 * f, size = plain.face_sizes[f];
     for (PolygonMesh* mesh : {&turned, &turned_normals}) {
-      std::reverse(mesh->corner_vertices.begin() + first, mesh->corner_vertices.begin() + first + size);
-      std::reverse(mesh->corner_normals.begin() + first, mesh->corner_normals.begin() + first + size);
+      std::reverse(mesh->corner_vertices.begin() + first,
+                   mesh->corner_vertices.begin() + first + size);
+      std::reverse(mesh->corner_normals.begin() + first,
+                   mesh->corner_normals.begin() + first + size);
     }
     for (int c = first; c < first + size; ++c) turned_normals.corner_normals[c] *= -1;
   }
@@ -121,7 +124,8 @@ TEST(Creases, FacesWoundAgainstTheOthersAreComparedUpToTheirSide) {
     EXPECT_EQ(drum.report.at("flipped_faces"), 3);
     EXPECT_EQ(drum.report.at("normal_creases"), 24);
     for (std::size_t c = 0; c < 48; ++c)
-      EXPECT_GT(drum.mesh.corner_normals[c].dot(drum.mesh.positions[drum.mesh.corner_vertices[c]]), 0.5);
+      EXPECT_GT(drum.mesh.corner_normals[c].dot(drum.mesh.positions[drum.mesh.corner_vertices[c]]),
+                0.5);
   }
 }
 
