@@ -9,6 +9,7 @@ all. Nothing outside DIR is written. The exit code is 0 when every file was writ
 """
 
 import argparse
+import atexit
 import importlib
 import os
 import pathlib
@@ -114,9 +115,10 @@ class _ProgressLines:
 def find_package() -> ModuleType:
     """The add-on, registered: that of this Blender, else the one this file is in or was built from.
 
-    Raises ModuleNotFoundError when there is none.
+    In a module what was registered here is taken back when Python ends. Raises ModuleNotFoundError
+    when there is none.
     """
-    registered = getattr(bpy.types, "ILLUSTRATE_OT_illustrate", None)
+    registered = _registered()
     if registered is not None:
         return importlib.import_module(registered.__module__.rpartition(".")[0])
     here = pathlib.Path(__file__).resolve().parent
@@ -125,7 +127,19 @@ def find_package() -> ModuleType:
         sys.path.insert(0, str(folder))
     package = importlib.import_module(PACKAGE)
     package.register()
+    if is_module():
+        atexit.register(_unregister, package)
     return package
+
+
+def _registered() -> Any:
+    """The operator of the add-on that is registered, or None."""
+    return getattr(bpy.types, "ILLUSTRATE_OT_illustrate", None)
+
+
+def _unregister(package: ModuleType) -> None:
+    if _registered() is not None:
+        package.unregister()
 
 
 def _part(package: ModuleType, name: str) -> Any:
@@ -240,7 +254,8 @@ def is_module() -> bool:
 def leave(code: int) -> None:
     """Ends the process when there is something to say, or when Blender is a module.
 
-    The module hangs or crashes at its own end while classes are registered.
+    A script in a module calls it last: up to 4.5 the module hangs or crashes at its own end while a
+    class is registered, whoever's it is, and 4.2 also after one that was (docs/addon.md).
     """
     sys.stdout.flush()
     sys.stderr.flush()

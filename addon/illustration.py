@@ -251,9 +251,13 @@ def _warnings(arrays: SceneArrays, reports: list[dict[str, Any]]) -> list[str]:
             f"Mended {counted(len(mended), 'mesh', 'meshes')}, "
             f"{quoted([report['name'] for report in mended])}: {listed}"
         )
-    if arrays.without_faces:
-        warnings.append(
-            f"Left out {counted(len(arrays.without_faces), 'object')} without faces: "
-            f"{quoted(arrays.without_faces)}"
-        )
+    if arrays.left_out:
+        warnings.append(f"Left out {', '.join(map(_named, arrays.left_out.items()))}")
     return warnings
+
+
+def _named(kind_and_names: tuple[str, list[str]]) -> str:
+    """Such as '2 volumes ("Fog", "Smoke")'."""
+    kind, names = kind_and_names
+    plural = kind.replace("object", "objects") if kind.startswith("object") else ""
+    return f"{counted(len(names), kind, plural)} ({quoted(list(dict.fromkeys(names)))})"

@@ -1,6 +1,5 @@
 """A Blender mesh as arrays, whatever the version of Blender: faces, creases, shading, marks."""
 
-import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -8,7 +7,6 @@ import bpy
 import numpy as np
 
 INFINITELY_SHARP = 10.0
-FLAT_CREASE_ANGLE_DEG = 60.0  # flat-shaded objects: a cube stays a cube, a UV sphere is round
 
 
 @dataclass
@@ -28,10 +26,17 @@ class MeshArrays:
     crease_angle_deg: float = 180.0
     scheme: str | None = None
     edge_length: float | None = None
+    corner_normals: Any = None  # (sum of face_sizes, 3) float32 of any length, or None
+    cage: bool = True
 
 
-def read_mesh(mesh: Any, name: str, shading: bool) -> MeshArrays:
-    """Arrays of a Blender mesh. shading: what is shaded sharp is sharp, besides what is creased."""
+def read_mesh(mesh: Any, name: str, cage: bool) -> MeshArrays:
+    """Arrays of a Blender mesh, sharp where its edges and vertices are creased.
+
+    cage: it stands for the smooth surface that it controls, however it is shaded. Else it is the
+    surface itself, with the normals that it is shaded with; a mesh that is shaded flat all over
+    has none, and its sharp edges count as creases.
+    """
     edges = _held(mesh, ".edge_verts", mesh.edges, "vertices", np.int32, 2)
     sharpness = _sharpness(_edge_creases(mesh))
     sizes = _get(mesh.polygons, "loop_total", np.int32)
@@ -45,10 +50,11 @@ def read_mesh(mesh: Any, name: str, shading: bool) -> MeshArrays:
         vertex_sharpness=_vertex_sharpness(mesh),
         marked_edges=edges[_freestyle_marks(mesh)],
         face_materials=_face_materials(mesh),
+        cage=cage,
     )
-    if shading:
-        arrays.crease_angle_deg, is_sharp = _shading(mesh)
-        sharpness[is_sharp] = INFINITELY_SHARP
+    if not cage:
+        arrays.corner_normals = _corner_normals(mesh)
+        sharpness[_marks_at_flat_faces(mesh)] = INFINITELY_SHARP
     creased = sharpness > 0
     arrays.edge_vertices, arrays.edge_sharpness = edges[creased], sharpness[creased]
     return arrays
@@ -110,35 +116,28 @@ def _freestyle_marks(mesh: Any) -> Any:
     return _attribute(mesh, "freestyle_edge", bool, len(mesh.edges))
 
 
-def _shading(mesh: Any) -> tuple[float, Any]:
-    """Crease angle in degrees and the edges (e,) bool that are sharp, as the mesh is shaded.
+def _corner_normals(mesh: Any) -> Any:
+    """(corners, 3) normals that the mesh is shaded with; None where all of it is shaded flat.
 
-    Smooth faces are sharp at marked edges (and beyond the auto smooth angle), flat ones where they
-    turn more than FLAT_CREASE_ANGLE_DEG.
+    They hold whatever makes an edge look hard: flat faces, sharp edges, an angle of auto smooth,
+    custom and weighted normals, vertices that an importer has split.
     """
+    if not _get(mesh.polygons, "use_smooth", bool).any():
+        return None
+    if hasattr(mesh, "corner_normals"):  # from 4.1
+        return _get(mesh.corner_normals, "vector", np.float32, 3)
+    mesh.calc_normals_split()
+    try:
+        return _get(mesh.loops, "normal", np.float32, 3)
+    finally:
+        mesh.free_normals_split()
+
+
+def _marks_at_flat_faces(mesh: Any) -> Any:
+    """(e,) bool: edges marked sharp where a face is shaded flat, which normals do not tell."""
     is_flat = ~_get(mesh.polygons, "use_smooth", bool)
-    is_sharp = _get(mesh.edges, "use_edge_sharp", bool)
-    if is_flat.all():
-        return FLAT_CREASE_ANGLE_DEG, is_sharp
-    if is_flat.any():
-        is_sharp |= _turns_at_flat_faces(mesh, is_flat)
-    if getattr(mesh, "use_auto_smooth", False):  # until 4.0
-        return math.degrees(mesh.auto_smooth_angle), is_sharp
-    return 180.0, is_sharp
-
-
-def _turns_at_flat_faces(mesh: Any, is_flat: Any) -> Any:
-    """(e,) bool: edges with a flat face that turn more than FLAT_CREASE_ANGLE_DEG."""
     sizes = _get(mesh.polygons, "loop_total", np.int32)
-    face = np.repeat(np.arange(len(sizes)), sizes)
-    edge = _get(mesh.loops, "edge_index", np.int32)
-    face = face[np.argsort(edge, kind="stable")]
-    count = np.bincount(edge, minlength=len(mesh.edges))
-    first = np.cumsum(count) - count
-    pairs = np.flatnonzero(count == 2)
-    a, b = face[first[pairs]], face[first[pairs] + 1]
-    normals = _get(mesh.polygons, "normal", np.float32, 3)
-    turned = (normals[a] * normals[b]).sum(axis=1) < math.cos(math.radians(FLAT_CREASE_ANGLE_DEG))
-    is_sharp = np.zeros(len(mesh.edges), bool)
-    is_sharp[pairs[turned & (is_flat[a] | is_flat[b])]] = True
-    return is_sharp
+    edges = _held(mesh, ".corner_edge", mesh.loops, "edge_index", np.int32)
+    at_flat = np.zeros(len(mesh.edges), bool)
+    at_flat[edges[np.repeat(is_flat, sizes)]] = True
+    return at_flat & _get(mesh.edges, "use_edge_sharp", bool)

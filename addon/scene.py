@@ -1,24 +1,21 @@
 """A Blender scene as arrays: evaluated meshes, camera, lights.
 
-With mesh_arrays.py, guide_arrays.py, light_arrays.py and styles.py the only code that reads scene
-data.
+With instances.py, cages.py, mesh_arrays.py, guide_arrays.py, light_arrays.py and styles.py the only
+code that reads scene data.
 """
 
 import math
-from collections.abc import Iterator
-from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
-import bpy
 import numpy as np
 
 from .guide_arrays import GuideArrays, read_guides
+from .instances import Placed, read_shown
 from .light_arrays import LightArrays, exposed, read_light
-from .mesh_arrays import MeshArrays, read_mesh
+from .mesh_arrays import MeshArrays
 from .messages import IllustrateError, quoted
 from .ownership import is_ours
-from .styles import style_of
 
 # Of refined surfaces, where the object is nearest to the camera, in units of paper: pixels of an
 # image whose larger side is 1024. The surface, and with it every hatch, is so the same at any
@@ -29,7 +26,6 @@ MOST_PIXELS = 4.0
 MEASURED_EDGES = 20_000
 LEEWAY = 1.4  # below 2, which would be another level
 MOST_HALVINGS = 12  # more than any level of subdivision
-DEFORMING_PARENTS = ("ARMATURE", "LATTICE")
 
 
 @dataclass(frozen=True)
@@ -67,17 +63,7 @@ class SceneArrays:
     styles: list[dict[str, Any]] = field(default_factory=list)  # of the meshes; empty: the scene's
     lights: list[LightArrays] = field(default_factory=list)
     guides: GuideArrays = field(default_factory=GuideArrays)
-    without_faces: list[str] = field(default_factory=list)  # objects that were left out
-
-
-@dataclass
-class _Placed:
-    """One mesh at one place."""
-
-    original: Any
-    style: dict[str, Any]
-    matrix: Any  # (4, 4)
-    geometry: MeshArrays | None  # in its own space; None: the object's cage
+    left_out: dict[str, list[str]] = field(default_factory=dict)  # by kind: what is not drawn
 
 
 def read_scene(
@@ -92,26 +78,28 @@ def read_scene(
     """The evaluated scene as the camera's render would show it, meshes in the depsgraph's order.
 
     A Subdivision modifier that ends an object's stack is taken out: its cage is read, to be
-    subdivided to the limit. Left out are objects hidden from viewport or render, illustrations,
-    objects whose style says so, and the objects of the collection `guides`, which are read
-    as such. camera: another one than the scene's. auto_exposure: lights are scaled so that the
-    strongest is white in the middle of the meshes; without, they are as strong as in a render of
-    white surfaces.
+    subdivided to the limit. Any other mesh is the surface itself, unless its style says that it is
+    a cage. Left out are objects hidden from viewport or render, illustrations, objects whose style
+    says so, and the objects of the collection `guides`, which are read as such. What a render shows
+    and a drawing cannot is named in `left_out`. camera: another one than the scene's.
+    auto_exposure: lights are scaled so that the strongest is white in the middle of the meshes;
+    without, they are as strong as in a render of white surfaces.
     Raises IllustrateError for a scene without a usable camera or without anything to draw.
     """
     arrays = SceneArrays(camera or read_camera(scene, depsgraph))
     guiding = set(guides.all_objects) if guides is not None else set()
-    placed = _placed_meshes(scene, depsgraph, selected_only, guiding)
-    cages = _read_cages([p.original for p in placed if p.geometry is None], scene)
-    for p in placed:
-        geometry = p.geometry or cages[p.original]
-        if len(geometry.face_sizes):
-            arrays.meshes.append(_in_world(geometry, p.matrix, arrays.camera))
-            arrays.styles.append(p.style)
-        else:
-            arrays.without_faces.append(geometry.name)
+
+    def is_wanted(thing: Any) -> bool:
+        chosen = not selected_only or thing.select_get()
+        return chosen and not is_ours(thing) and thing not in guiding
+
+    shown = read_shown(scene, depsgraph, is_wanted)
+    arrays.meshes = [_in_world(placed, arrays.camera) for placed in shown.placed]
+    arrays.styles = [placed.style for placed in shown.placed]
+    arrays.left_out = shown.left_out
     if not arrays.meshes:
-        raise IllustrateError(nothing_to_draw(scene, selected_only, arrays.without_faces))
+        names = [name for listed in shown.left_out.values() for name in listed]
+        raise IllustrateError(nothing_to_draw(scene, selected_only, names))
     if guides is not None:
         arrays.guides = read_guides(guides, scene.frame_current)
     if use_lights:
@@ -210,126 +198,33 @@ def _finite(points: Any) -> Any:
 # --- Meshes -------------------------------------------------------------------------------------
 
 
-def _placed_meshes(
-    scene: Any, depsgraph: Any, selected_only: bool, left_out: set[Any]
-) -> list[_Placed]:
-    """Every mesh and instance that is seen; curves, texts and metaballs come as instances."""
-    placed = []
-    for instance in depsgraph.object_instances:
-        thing = instance.object
-        if thing.type != "MESH" or not instance.show_self:
-            continue
-        owner = (instance.parent if instance.is_instance else thing).original
-        if is_ours(owner) or owner in left_out or owner.hide_render or thing.original.hide_render:
-            continue
-        if selected_only and not owner.select_get():
-            continue
-        style = style_of(owner, scene)
-        if style.get("ignore"):
-            continue
-        matrix = np.array(instance.matrix_world)
-        placed.append(_Placed(thing.original, style, matrix, _read_evaluated(thing, depsgraph)))
-    return placed
-
-
-def _read_evaluated(thing: Any, depsgraph: Any) -> MeshArrays | None:
-    """The mesh of an evaluated object or instance; None where its cage is to be read instead."""
-    own = thing.original.evaluated_get(depsgraph)
-    if own.type != "MESH" or own.data != thing.data:
-        return read_mesh(thing.data, thing.name, shading=True)
-    subdivision = _trailing_subdivision(thing.original)
-    if subdivision is not None and subdivision.subdivision_type == "CATMULL_CLARK":
-        return None
-    with _mesh_of(own) as mesh:
-        geometry = read_mesh(mesh, thing.name, shading=True)
-    if subdivision is not None:
-        geometry.scheme = "none"  # subdivided without smoothing: the artist wants facets
-    return geometry
-
-
-@contextmanager
-def _mesh_of(evaluated: Any) -> Iterator[Any]:
-    """The mesh of an evaluated object. In edit mode its `data` may be empty: this one never is."""
-    try:
-        yield evaluated.to_mesh()
-    finally:
-        evaluated.to_mesh_clear()
-
-
-def _trailing_subdivision(thing: Any) -> Any:
-    """The Subdivision modifier that ends the stack of modifiers in use, or None."""
-    used = [modifier for modifier in thing.modifiers if modifier.show_viewport]
-    return used[-1] if used and used[-1].type == "SUBSURF" else None
-
-
-def _read_cages(objects: list[Any], scene: Any) -> dict[Any, MeshArrays]:
-    """The meshes below the last Subdivision of `objects`.
-
-    Where nothing comes before the Subdivision, the cage is the mesh that is edited.
-    """
-    found = {thing: _read_cage(thing, thing.data) for thing in objects if _is_own_cage(thing)}
-    others = [thing for thing in dict.fromkeys(objects) if thing not in found]
-    return found | _evaluated_cages(others, scene) if others else found
-
-
-def _is_own_cage(thing: Any) -> bool:
-    """True where nothing changes the object's mesh but its last Subdivision."""
-    return (
-        sum(modifier.show_viewport for modifier in thing.modifiers) == 1
-        and thing.mode != "EDIT"
-        and thing.data.shape_keys is None
-        and thing.parent_type not in DEFORMING_PARENTS
+def _in_world(placed: Placed, camera: CameraArrays) -> MeshArrays:
+    """A copy at its place, as its style has it, with the edge length its nearness asks for."""
+    geometry, surface, linear = placed.geometry, placed.surface, placed.matrix[:3, :3]
+    arrays = replace(
+        geometry,
+        name=placed.name,
+        positions=geometry.positions @ linear.T + placed.matrix[:3, 3],
+        crease_angle_deg=180.0 if geometry.cage else surface.crease_angle_deg,
+        scheme=geometry.scheme or surface.scheme,
     )
-
-
-def _evaluated_cages(objects: list[Any], scene: Any) -> dict[Any, MeshArrays]:
-    """Cages evaluated in a scene of their own.
-
-    The artist's scene is not evaluated again and nothing stays behind, but Blender draws its
-    viewports anew.
-    """
-    stage = bpy.data.scenes.new("illustrate cages")
-    copies: dict[Any, Any] = {}
-    try:
-        stage.frame_current = scene.frame_current
-        for thing in objects:
-            copies[thing] = copy = thing.copy()
-            copy.modifiers.remove(_trailing_subdivision(copy))
-            copy.hide_viewport = False
-            stage.collection.objects.link(copy)
-        layer = stage.view_layers[0]
-        layer.update()
-        cages = {}
-        for thing, copy in copies.items():
-            with _mesh_of(copy.evaluated_get(layer.depsgraph)) as mesh:
-                cages[thing] = _read_cage(thing, mesh)
-        return cages
-    finally:
-        for copy in copies.values():
-            bpy.data.objects.remove(copy)
-        bpy.data.batch_remove((stage,))  # `scenes.remove` crashes in a command of 4.3
-
-
-def _read_cage(thing: Any, mesh: Any) -> MeshArrays:
-    """The control mesh of a subdivision surface with the creases its modifier heeds."""
-    subdivision = _trailing_subdivision(thing)
-    geometry = read_mesh(mesh, thing.name, shading=False)
-    geometry.scheme = "catmull-clark"
-    geometry.boundary = "edges" if subdivision.boundary_smooth == "ALL" else "corners"
-    if not subdivision.use_creases:
-        geometry.edge_vertices, geometry.edge_sharpness = np.zeros((0, 2), np.int32), np.zeros(0)
-        geometry.vertex_sharpness = None
-    return geometry
-
-
-def _in_world(geometry: MeshArrays, matrix: Any, camera: CameraArrays) -> MeshArrays:
-    """A copy at its place, with the edge length its nearness to the camera asks for."""
-    positions = geometry.positions @ matrix[:3, :3].T + matrix[:3, 3]
-    sizes = camera.unit_size(_finite(positions))
-    arrays = MeshArrays(**{**vars(geometry), "positions": positions})
+    if geometry.corner_normals is not None:
+        arrays.corner_normals = geometry.corner_normals @ _of_normals(linear).T
+    sizes = camera.unit_size(_finite(arrays.positions))
     if len(sizes):
         arrays.edge_length = _halved(_median_edge(arrays), EDGE_LENGTH * float(sizes.min()))
     return arrays
+
+
+def _of_normals(linear: Any) -> Any:
+    """(3, 3) float32: what turns normals where `linear` turns points, to the sides of the faces.
+
+    The inverse transpose times the determinant, up to a scale: it is there for flattened objects
+    too, and where an object is mirrored, and with it the way round its faces, so are its normals.
+    """
+    scaled = linear / max(np.abs(linear).max(), np.finfo(float).tiny)
+    cofactors = np.stack([np.cross(scaled[i - 2], scaled[i - 1]) for i in range(3)])
+    return cofactors.astype(np.float32)
 
 
 def _halved(edge: float, longest: float) -> float:

@@ -18,6 +18,7 @@ from . import native, native_options
 from .guide_arrays import GuideArrays
 from .option_kinds import typed
 from .output import restyle
+from .styles import crease_angle
 
 SOURCES = [
     ("SCENE", "Scene", "Draw every mesh that can be seen", 0),
@@ -121,6 +122,7 @@ OWN: dict[str, Any] = {
         max=64,
         description="Draw hidden lines with at most so many surfaces in front of them",
     ),
+    "crease_angle": crease_angle("Flat-shaded faces that turn more make a hard edge"),
     "guides": PointerProperty(
         type=bpy.types.Collection,
         name="Guides",

@@ -5,10 +5,26 @@ An object's own style counts for it, else that of the innermost collection that 
 # mypy: disable-error-code="valid-type"
 # Blender reads properties from annotations.
 
+import math
+from dataclasses import dataclass
 from typing import Any
 
 import bpy
-from bpy.props import BoolProperty, FloatProperty, PointerProperty
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, PointerProperty
+
+FORMS = [
+    ("AUTO", "Automatic", "A cage where a Subdivision modifier ends the stack, else a mesh", 0),
+    ("CAGE", "Cage", "It controls a smooth surface, as below a Subdivision modifier", 1),
+    ("MESH", "Mesh", "It is the surface itself, with hard edges where it is shaded so", 2),
+]
+LEAST_TURN_DEG = 0.1  # triangles of a flat face turn less in files, whose coordinates are rounded
+OWN_SCHEMES = [
+    ("SCENE", "As the Scene", "As the settings of the scene say", 0),
+    ("auto", "Automatic", "Catmull-Clark for meshes of quads, Loop for others", 1),
+    ("catmull-clark", "Catmull-Clark", "The surface of Blender's Subdivision modifier", 2),
+    ("loop", "Loop", "The surface of triangle meshes", 3),
+    ("none", "None", "Draw the faces as they are", 4),
+]
 
 OPTIONS: dict[str, Any] = {
     "ignore": BoolProperty(
@@ -44,6 +60,50 @@ OPTIONS: dict[str, Any] = {
 """The options of `illustrate_native.ObjectStyle`, by their names."""
 
 
+def crease_angle(description: str) -> Any:
+    """The property of an angle beyond which flat-shaded faces meet in a hard edge."""
+    return FloatProperty(
+        name="Crease Angle",
+        default=math.radians(30),
+        min=0.0,
+        max=math.radians(180),
+        subtype="ANGLE",
+        description=f"{description}, degrees. 0: every edge that turns is hard, 180: none is",
+    )
+
+
+SURFACE: dict[str, Any] = {
+    "form": EnumProperty(
+        name="Form",
+        items=FORMS,
+        default="AUTO",
+        description="Whether the mesh is the surface or a cage, the control mesh of a smooth one",
+    ),
+    "scheme": EnumProperty(
+        name="Subdivision",
+        items=OWN_SCHEMES,
+        default="SCENE",
+        description="How the mesh is refined where no Subdivision modifier says it",
+    ),
+    "use_crease_angle": BoolProperty(
+        name="Own Crease Angle",
+        default=False,
+        description="Where it is shaded flat, edges are hard beyond an angle of its own",
+    ),
+    "crease_angle": crease_angle("Its flat-shaded faces that turn more make a hard edge"),
+}
+"""What surfaces the meshes stand for."""
+
+
+@dataclass(frozen=True)
+class Surface:
+    """What surface a mesh stands for."""
+
+    form: str = "AUTO"  # of FORMS
+    scheme: str | None = None  # of `illustrate_native.PolygonMesh`
+    crease_angle_deg: float = 30.0  # between faces that are shaded flat
+
+
 class ILLUSTRATE_PG_style(bpy.types.PropertyGroup):
     """How one object or the objects of one collection are drawn."""
 
@@ -54,15 +114,35 @@ class ILLUSTRATE_PG_style(bpy.types.PropertyGroup):
             description="Draw this unlike the rest of the scene",
         ),
         **OPTIONS,
+        **SURFACE,
     }
 
 
 def style_of(thing: Any, scene: Any) -> dict[str, Any]:
     """Arguments of `illustrate_native.ObjectStyle` for an object; empty: the scene's own style."""
-    owner = next((o for o in (thing, *_collections(thing, scene)) if o.illustrate.use_own), None)
-    if owner is None:
-        return {}
-    return {name: getattr(owner.illustrate, name) for name in OPTIONS}
+    style = _own_style(thing, scene)
+    return {name: getattr(style, name) for name in OPTIONS} if style is not None else {}
+
+
+def surface_of(thing: Any, scene: Any) -> Surface:
+    """What surface the mesh of an object stands for, by its own style or the scene's settings."""
+    style, general = _own_style(thing, scene), scene.illustrate
+    if style is None:
+        return Surface(crease_angle_deg=_degrees(general.crease_angle))
+    angle = style.crease_angle if style.use_crease_angle else general.crease_angle
+    scheme = None if style.scheme == "SCENE" else style.scheme
+    return Surface(style.form, scheme, _degrees(angle))
+
+
+def _degrees(angle: float) -> float:
+    """The number that was typed, or what tells an edge from one amid a flat face."""
+    return max(round(math.degrees(angle), 4), LEAST_TURN_DEG)
+
+
+def _own_style(thing: Any, scene: Any) -> Any:
+    """That of the object, else of its innermost collection that has one, else None."""
+    owners = (thing, *_collections(thing, scene))
+    return next((owner.illustrate for owner in owners if owner.illustrate.use_own), None)
 
 
 def _collections(thing: Any, scene: Any) -> list[Any]:

@@ -189,3 +189,26 @@ def test_names_of_files() -> None:
 
     assert file_name("FILE_####", 7) == "untitled_0007"
     assert file_name("shot", 7) == "shot"
+
+
+LEAVING = """
+import importlib.util, sys
+spec = importlib.util.spec_from_file_location("headless", sys.argv[-2])
+headless = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(headless)
+headless.find_package()
+if sys.argv[-1] != "end":
+    headless.leave(int(sys.argv[-1]))
+"""
+
+
+@pytest.mark.parametrize(("last", "code"), [("0", 0), ("7", 7), ("end", 0)])
+def test_a_script_that_registers_the_addon_ends_cleanly(
+    tmp_path: Any, last: str, code: int
+) -> None:
+    if last == "end" and not bpy.app.binary_path and bpy.app.version < (4, 5, 0):
+        pytest.skip("such a module crashes after any property with an update function")
+    script = tmp_path / "script.py"
+    script.write_text(LEAVING)
+    ran = tools.run_script(script, str(SCRIPT), last, user=tmp_path / "user")
+    assert ran.returncode == code, ran.stdout + ran.stderr

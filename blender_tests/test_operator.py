@@ -144,7 +144,7 @@ def test_warns_of_mended_and_skipped_meshes(scene: Any, capfd: Any) -> None:
     tools.flush()
     said = capfd.readouterr().out
     assert 'Mended 1 mesh, "Broken": 1 vertices that are not finite' in said
-    assert 'Left out 1 object without faces: "Cloud"' in said
+    assert 'Left out 1 object without faces ("Cloud")' in said
     assert cube.name not in said
     points = [s["points"] for v in tools.read_pencil(pencils()[0]).values() for s in v]
     assert min(p[:, 0].min() for p in points) < -3.4

@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 import pytest
 from bpy_extras.object_utils import world_to_camera_view
-from illustrate import scene as scene_reader
+from illustrate import cages
 from illustrate.scene import read_camera
 from mathutils import Matrix, Vector
 
@@ -132,35 +132,6 @@ def test_a_moved_camera_asks_for_the_same_surface_until_another_level_is_due(sce
     assert lengths == sorted(lengths)
 
 
-def test_a_flat_shaded_object_has_a_crease_angle_and_a_smooth_one_none(scene: Any) -> None:
-    cube = tools.cube_scene(scene)
-    assert only_mesh(scene).crease_angle_deg == 60
-    tools.shade_smooth(cube, [True] * 6)
-    assert only_mesh(scene).crease_angle_deg == 180
-    assert not len(only_mesh(scene).edge_vertices)
-
-
-def test_sharp_edges_of_smooth_objects_are_infinitely_sharp(scene: Any) -> None:
-    cube = tools.cube_scene(scene)
-    tools.shade_smooth(cube, [True] * 6)
-    cube.data.edges[4].use_edge_sharp = True
-    mesh = only_mesh(scene)
-    assert mesh.edge_vertices.tolist() == [list(cube.data.edges[4].vertices)]
-    assert mesh.edge_sharpness.tolist() == [10]
-
-
-def test_one_flat_face_of_a_smooth_object_is_sharp_all_round(scene: Any) -> None:
-    cube = tools.cube_scene(scene)
-    smooth = [True] * 6
-    smooth[2] = False
-    tools.shade_smooth(cube, smooth)
-    mesh = only_mesh(scene)
-    corners = set(cube.data.polygons[2].vertices)
-    assert len(mesh.edge_vertices) == 4
-    assert set(mesh.edge_vertices.ravel().tolist()) == corners
-    assert mesh.crease_angle_deg == 180
-
-
 def mark_for_freestyle(mesh: Any, edge: int) -> None:
     if bpy.app.version >= (5, 0, 0):
         mesh.attributes.new("freestyle_edge", "BOOLEAN", "EDGE").data[edge].value = True
@@ -200,6 +171,7 @@ def test_the_cage_below_the_last_subdivision_is_read(scene: Any) -> None:
     assert tools.snapshot() == before
     assert (len(mesh.positions), mesh.scheme, mesh.boundary) == (8, "catmull-clark", "corners")
     assert mesh.crease_angle_deg == 180
+    assert mesh.cage and mesh.corner_normals is None
     sharpness = {
         tuple(e): s for e, s in zip(mesh.edge_vertices.tolist(), mesh.edge_sharpness, strict=True)
     }
@@ -283,7 +255,7 @@ def test_cages_are_read_with_all_that_changes_them(
     tools.subdivide(cube)
     change(cube)
     found = only_mesh(scene)
-    monkeypatch.setattr(scene_reader, "_is_own_cage", lambda _: False)
+    monkeypatch.setattr(cages, "_is_own_cage", lambda _: False)
     evaluated = only_mesh(scene)
     for name, values in vars(evaluated).items():
         np.testing.assert_array_equal(getattr(found, name), values, err_msg=name)
@@ -293,43 +265,8 @@ def test_cages_are_read_with_all_that_changes_them(
 def test_a_subdivided_mesh_is_read_without_a_redraw(scene: Any, monkeypatch: Any) -> None:
     """Blender draws viewports anew when a scene comes or goes, and keys wait meanwhile."""
     tools.subdivide(tools.cube_scene(scene))
-    monkeypatch.delattr(scene_reader, "_evaluated_cages")
+    monkeypatch.delattr(cages, "_evaluated_cages")
     assert len(only_mesh(scene).positions) == 8
-
-
-def test_instances_of_collections_are_drawn_where_they_are(scene: Any) -> None:
-    tools.add_camera(scene)
-    collection = bpy.data.collections.new("Parts")
-    cube = tools.add_cube("Part")
-    tools.subdivide(cube)
-    scene.collection.objects.unlink(cube)
-    collection.objects.link(cube)
-    for x in (0, 4):
-        empty = bpy.data.objects.new("Copy", None)
-        empty.instance_type, empty.instance_collection = "COLLECTION", collection
-        empty.location.x = x
-        scene.collection.objects.link(empty)
-    meshes = read(scene).meshes
-    assert [m.scheme for m in meshes] == ["catmull-clark"] * 2
-    assert [m.positions[:, 0].min() for m in meshes] == [-1, 3]
-    assert {m.name for m in meshes} == {"Part"}
-
-
-def test_texts_and_curves_are_drawn_once(scene: Any) -> None:
-    tools.add_camera(scene)
-    curve = bpy.data.curves.new("Tube", "CURVE")
-    curve.dimensions, curve.bevel_depth = "3D", 0.2
-    curve.splines.new("POLY").points.add(1)
-    curve.splines[0].points[1].co = (1, 0, 0, 1)
-    scene.collection.objects.link(bpy.data.objects.new("Tube", curve))
-    assert len(only_mesh(scene).face_sizes)
-
-
-def test_hidden_objects_are_left_out(scene: Any) -> None:
-    tools.cube_scene(scene)
-    tools.add_cube("No Render").hide_render = True
-    tools.add_cube("No Viewport").hide_viewport = True
-    assert only_mesh(scene).name == "Box"
 
 
 def test_edits_in_edit_mode_are_read(scene: Any) -> None:

@@ -147,11 +147,11 @@ def test_the_panel_has_few_first_controls_and_closed_panels_below() -> None:
 
 
 def shipped() -> list[str]:
-    return ["Etching", "Plotter 0.3 mm", "Silhouette Drawing", "Technical",
+    return ["Etching", "Facets", "Plotter 0.3 mm", "Silhouette Drawing", "Technical",
             "Topological Picturebook"]  # fmt: skip
 
 
-def test_five_presets_are_shipped() -> None:
+def test_six_presets_are_shipped() -> None:
     assert presets.titles() == shipped()
 
 

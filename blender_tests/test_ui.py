@@ -129,7 +129,7 @@ def test_styles_have_panels(scene: Any) -> None:
     cube = tools.cube_scene(scene)
     for kind in style_panel.CLASSES[:2]:
         shown = draw(kind, object=cube, collection=scene.collection)
-        assert shown == list(styles.OPTIONS)
+        assert shown == [*styles.OPTIONS, *styles.SURFACE]
         assert kind.poll(context(object=cube, collection=scene.collection))
         assert not kind.poll(context(object=None, collection=None))
 

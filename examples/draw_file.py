@@ -1,4 +1,8 @@
-"""Draws a mesh file as SVG, with the module alone: python draw_file.py MESH.obj DRAWING.svg."""
+"""Draws a mesh file as SVG, with the module alone: draw_file.py MESH.obj DRAWING.svg [--cage].
+
+A file with normals is drawn as it is shaded: sharp where its normals differ, its vertices on the
+surface. Without normals, or with --cage, its vertices are a cage, which the surface goes near.
+"""
 
 import pathlib
 import sys
@@ -6,10 +10,20 @@ import sys
 import illustrate_native as ill
 import numpy as np
 from illustrate_native import svg
-from mesh_files import read_mesh
+from mesh_files import read_corner_normals, read_mesh
 
-positions, faces = read_mesh(pathlib.Path(sys.argv[1]))
-prepared = ill.prepare([ill.PolygonMesh(positions, list(map(len, faces)), np.concatenate(faces))])
+path = pathlib.Path(sys.argv[1])
+positions, faces = read_mesh(path)
+normals = None if "--cage" in sys.argv else read_corner_normals(path)
+mesh = ill.PolygonMesh(
+    positions,
+    list(map(len, faces)),
+    np.concatenate(faces),
+    corner_normals=normals,
+    cage=normals is None,
+    crease_angle_deg=180 if normals is None else 30,
+)
+prepared = ill.prepare([mesh])
 middle = (np.max(positions, axis=0) + np.min(positions, axis=0)) / 2
 radius = np.linalg.norm(positions - middle, axis=1).max() * 1.05
 turn = np.array([[0.8, 0.0, -0.6], [-0.36, 0.8, -0.48], [0.48, 0.6, 0.64]])  # right, up, to the eye

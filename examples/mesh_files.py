@@ -37,6 +37,21 @@ def read_mesh(path: pathlib.Path) -> tuple[list[Any], list[Any]]:
     return readers[path.suffix](path)
 
 
+def read_corner_normals(path: pathlib.Path) -> list[Any] | None:
+    """Normals of the corners of an .obj file's faces, in their order; None where it has none.
+
+    A corner without one, in a file with others, has the normal zero: it is not known.
+    """
+    if path.suffix != ".obj":
+        return None
+    lines = [line.split() for line in path.read_text(encoding="utf-8").splitlines()]
+    normals = [[float(x) for x in words[1:4]] for words in lines if words[:1] == ["vn"]]
+    corners = [corner.split("/") for words in lines if words[:1] == ["f"] for corner in words[1:]]
+    if not any(len(parts) == 3 for parts in corners):
+        return None
+    return [normals[int(parts[2]) - 1] if len(parts) == 3 else [0, 0, 0] for parts in corners]
+
+
 def write_obj(path: pathlib.Path, positions: Iterable[Any], faces: Iterable[Any]) -> None:
     """Writes positions and faces, lists of vertex numbers."""
     lines = [" ".join(["v", *map(str, position)]) for position in positions]

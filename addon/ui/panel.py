@@ -160,7 +160,9 @@ class ILLUSTRATE_PT_surface(_Fields, bpy.types.Panel):
 
     bl_idname = "ILLUSTRATE_PT_surface"
     bl_label = "Surface and Field"
-    fields = fields_of("surface", "guides", "guide_weight", "guide_radius")
+    fields = fields_of(
+        "surface", "crease_angle", "scheme", "guides", "guide_weight", "guide_radius"
+    )
 
     def draw(self, context: Any) -> None:
         """Shows the fields and what can be looked at."""

@@ -5,7 +5,7 @@ from typing import Any
 import bpy
 
 from ..guides import is_guide, shown_of
-from ..styles import OPTIONS
+from ..styles import OPTIONS, SURFACE
 
 
 class _StylePanel:
@@ -37,9 +37,11 @@ class _StylePanel:
         self.layout.use_property_split = True
         self.layout.use_property_decorate = False
         self.layout.active = style.use_own
-        for name in OPTIONS:
+        for name in (*OPTIONS, *SURFACE):
             row = self.layout.row()
             row.active = name == "ignore" or not style.ignore
+            if name == "crease_angle":
+                row.active = row.active and style.use_crease_angle
             row.prop(style, name)
 
 

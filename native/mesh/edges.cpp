@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/creases.h"
+
 namespace illustrate {
 namespace {
 
@@ -108,23 +110,68 @@ void carry_vertex_sharpness(const PolygonMesh& mesh, const std::vector<int>& num
   for (const int source : sound.source_vertices) sound.vertex_sharpness.push_back(largest[source]);
 }
 
+// Raises the sharpness of edges by the crease angle alone.
+std::vector<std::uint8_t> sharpen_by_angle(const PolygonMesh& mesh, const Faces& faces,
+                                           const Ragged<int>& edges, std::vector<double>& sharpness,
+                                           const SoundMesh& sound, Counts& report) {
+  const CreaseAngle angle(faces, sound, mesh.crease_angle_deg);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (sharpness[e] >= infinitely_sharp || !angle.is_exceeded(edges[e])) continue;
+    sharpness[e] = infinitely_sharp;
+    ++report["angle_creases"];
+  }
+  return {};
+}
+
+// On the side of their faces.
+Points turned_to_faces(const Shading& shading, const Faces& faces) {
+  Points normals = shading.corner_normals;
+  for (int c = 0; c < faces.corner_count(); ++c)
+    if (normals[c].dot(shading.face_normals[faces.corner_faces[c]]) < 0) normals[c] = -normals[c];
+  return normals;
+}
+
+// Raises the sharpness of edges by how the mesh is shaded, and keeps its normals. Returns 1 for
+// vertices that become sharp.
+std::vector<std::uint8_t> sharpen_as_shaded(const PolygonMesh& mesh, const Faces& faces,
+                                            const Ragged<int>& edges,
+                                            const std::vector<std::uint8_t>& is_cut,
+                                            const std::vector<int>& numbers,
+                                            std::vector<double>& sharpness, SoundMesh& sound,
+                                            Counts& report) {
+  const Shading shading = read_shading(mesh, faces, edges, numbers, sound);
+  std::vector<std::uint8_t> is_sharp;
+  for (const double value : sharpness) is_sharp.push_back(value >= infinitely_sharp);
+  Creases creases =
+      find_creases(mesh, faces, edges, is_cut, std::move(is_sharp), shading, sound, report);
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    if (creases.sharp_edges[e]) sharpness[e] = infinitely_sharp;
+  sound.corner_normals = turned_to_faces(shading, faces);
+  return std::move(creases.sharp_vertices);
+}
+
 }  // namespace
 
 void carry_edges(const PolygonMesh& mesh, const Faces& faces,
                  const std::vector<std::uint8_t>& is_cut, const std::vector<int>& numbers,
                  SoundMesh& sound, Counts& report) {
   Tags creases = sharpness_tags(mesh, numbers, report), marks = mark_tags(mesh, numbers);
-  const CreaseAngle angle(faces, sound, mesh.crease_angle_deg);
   const Ragged<int> edges = half_edges_by_edge(faces, sound.positions.size());
+  std::vector<double> values;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const int h = edges[e][0];
+    values.push_back(creases.take(sound.source_vertices[faces.corners[h]],
+                                  sound.source_vertices[faces.head(h)]));
+  }
+  const bool is_shaded = !mesh.cage || !mesh.corner_normals.empty();
+  const std::vector<std::uint8_t> sharp_vertices =
+      is_shaded ? sharpen_as_shaded(mesh, faces, edges, is_cut, numbers, values, sound, report)
+                : sharpen_by_angle(mesh, faces, edges, values, sound, report);
   std::int64_t open_edges = 0;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const int h = edges[e][0], a = faces.corners[h], b = faces.head(h);
     const int source_a = sound.source_vertices[a], source_b = sound.source_vertices[b];
-    double sharpness = creases.take(source_a, source_b);
-    if (sharpness < infinitely_sharp && angle.is_exceeded(edges[e])) {
-      sharpness = infinitely_sharp;
-      ++report["angle_creases"];
-    }
+    const double sharpness = values[e];
     if (sharpness > 0) {
       sound.edge_vertices.push_back({a, b});
       sound.edge_sharpness.push_back(sharpness);
@@ -140,6 +187,8 @@ void carry_edges(const PolygonMesh& mesh, const Faces& faces,
   report["ignored_creases"] += creases.count_unused();
   report["ignored_marks"] += marks.count_unused();
   carry_vertex_sharpness(mesh, numbers, sound, report);
+  for (std::size_t v = 0; v < sharp_vertices.size(); ++v)
+    if (sharp_vertices[v]) sound.vertex_sharpness[v] = infinitely_sharp;
 }
 
 }  // namespace illustrate

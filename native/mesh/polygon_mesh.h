@@ -40,7 +40,7 @@ struct PolygonMesh {
   // Edges that turn more become infinitely sharp; 180: none. With corner_normals, or where the mesh
   // is no cage: only between faces that are shaded flat (mesh/creases.h).
   double crease_angle_deg = 180;
-  std::optional<Scheme> scheme;   // this mesh's own, instead of the options'
+  std::optional<Scheme> scheme;  // this mesh's own, instead of the options'
   std::optional<int> level;
   std::optional<double> edge_length;  // world units
   std::string name;

@@ -12,13 +12,15 @@ namespace illustrate {
 namespace {
 
 void name_counts(Counts& report) {
-  for (const char* name :
-       {"input_faces",     "kept_faces",      "nan_faces",         "degenerate_faces",
-        "huge_faces",      "duplicate_faces", "nan_vertices",      "repeated_corners",
-        "split_faces",     "welded_vertices", "isolated_vertices", "split_edges",
-        "split_vertices",  "flipped_faces",   "turned_parts",      "covered_parts",
-        "ignored_creases", "ignored_marks",   "angle_creases",     "empty_meshes",
-        "parts",           "polygons",        "open_edges"})
+  for (const char* name : {"input_faces",      "kept_faces",        "nan_faces",
+                           "degenerate_faces", "huge_faces",        "duplicate_faces",
+                           "nan_vertices",     "repeated_corners",  "split_faces",
+                           "welded_vertices",  "isolated_vertices", "split_edges",
+                           "split_vertices",   "flipped_faces",     "turned_parts",
+                           "covered_parts",    "ignored_creases",   "ignored_marks",
+                           "angle_creases",    "normal_creases",    "tips",
+                           "corners",          "empty_meshes",      "parts",
+                           "polygons",         "open_edges"})
     report[name] += 0;
 }
 
@@ -104,7 +106,8 @@ SoundMesh sanitize(const PolygonMesh& mesh, Counts& report, const Progress& prog
   count_faces(sound, report);
   report["split_vertices"] += count_split(sound);
   carry_edges(mesh, faces, adjacency.is_cut, numbers, sound, report);
-  sound.boundary = mesh.boundary;
+  sound.cage = mesh.cage;
+  sound.boundary = mesh.cage ? mesh.boundary : BoundaryRule::edges;
   sound.scheme = mesh.scheme;
   sound.level = mesh.level;
   sound.edge_length = mesh.edge_length;

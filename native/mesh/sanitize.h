@@ -26,13 +26,14 @@ struct SoundMesh {
   std::vector<int> face_sizes;  // (f) all >= 3
   std::vector<int> corner_vertices;
   std::vector<int> source_faces;       // (f) face of the input; its parts share it
-  std::vector<int> source_vertices;    // (n) vertex of the input; copies of a split vertex share it
+  std::vector<int> source_vertices;    // (n) vertex of the input, else a number of its own or none;
+                                       // copies of a split vertex share it
   std::vector<Edge> edge_vertices;     // (e) sharp edges, the crease angle's included
   std::vector<double> edge_sharpness;  // (e) > 0
   std::vector<double> vertex_sharpness;  // (n)
   std::vector<Edge> marked_edges;        // (m)
   std::vector<Edge> seams;  // (s) open edges made by splitting, as their face runs along them
-  Points corner_normals;  // (c) unit, on the side of their face; empty: not asked for (creases.h)
+  Points corner_normals;    // (c) unit, on the side of their face; empty: not asked for (creases.h)
   std::vector<int> face_materials;  // (f)
   std::vector<std::uint8_t> holes;  // (f) 1: shapes the limit, is not there
   // Orientation double cover: the same face (vertex) on the other sheet; `none` where the part is
@@ -58,7 +59,8 @@ struct SoundMesh {
 //   majority of their part), turned_parts, covered_parts, ignored_creases (sharpness that is not a
 //   number or of no edge), ignored_marks (of no edge), empty_meshes (without a face left).
 // Found, not mended: parts, polygons (faces of more than four corners), open_edges (boundaries,
-//   not seams). Made on request: angle_creases (edges that became sharp).
+//   not seams). Made sharp: angle_creases and normal_creases (edges), tips and corners (vertices)
+//   (mesh/creases.h).
 // Throws InvalidInput as `validate` does, and Cancelled through `progress`.
 SoundMesh sanitize(const PolygonMesh& mesh, Counts& report, const Progress& progress = {});
 

@@ -47,7 +47,10 @@ class Ring {
  public:
   // points: as they are, and in the plane.
   Ring(const std::vector<int>& corners, std::size_t middle, Points points, ImagePoints flat)
-      : corners_(corners), middle_(middle), in_space_(std::move(points)), points_(std::move(flat)) {}
+      : corners_(corners),
+        middle_(middle),
+        in_space_(std::move(points)),
+        points_(std::move(flat)) {}
 
   // One of the two loops lies inside the other.
   bool has_hole() const {

@@ -117,8 +117,10 @@ void Prepared::place_originals(Geometry& geometry) const {
   const Surface& surface = *geometry.surface;
   geometry.counts["triangles"] = static_cast<std::int64_t>(surface.triangles.size());
   geometry.counts["vertices"] = static_cast<std::int64_t>(surface.positions.size());
+  const Counts of_originals = geometry.counts;
   for (std::size_t o = 0; o < surface.controls.size(); ++o) {
-    geometry.counts["level_" + std::to_string(o)] = surface.controls[o].mesh->level;
+    geometry.counts["level_" + std::to_string(o)] =
+        of_originals.at("level_" + std::to_string(geometry.instances.originals[o]));
   }
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/parallel.h"
-#include "surface/polygons.h"
+#include "mesh/polygons.h"
 #include "surface/shading.h"
 
 namespace illustrate {

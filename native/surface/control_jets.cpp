@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "mesh/polygons.h"
 #include "surface/control_nodes.h"
 #include "surface/local_jet.h"
-#include "surface/polygons.h"
 
 namespace illustrate {
 namespace {

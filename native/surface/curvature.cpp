@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "surface/polygons.h"
+#include "mesh/polygons.h"
 
 namespace illustrate {
 namespace {

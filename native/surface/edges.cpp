@@ -5,7 +5,7 @@
 
 #include "core/parallel.h"
 #include "core/tolerances.h"
-#include "surface/polygons.h"
+#include "mesh/polygons.h"
 
 namespace illustrate {
 namespace {

@@ -124,15 +124,6 @@ void keep_budget(const std::vector<SoundMesh>& meshes, const std::vector<Scheme>
 
 }  // namespace
 
-Scheme choose_scheme(const SoundMesh& mesh, const SurfaceOptions& options) {
-  const Scheme scheme = mesh.scheme.value_or(options.scheme);
-  if (mesh.face_sizes.empty()) return Scheme::polygons;
-  if (scheme != Scheme::automatic) return scheme;
-  const auto quads = std::count(mesh.face_sizes.begin(), mesh.face_sizes.end(), 4);
-  return 2 * static_cast<std::size_t>(quads) > mesh.face_sizes.size() ? Scheme::catmull_clark
-                                                                      : Scheme::loop;
-}
-
 std::vector<int> choose_levels(const std::vector<SoundMesh>& meshes,
                                const std::vector<Scheme>& schemes, const SurfaceOptions& options) {
   std::vector<int> levels(meshes.size(), 0);

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "mesh/polygons.h"
 #include "surface/curvature.h"
 #include "surface/limit_patches.h"
-#include "surface/polygons.h"
 #include "surface/shading.h"
 
 namespace illustrate {

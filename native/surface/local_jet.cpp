@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "surface/polygons.h"
+#include "mesh/polygons.h"
 
 namespace illustrate {
 namespace {

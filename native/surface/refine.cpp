@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "control/choose_scheme.h"
+#include "control/keep_to_mesh.h"
+#include "control/split_faces.h"
 #include "core/errors.h"
 #include "surface/assemble.h"
 #include "surface/child_corners.h"
@@ -11,7 +14,6 @@
 #include "surface/flat_faces.h"
 #include "surface/jet.h"
 #include "surface/levels.h"
-#include "surface/split_faces.h"
 
 namespace illustrate {
 namespace {
@@ -100,6 +102,18 @@ class Refiner {
   int next_ptex_face_ = 0;
 };
 
+// Puts the control mesh that keeps to it in the place of a mesh that is no cage. That one is split
+// once: the level is one less, so that there are as many triangles. What is drawn at level 0 by
+// choice of the edge's length has edges so short that the cage's limit is as good.
+bool keep_if_no_cage(SoundMesh& mesh, Scheme scheme, int& level, const Progress& progress) {
+  if (mesh.cage || scheme == Scheme::polygons || level == 0) return false;
+  std::optional<SoundMesh> kept = keep_to_mesh(mesh, scheme, {}, progress);
+  if (!kept) return false;
+  mesh = std::move(*kept);
+  --level;
+  return true;
+}
+
 }  // namespace
 
 void validate(const SurfaceOptions& options) {
@@ -117,10 +131,10 @@ Surface refine(std::vector<SoundMesh> meshes, const SurfaceOptions& options, Cou
   progress.report(0);
   std::vector<Scheme> schemes;
   for (SoundMesh& mesh : meshes) {
-    schemes.push_back(choose_scheme(mesh, options));
+    schemes.push_back(choose_scheme(mesh, options.scheme));
     if (schemes.back() == Scheme::loop) mesh = split_into_triangles(std::move(mesh));
   }
-  const std::vector<int> levels = choose_levels(meshes, schemes, options);
+  std::vector<int> levels = choose_levels(meshes, schemes, options);
   Surface surface;
   std::vector<int> needs_jet;
   Refiner refiner(surface, needs_jet, options);
@@ -128,8 +142,9 @@ Surface refine(std::vector<SoundMesh> meshes, const SurfaceOptions& options, Cou
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const auto done = static_cast<double>(i);
     const Progress part = progress.part(.9 * done / count, .9 * (done + 1) / count);
+    const bool is_split = keep_if_no_cage(meshes[i], schemes[i], levels[i], part.part(0, .2));
     report["level_" + std::to_string(i)] =
-        refiner.add(std::move(meshes[i]), schemes[i], levels[i], part);
+        refiner.add(std::move(meshes[i]), schemes[i], levels[i], part.part(.2, 1)) + is_split;
     report["not_subdivided"] +=
         schemes[i] != Scheme::polygons && !surface.object_is_smooth.back() ? 1 : 0;
   }

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
-#include "surface/polygons.h"
+#include "mesh/polygons.h"
 
 namespace illustrate {
 namespace {

@@ -81,8 +81,7 @@ class Untangler {
                      [&](int a, int b) { return vertex(a) < vertex(b); });
     std::size_t next = 0;
     for (int v = 0; v < static_cast<int>(points.size()); ++v) {
-      while (next < corners.size() && vertex(corners[next]) == v)
-        corners_.push(corners[next++]);
+      while (next < corners.size() && vertex(corners[next]) == v) corners_.push(corners[next++]);
       corners_.close_list();
     }
   }

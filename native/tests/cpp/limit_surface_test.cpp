@@ -6,9 +6,9 @@
 
 #include <random>
 
+#include "control/split_faces.h"
 #include "core/parallel.h"
 #include "surface/level_topology.h"
-#include "surface/split_faces.h"
 #include "surface/topology.h"
 #include "surface_checks.h"
 

@@ -35,6 +35,10 @@ PolygonMesh nasty_mesh(unsigned seed) {
     mesh.marked_edges.push_back({below(vertices), below(vertices)});
   }
   mesh.crease_angle_deg = below(181);
+  mesh.cage = below(2) == 0;
+  if (below(2) == 0) return mesh;
+  for (std::size_t c = 0; c < mesh.corner_vertices.size(); ++c)
+    mesh.corner_normals.emplace_back(coordinates[below(8)], below(3) - 1, below(3) - 1);
   return mesh;
 }
 

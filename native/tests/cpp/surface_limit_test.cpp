@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "control/split_faces.h"
 #include "surface/curvature.h"
 #include "surface/limit_patches.h"
-#include "surface/split_faces.h"
 #include "surface_checks.h"
 
 namespace illustrate {

@@ -127,7 +127,18 @@ void add_attributes(PolygonMesh& mesh, Random& random) {
       mesh.hole_faces.push_back(random.below(faces));
 }
 
+// Any directions, some of them none.
+void add_normals(PolygonMesh& mesh, Random& random) {
+  const double odd = random.one_in(2) ? std::nan("") : 0;
+  for (std::size_t c = 0; c < mesh.corner_vertices.size(); ++c) {
+    const double x = random.one_in(20) ? odd : random.between(-1, 1);
+    mesh.corner_normals.emplace_back(x, random.below(3) - 1, random.below(3) - 1);
+  }
+}
+
 void choose_settings(PolygonMesh& mesh, Random& random) {
+  mesh.cage = random.one_in(2);
+  if (random.one_in(3)) add_normals(mesh, random);
   mesh.boundary = random.one_in(2) ? BoundaryRule::corners : BoundaryRule::edges;
   if (random.one_in(3)) mesh.crease_angle_deg = random.below(181);
   mesh.scheme = random.of(std::vector<Scheme>{Scheme::automatic, Scheme::catmull_clark,

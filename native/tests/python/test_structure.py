@@ -23,7 +23,8 @@ NATIVE = ROOT / "native"
 BUILDS_ON = {
     "core": [],
     "mesh": ["core"],
-    "surface": ["mesh"],
+    "control": ["mesh"],
+    "surface": ["control"],
     "field": ["surface"],
     "view": ["core"],
     "contour": ["mesh", "surface", "view"],

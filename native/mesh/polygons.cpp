@@ -1,4 +1,4 @@
-#include "surface/polygons.h"
+#include "mesh/polygons.h"
 
 #include <algorithm>
 #include <cmath>

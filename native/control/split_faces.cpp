@@ -1,9 +1,9 @@
-#include "surface/split_faces.h"
+#include "control/split_faces.h"
 
 #include <algorithm>
 
-#include "surface/base_edges.h"
-#include "surface/polygons.h"
+#include "mesh/edge_table.h"
+#include "mesh/polygons.h"
 
 namespace illustrate {
 namespace {
@@ -154,10 +154,38 @@ class FaceSplitter {
     repeat(mesh_.holes, parents, result_.holes);
     repeat(mesh_.kept, parents, result_.kept);
     repeat(mesh_.twin_faces, parents, result_.twin_faces);
+    set_corner_normals(parents);
     for (std::size_t t = 0; t < result_.twin_faces.size(); ++t) {
       int& other = result_.twin_faces[t];
       if (other != none) other = first[idx(other)] + static_cast<int>(t) - first[idx(parents[t])];
     }
+  }
+
+  // Of the triangles' corners; the middle of a star has the mean of the face's.
+  void set_corner_normals(const std::vector<int>& parents) {
+    if (mesh_.corner_normals.empty()) return;
+    Points normals(result_.positions.size(), Vec3::Zero());  // of the face at hand
+    result_.corner_normals.clear();
+    int last = none;
+    for (std::size_t c = 0; c < result_.corner_vertices.size(); ++c) {
+      const int face = parents[c / 3];
+      if (face != last) read_normals(face, normals);
+      last = face;
+      result_.corner_normals.push_back(normals[idx(result_.corner_vertices[c])]);
+    }
+  }
+
+  void read_normals(int face, Points& normals) const {
+    const int size = mesh_.face_sizes[idx(face)];
+    Vec3 sum = Vec3::Zero();
+    for (int k = 0; k < size; ++k) {
+      const Vec3& normal = mesh_.corner_normals[idx(offsets_[idx(face)] + k)];
+      normals[idx(vertex(face, k))] = normal;
+      sum += normal;
+    }
+    const auto& triangles = triangles_[idx(face)];
+    if (static_cast<int>(triangles.size()) == size)
+      normals[idx(triangles[0][0])] = unit_or_zero(sum);
   }
 
   template <class T>

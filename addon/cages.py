@@ -1,0 +1,98 @@
+"""The cages of Subdivision modifiers, with what the modifier says of them."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import bpy
+import numpy as np
+
+from .mesh_arrays import MeshArrays, read_mesh
+
+DEFORMING_PARENTS = ("ARMATURE", "LATTICE")
+NORMALS_ONLY = ("WEIGHTED_NORMAL", "NORMAL_EDIT")
+SMOOTH_BY_ANGLE = "Smooth by Angle"  # the nodes that Blender's Shade Auto Smooth adds, from 4.1
+
+
+def trailing_subdivision(thing: Any) -> Any:
+    """The Subdivision modifier that ends the stack of modifiers in use, or None.
+
+    Those after it that change normals and nothing else do not count.
+    """
+    used = [m for m in thing.modifiers if m.show_viewport and not _keeps_shape(m)]
+    return used[-1] if used and used[-1].type == "SUBSURF" else None
+
+
+def _keeps_shape(modifier: Any) -> bool:
+    nodes = modifier.node_group if modifier.type == "NODES" else None
+    is_smoothing = nodes is not None and nodes.name.startswith(SMOOTH_BY_ANGLE)
+    return modifier.type in NORMALS_ONLY or is_smoothing
+
+
+@contextmanager
+def mesh_of(evaluated: Any) -> Iterator[Any]:
+    """The mesh of an evaluated object. In edit mode its `data` may be empty: this one never is."""
+    try:
+        yield evaluated.to_mesh()
+    finally:
+        evaluated.to_mesh_clear()
+
+
+def read_cages(objects: list[Any], scene: Any) -> dict[Any, MeshArrays]:
+    """The meshes below the last Subdivision of `objects`.
+
+    Where nothing comes before the Subdivision, the cage is the mesh that is edited.
+    """
+    found = {thing: _read_cage(thing, thing.data) for thing in objects if _is_own_cage(thing)}
+    others = [thing for thing in dict.fromkeys(objects) if thing not in found]
+    return found | _evaluated_cages(others, scene) if others else found
+
+
+def _is_own_cage(thing: Any) -> bool:
+    """True where nothing changes the object's mesh but its last Subdivision."""
+    return (
+        sum(modifier.show_viewport for modifier in thing.modifiers) == 1
+        and thing.mode != "EDIT"
+        and thing.data.shape_keys is None
+        and thing.parent_type not in DEFORMING_PARENTS
+    )
+
+
+def _evaluated_cages(objects: list[Any], scene: Any) -> dict[Any, MeshArrays]:
+    """Cages evaluated in a scene of their own.
+
+    The artist's scene is not evaluated again and nothing stays behind, but Blender draws its
+    viewports anew.
+    """
+    stage = bpy.data.scenes.new("illustrate cages")
+    copies: dict[Any, Any] = {}
+    try:
+        stage.frame_current = scene.frame_current
+        for thing in objects:
+            copies[thing] = copy = thing.copy()
+            copy.modifiers.remove(trailing_subdivision(copy))
+            copy.hide_viewport = False
+            stage.collection.objects.link(copy)
+        layer = stage.view_layers[0]
+        layer.update()
+        cages = {}
+        for thing, copy in copies.items():
+            with mesh_of(copy.evaluated_get(layer.depsgraph)) as mesh:
+                cages[thing] = _read_cage(thing, mesh)
+        return cages
+    finally:
+        for copy in copies.values():
+            bpy.data.objects.remove(copy)
+        bpy.data.batch_remove((stage,))  # `scenes.remove` crashes in a command of 4.3
+
+
+def _read_cage(thing: Any, mesh: Any) -> MeshArrays:
+    """The control mesh of a subdivision surface with the creases its modifier heeds."""
+    subdivision = trailing_subdivision(thing)
+    geometry = read_mesh(mesh, thing.name, cage=True)
+    geometry.scheme = "catmull-clark"
+    geometry.boundary = "edges" if subdivision.boundary_smooth == "ALL" else "corners"
+    if not subdivision.use_creases:
+        geometry.edge_vertices, geometry.edge_sharpness = np.zeros((0, 2), np.int32), np.zeros(0)
+        geometry.vertex_sharpness = None
+    return geometry

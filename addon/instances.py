@@ -1,0 +1,171 @@
+"""What a render shows: every mesh at every place, and what it shows that has no surface."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from .cages import mesh_of, read_cages, trailing_subdivision
+from .mesh_arrays import MeshArrays, read_mesh
+from .styles import Surface, style_of, surface_of
+
+WITHOUT_SURFACE = {"POINTCLOUD": "point cloud", "VOLUME": "volume", "CURVES": "hair object"}
+STRANDS = "object with particle hair"
+WITHOUT_FACES = "object without faces"
+
+
+@dataclass
+class Placed:
+    """One mesh at one place."""
+
+    name: str
+    style: dict[str, Any]  # arguments of ObjectStyle; empty: the scene's
+    surface: Surface
+    matrix: Any  # (4, 4)
+    geometry: MeshArrays  # in its own space
+
+
+@dataclass
+class Shown:
+    """All that a render shows of the objects that are to be drawn."""
+
+    placed: list[Placed] = field(default_factory=list)
+    left_out: dict[str, list[str]] = field(default_factory=dict)  # names by kind, in words
+
+    def leave_out(self, kind: str, name: str) -> None:
+        """Notes what cannot be drawn."""
+        self.left_out.setdefault(kind, []).append(name)
+
+
+def read_shown(scene: Any, depsgraph: Any, is_wanted: Callable[[Any], bool]) -> Shown:
+    """Every mesh and instance that a render shows, in the depsgraph's order.
+
+    Curves, surfaces, texts and metaballs come as instances of meshes. is_wanted: asked of original
+    objects; False leaves them out, and with them what they instance.
+    """
+    shown, pending = Shown(), []
+    reader = _Reader(depsgraph)
+    choices: dict[Any, Any] = {}  # styles by owner
+    for instance, owner in _rendered(depsgraph):
+        if owner not in choices:
+            choices[owner] = (style_of(owner, scene), surface_of(owner, scene))
+        style, surface = choices[owner]
+        if style.get("ignore") or not is_wanted(owner):
+            continue
+        thing = instance.object
+        for kind in _without_surface(thing, instance.is_instance):
+            shown.leave_out(kind, thing.name)
+        if thing.type == "MESH":
+            place = (thing.name, style, surface, np.array(instance.matrix_world))
+            pending.append((place, thing.original, reader.read(thing, surface)))
+    cages = read_cages([original for _, original, mesh in pending if mesh is None], scene)
+    for place, original, mesh in pending:
+        geometry = mesh or cages[original]
+        if len(geometry.face_sizes):
+            shown.placed.append(Placed(*place, geometry))
+        else:
+            shown.leave_out(WITHOUT_FACES, place[0])
+    return shown
+
+
+# --- What is there ------------------------------------------------------------------------------
+
+
+def _rendered(depsgraph: Any) -> Iterator[tuple[Any, Any]]:
+    """Instances of the depsgraph that a render shows too, and the original objects they belong to.
+
+    An instance is valid until the next one is asked for.
+    """
+    hidden = _hidden_with_collections(depsgraph.view_layer.layer_collection)
+    for instance in depsgraph.object_instances:
+        owner = (instance.parent if instance.is_instance else instance.object).original
+        if not owner.hide_render and owner not in hidden and _is_rendered(instance, owner):
+            yield instance, owner
+
+
+def _is_rendered(instance: Any, owner: Any) -> bool:
+    """What is hidden itself is still instanced, but by the collection that it is in."""
+    thing = instance.object
+    if instance.is_instance:
+        is_hidden = owner.instance_type == "COLLECTION" and thing.original.hide_render
+        return bool(instance.show_self) and not is_hidden
+    if owner.is_instancer or len(owner.particle_systems):
+        return bool(owner.show_instancer_for_render)
+    return bool(instance.show_self)
+
+
+def _hidden_with_collections(root: Any) -> set[Any]:
+    """Objects whose collections are all hidden from renders. root: a layer collection."""
+    shown: set[Any] = set()
+    hidden: set[Any] = set()
+
+    def visit(layer: Any, is_hidden: bool) -> None:
+        is_hidden = is_hidden or layer.collection.hide_render
+        if not layer.exclude:
+            (hidden if is_hidden else shown).update(layer.collection.objects)
+        for child in layer.children:
+            visit(child, is_hidden)
+
+    visit(root, False)
+    return hidden - shown
+
+
+def _without_surface(thing: Any, is_instance: bool) -> Iterator[str]:
+    """Kinds of what a render shows of an evaluated object that cannot be drawn."""
+    if thing.type in WITHOUT_SURFACE and not _is_empty(thing.data):
+        yield WITHOUT_SURFACE[thing.type]
+    if not is_instance and any(map(_is_strands, thing.modifiers)):
+        yield STRANDS
+
+
+def _is_empty(data: Any) -> bool:
+    """True for hair and point clouds without points; volumes are not looked into."""
+    points = getattr(data, "points", None)
+    return points is not None and len(points) == 0
+
+
+def _is_strands(modifier: Any) -> bool:
+    if modifier.type != "PARTICLE_SYSTEM" or not modifier.show_render:
+        return False
+    particles = modifier.particle_system.settings
+    return bool(particles.type == "HAIR" and particles.render_type == "PATH")
+
+
+# --- Meshes -------------------------------------------------------------------------------------
+
+
+class _Reader:
+    """Reads evaluated meshes, each once, at however many places it stands."""
+
+    def __init__(self, depsgraph: Any) -> None:
+        self._depsgraph = depsgraph
+        self._read: dict[Any, MeshArrays] = {}
+
+    def read(self, thing: Any, surface: Surface) -> MeshArrays | None:
+        """The mesh of an evaluated object or instance; None where its cage is to be read."""
+        own = thing.original.evaluated_get(self._depsgraph)
+        is_own = own.type == "MESH" and own.data == thing.data
+        subdivision = trailing_subdivision(thing.original) if is_own else None
+        is_smoothed = subdivision is not None and subdivision.subdivision_type == "CATMULL_CLARK"
+        if is_smoothed and surface.form != "MESH":
+            return None
+        is_cage = surface.form == "CAGE"
+        key = (thing.original, thing.data.as_pointer(), is_cage)
+        if key not in self._read:
+            self._read[key] = _read_evaluated(thing, own if is_own else None, is_cage)
+            if subdivision is not None and not is_smoothed:
+                self._read[key].scheme = "none"  # the artist wants facets
+        return self._read[key]
+
+
+def _read_evaluated(thing: Any, own: Any, is_cage: bool) -> MeshArrays:
+    """own: the evaluated object itself where the mesh is its own and not generated."""
+    if own is None:
+        arrays = read_mesh(thing.data, thing.name, is_cage)
+    else:
+        with mesh_of(own) as mesh:
+            arrays = read_mesh(mesh, thing.name, is_cage)
+    if is_cage:
+        arrays.boundary = "edges"  # as a Subdivision modifier has it at first
+    return arrays

@@ -1,0 +1,163 @@
+#include "control/bent_points.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/polygons.h"
+
+namespace illustrate {
+namespace {
+
+// A quarter of a circle has .207 of its chord: what bends more is no coarse curve.
+constexpr double largest_sag = 0.2;
+
+// The sag of a circular arc over a chord of length 1 that it leaves at an angle with this sine:
+// half of the half angle's tangent. `side`: where the arc lies, any length, across the chord.
+Vec3 arc_sag(double sine, const Vec3& side) {
+  const double cosine = std::sqrt(std::max(0., 1 - sine * sine));
+  return sine / (1 + cosine) / 2 * unit_or_zero(side);
+}
+
+// At an end with this unit normal, of an edge that leaves it along the unit vector `away`.
+Vec3 sag_of_normal(const Vec3& normal, const Vec3& away) {
+  const double sine = -away.dot(normal);
+  return arc_sag(sine, normal + sine * away);
+}
+
+// At an end with this unit tangent, away from it.
+Vec3 sag_of_tangent(const Vec3& tangent, const Vec3& away) {
+  const double cosine = tangent.dot(away);
+  const Vec3 side = tangent - cosine * away;
+  return cosine > 0 ? arc_sag(side.norm(), side) : Vec3(Vec3::Zero());
+}
+
+Vec3 lesser(const Vec3& a, const Vec3& b) {
+  if (!(a.dot(b) > 0)) return Vec3::Zero();
+  return a.squaredNorm() <= b.squaredNorm() ? a : b;
+}
+
+class Bender {
+ public:
+  Bender(const SoundMesh& parent, const HalfEdges& edges, const VertexSectors& sectors,
+         Scheme scheme)
+      : p_(parent.positions),
+        parent_(parent),
+        edges_(edges),
+        faces_(edges.faces),
+        sectors_(sectors),
+        normals_(fan_normals(parent, edges, sectors)),
+        quads_(scheme == Scheme::catmull_clark) {}
+
+  Points run() {
+    find_tangents();
+    for (const int h : edges_.first) sags_.push_back(sag(h));
+    Points points = p_;
+    for (std::size_t e = 0; e < sags_.size(); ++e) {
+      const int h = edges_.first[e];
+      points.push_back((start(h) + end(h)) / 2 + sags_[e]);
+    }
+    for (int f = 0; quads_ && f < faces_.size(); ++f) points.push_back(face_point(f));
+    return points;
+  }
+
+ private:
+  const Vec3& start(int h) const { return p_[idx(faces_.corners[idx(h)])]; }
+  const Vec3& end(int h) const { return p_[idx(faces_.head(h))]; }
+  bool is_held(int vertex) const {
+    return parent_.vertex_sharpness[idx(vertex)] >= infinitely_sharp;
+  }
+  bool is_tip(int vertex) const {
+    return is_held(vertex) && sectors_.sharp_edges[idx(vertex)] == 0;
+  }
+
+  // Of creases at the vertices that they pass: from the first to the second neighbour.
+  void find_tangents() {
+    std::vector<Edge> neighbours(p_.size(), Edge{none, none});
+    for (const int h : edges_.first) {
+      if (!edges_.is_sharp(h)) continue;
+      const int a = faces_.corners[idx(h)], b = faces_.head(h);
+      for (const auto& [here, other] : {Edge{a, b}, Edge{b, a}}) {
+        Edge& found = neighbours[idx(here)];
+        (found[0] == none ? found[0] : found[1]) = other;
+      }
+    }
+    tangents_.assign(p_.size(), Vec3::Zero());
+    for (std::size_t v = 0; v < p_.size(); ++v) {
+      if (sectors_.sharp_edges[v] != 2 || is_held(static_cast<int>(v))) continue;
+      tangents_[v] = unit_or_zero(p_[idx(neighbours[v][1])] - p_[idx(neighbours[v][0])]);
+    }
+  }
+
+  Vec3 sag(int h) const {
+    const Vec3 along = end(h) - start(h);
+    const double length = along.norm();
+    const Vec3 away = unit_or_zero(along);
+    Vec3 bend = edges_.is_sharp(h) ? sag_of_crease(h, away) : sag_of_smooth(h, away);
+    const double size = bend.norm();
+    if (size > largest_sag) bend *= largest_sag / size;
+    return length * bend;
+  }
+
+  Vec3 sag_of_crease(int h, const Vec3& away) const {
+    const auto at = [&](int vertex, const Vec3& direction) -> Vec3 {
+      const Vec3& tangent = tangents_[idx(vertex)];
+      if (tangent.isZero()) return Vec3::Zero();
+      return sag_of_tangent(tangent.dot(direction) < 0 ? Vec3(-tangent) : tangent, direction);
+    };
+    return (at(faces_.corners[idx(h)], away) + at(faces_.head(h), -away)) / 2;
+  }
+
+  // Both faces of an edge see the normal of the sector that it lies in, but at the end of a crease.
+  Vec3 sag_of_smooth(int h, const Vec3& away) const {
+    const int mate = edges_.mates[idx(h)];
+    const auto bend = [&](const Points& normals) -> Vec3 {
+      const Vec3 at_start = end_normal(normals, h, faces_.next(mate));
+      const Vec3 at_end = end_normal(normals, mate, faces_.next(h));
+      const Vec3 first = sag_of_normal(at_start, away), second = sag_of_normal(at_end, -away);
+      if (is_tip(faces_.corners[idx(h)])) return second;
+      if (is_tip(faces_.head(h))) return first;
+      return (first + second) / 2;
+    };
+    return lesser(bend(normals_.shading), bend(normals_.geometric));
+  }
+
+  static Vec3 end_normal(const Points& normals, int corner, int other) {
+    return unit_or_zero(normals[idx(corner)] + normals[idx(other)]);
+  }
+
+  // Where the sphere through the edges' arcs has the middle of a regular polygon: the polygon's
+  // height of arc is 1 / sin^2(pi / n) times that of its sides.
+  Vec3 face_point(int face) const {
+    constexpr double pi = 3.14159265358979323846;
+    constexpr double most_sides = 6;  // beyond it sags of sides say little about the middle
+    Vec3 mean = Vec3::Zero(), sag = Vec3::Zero(), normal = Vec3::Zero();
+    const auto n = static_cast<double>(faces_[face].size());
+    for (int h = faces_.offsets[idx(face)]; h < faces_.offsets[idx(face) + 1]; ++h) {
+      mean += start(h) / n;
+      sag += sags_[idx(edges_.edges[idx(h)])] / n;
+      normal += normals_.geometric[idx(h)];
+    }
+    normal = unit_or_zero(normal);
+    const double sine = std::sin(pi / std::min(n, most_sides));
+    return mean + sag + (1 / (sine * sine) - 1) * normal.dot(sag) * normal;
+  }
+
+  const Points& p_;
+  const SoundMesh& parent_;
+  const HalfEdges& edges_;
+  const Faces& faces_;
+  const VertexSectors& sectors_;
+  const FanNormals normals_;
+  const bool quads_;
+  Points tangents_;  // (n) of creases that pass; else zero
+  Points sags_;      // (e)
+};
+
+}  // namespace
+
+Points bent_points(const SoundMesh& parent, const HalfEdges& edges, const VertexSectors& sectors,
+                   Scheme scheme) {
+  return Bender(parent, edges, sectors, scheme).run();
+}
+
+}  // namespace illustrate

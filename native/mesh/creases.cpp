@@ -1,0 +1,229 @@
+#include "mesh/creases.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace illustrate {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr int fewest_edges_of_tip = 3;
+constexpr double share_of_edges_of_tip = 0.6;
+constexpr double tip_deg = 60;
+constexpr double boundary_corner_deg = 50;
+constexpr double crease_corner_deg = 80;
+
+double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+// Whether corner normals differ at the two ends of an edge.
+struct EndsDiffer {
+  bool start = false, end = false;
+};
+
+class CreaseFinder {
+ public:
+  CreaseFinder(const PolygonMesh& mesh, const Faces& faces, const Ragged<int>& edges,
+               const std::vector<std::uint8_t>& is_cut, const Shading& shading,
+               const SoundMesh& sound, Creases& creases, Counts& report)
+      : mesh_(mesh),
+        faces_(faces),
+        edges_(edges),
+        is_cut_(is_cut),
+        shading_(shading),
+        sound_(sound),
+        creases_(creases),
+        report_(report) {}
+
+  void run() {
+    creases_.sharp_vertices.assign(sound_.positions.size(), 0);
+    find_split_tips();
+    sharpen_edges();
+    gather_sharp_edges();
+    if (!mesh_.cage) find_corners();
+    find_pointed_tips();
+    treat_twins_alike();
+  }
+
+ private:
+  bool are_flat(Span<const int> edge) const {
+    return shading_.is_flat[faces_.corner_faces[edge[0]]] &&
+           shading_.is_flat[faces_.corner_faces[edge[1]]];
+  }
+
+  bool differ(int corner, int other) const {
+    static const double same = std::cos(crease_normals_deg * pi / 180);
+    const double cosine = shading_.corner_normals[corner].dot(shading_.corner_normals[other]);
+    const bool same_winding = shading_.is_reversed[faces_.corner_faces[corner]] ==
+                              shading_.is_reversed[faces_.corner_faces[other]];
+    return (same_winding ? cosine : std::abs(cosine)) < same;
+  }
+
+  // By the first half-edge of the edge. Faces without normals agree with all.
+  EndsDiffer ends_differ(Span<const int> edge) const {
+    if (edge.size() != 2 || are_flat(edge)) return {};
+    const int a = edge[0], b = edge[1];
+    if (shading_.corner_normals[a].isZero() || shading_.corner_normals[b].isZero()) return {};
+    return {differ(a, faces_.next(b)), differ(faces_.next(a), b)};
+  }
+
+  // The vertex where the edge's faces differ while they agree at its other end; none: no such end.
+  int lone_end(Span<const int> edge) const {
+    const EndsDiffer ends = ends_differ(edge);
+    if (ends.start == ends.end) return none;
+    return ends.start ? faces_.corners[edge[0]] : faces_.head(edge[0]);
+  }
+
+  void find_split_tips() {
+    std::vector<int> all(sound_.positions.size(), 0), lone(sound_.positions.size(), 0);
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      ++all[faces_.corners[edges_[e][0]]];
+      ++all[faces_.head(edges_[e][0])];
+      const int end = lone_end(edges_[e]);
+      if (end != none) ++lone[end];
+    }
+    for (std::size_t v = 0; v < all.size(); ++v) {
+      if (lone[v] >= fewest_edges_of_tip && lone[v] >= share_of_edges_of_tip * all[v]) add_tip(v);
+    }
+  }
+
+  void add_tip(std::size_t vertex) {
+    creases_.sharp_vertices[vertex] = 1;
+    report_["tips"] += is_counted(static_cast<int>(vertex));
+  }
+
+  // Vertices of a double cover are counted on one sheet.
+  bool is_counted(int vertex) const {
+    return sound_.twin_vertices[vertex] == none || vertex < sound_.twin_vertices[vertex];
+  }
+
+  bool turns_too_much(Span<const int> edge) const {
+    const Vec3& a = shading_.face_normals[faces_.corner_faces[edge[0]]];
+    const Vec3& b = shading_.face_normals[faces_.corner_faces[edge[1]]];
+    return angle_between(a, b) > mesh_.crease_angle_deg * pi / 180;
+  }
+
+  void sharpen_edges() {
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      const auto edge = edges_[e];
+      if (edge.size() != 2 || creases_.sharp_edges[e]) continue;
+      if (are_flat(edge)) {
+        if (mesh_.crease_angle_deg >= 180 || !turns_too_much(edge)) continue;
+        ++report_["angle_creases"];
+      } else {
+        const EndsDiffer ends = ends_differ(edge);
+        if (!ends.start && !ends.end) continue;
+        const int lone = lone_end(edge);
+        if (lone != none && creases_.sharp_vertices[lone]) continue;
+        ++report_["normal_creases"];
+      }
+      creases_.sharp_edges[e] = 1;
+    }
+  }
+
+  // The sharp and open edges at each vertex: how many, and the first two.
+  struct SharpEdges {
+    int count = 0;
+    bool is_boundary = false, is_seam = false;
+    std::array<int, 2> ends{none, none};
+
+    void add(int end, bool open, bool cut) {
+      if (count < 2) ends[static_cast<std::size_t>(count)] = end;
+      ++count;
+      is_boundary |= open;
+      is_seam |= cut;
+    }
+  };
+
+  void gather_sharp_edges() {
+    sharp_.resize(sound_.positions.size());
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      const int h = edges_[e][0], a = faces_.corners[h], b = faces_.head(h);
+      const bool open = edges_[e].size() == 1;
+      if (!open && !creases_.sharp_edges[e]) continue;
+      sharp_[a].add(b, open, open && is_cut_[h]);
+      sharp_[b].add(a, open, open && is_cut_[h]);
+    }
+  }
+
+  bool is_corner(std::size_t v) const {
+    const SharpEdges& sharp = sharp_[v];
+    if (sharp.is_seam) return false;
+    if (is_touch(v)) return true;
+    if (sharp.count != 2) return false;
+    const Points& p = sound_.positions;
+    const double turn = angle_between(p[v] - p[sharp.ends[0]], p[sharp.ends[1]] - p[v]);
+    return turn > (sharp.is_boundary ? boundary_corner_deg : crease_corner_deg) * pi / 180;
+  }
+
+  // Copies of a vertex stand side by side.
+  bool is_touch(std::size_t v) const {
+    if (sound_.twin_vertices[v] != none) return false;
+    const std::vector<int>& sources = sound_.source_vertices;
+    return (v > 0 && sources[v - 1] == sources[v]) ||
+           (v + 1 < sources.size() && sources[v + 1] == sources[v]);
+  }
+
+  void find_corners() {
+    for (std::size_t v = 0; v < sharp_.size(); ++v) {
+      if (creases_.sharp_vertices[v] || !is_corner(v)) continue;
+      creases_.sharp_vertices[v] = 1;
+      report_["corners"] += is_counted(static_cast<int>(v));
+    }
+  }
+
+  // By the faces' normals, weighted by their corners' angles.
+  void find_pointed_tips() {
+    Points means(sound_.positions.size(), Vec3::Zero());
+    for (int c = 0; c < faces_.corner_count(); ++c) {
+      const Points& p = sound_.positions;
+      const Vec3& here = p[faces_.corners[c]];
+      const double angle =
+          angle_between(p[faces_.head(c)] - here, p[faces_.corners[faces_.previous(c)]] - here);
+      means[faces_.corners[c]] += angle * shading_.face_normals[faces_.corner_faces[c]];
+    }
+    std::vector<double> least(means.size(), pi);
+    std::vector<std::uint8_t> all_flat(means.size(), 1);
+    for (int c = 0; c < faces_.corner_count(); ++c) {
+      const int v = faces_.corners[c], f = faces_.corner_faces[c];
+      least[v] = std::min(least[v], angle_between(shading_.face_normals[f], means[v]));
+      all_flat[v] &= shading_.is_flat[f];
+    }
+    for (std::size_t v = 0; v < means.size(); ++v) {
+      if (sharp_[v].count > 0 || creases_.sharp_vertices[v]) continue;
+      const double limit = all_flat[v] ? std::min(tip_deg, mesh_.crease_angle_deg) : tip_deg;
+      if (least[v] > limit * pi / 180) add_tip(v);
+    }
+  }
+
+  // Rounding decides the same for both sheets of a double cover.
+  void treat_twins_alike() {
+    for (std::size_t v = 0; v < creases_.sharp_vertices.size(); ++v) {
+      const int twin = sound_.twin_vertices[v];
+      if (twin > static_cast<int>(v)) creases_.sharp_vertices[twin] = creases_.sharp_vertices[v];
+    }
+  }
+
+  const PolygonMesh& mesh_;
+  const Faces& faces_;
+  const Ragged<int>& edges_;
+  const std::vector<std::uint8_t>& is_cut_;
+  const Shading& shading_;
+  const SoundMesh& sound_;
+  Creases& creases_;
+  Counts& report_;
+  std::vector<SharpEdges> sharp_;  // (n)
+};
+
+}  // namespace
+
+Creases find_creases(const PolygonMesh& mesh, const Faces& faces, const Ragged<int>& edges,
+                     const std::vector<std::uint8_t>& is_cut, std::vector<std::uint8_t> is_sharp,
+                     const Shading& shading, const SoundMesh& sound, Counts& report) {
+  Creases creases{std::move(is_sharp), {}};
+  CreaseFinder(mesh, faces, edges, is_cut, shading, sound, creases, report).run();
+  return creases;
+}
+
+}  // namespace illustrate

@@ -1,0 +1,32 @@
+// How the faces of a sound mesh are shaded: what its creases are found from.
+#pragma once
+
+#include "mesh/faces.h"
+#include "mesh/sanitize.h"
+
+namespace illustrate {
+
+struct Shading {
+  // (f) unit, zero where there is none: of slivers that of the face that they lie along. A sliver
+  // is so thin that the rounding of its coordinates turns its plane: its own normal says nothing.
+  Points face_normals;
+  Points corner_normals;                  // (c) unit, as given in the input; else the face's
+  std::vector<std::uint8_t> is_flat;      // (f) 1: shaded with its own normal at all corners
+  std::vector<std::uint8_t> is_reversed;  // (f) 1: wound against the input
+};
+
+// Normals within this angle of their face's own are shaded flat: far above the rounding of what
+// files hold (8 bits a component: .5 degrees), far below what anyone shades smooth on purpose.
+constexpr double flat_shading_deg = 1;
+
+// Corner normals that differ by more make a crease: the angles that files hold are nearly all below
+// .05 degrees, where the edge is smooth, or above 5.
+constexpr double crease_normals_deg = 5;
+
+// faces: those of `sound`, whose positions, source_vertices, twins and kept stand. numbers:
+// weld_open_edges'. edges: half_edges_by_edge's. Normals of reversed faces are turned with them.
+// Of a face and its twin the normals are opposite, to the bit.
+Shading read_shading(const PolygonMesh& mesh, const Faces& faces, const Ragged<int>& edges,
+                     const std::vector<int>& numbers, const SoundMesh& sound);
+
+}  // namespace illustrate
