@@ -5,8 +5,8 @@
 #include "core/parallel.h"
 #include "core/ragged.h"
 #include "core/tolerances.h"
+#include "mesh/polygons.h"
 #include "surface/mean_value.h"
-#include "surface/polygons.h"
 #include "surface/shading.h"
 #include "surface/untangle.h"
 
