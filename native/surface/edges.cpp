@@ -127,14 +127,21 @@ class FlatAreas {
 
   // On a mesh that is no cage triangles beside an area that lie in its plane belong to it, whatever
   // their normals: needles, whose normals are rounding, and what the scheme folds within the plane.
-  // Vertices of the area alone get its normal.
+  // Of two areas in one plane the larger takes in the other. Vertices of one area alone get its
+  // normal.
   void take_in_slivers() {
-    std::vector<int> found;
-    for (int t = 0; t < static_cast<int>(areas_.size()); ++t) {
-      if (areas_[idx(t)] < 0 || is_cage(t)) continue;
-      found.assign(1, t);
-      for (std::size_t i = 0; i < found.size(); ++i) take_in_neighbours(found[i], found);
+    sizes_.assign(areas_.size(), 0);
+    for (const int a : areas_) {
+      if (a >= 0) ++sizes_[idx(a)];
     }
+    std::vector<int> members;  // triangles of areas, those of larger ones first
+    for (int t = 0; t < static_cast<int>(areas_.size()); ++t) {
+      if (areas_[idx(t)] >= 0 && !is_cage(t)) members.push_back(t);
+    }
+    const auto size = [&](int t) { return sizes_[idx(areas_[idx(t)])]; };
+    std::stable_sort(members.begin(), members.end(),
+                     [&](int a, int b) { return size(a) > size(b); });
+    for (std::size_t i = 0; i < members.size(); ++i) take_in_neighbours(members[i], members);
     flatten_normals();
   }
 
@@ -146,10 +153,15 @@ class FlatAreas {
     const int seed = areas_[idx(t)];
     for (int k = 0; k < 3; ++k) {
       const int n = surface_.neighbours[idx(t)][idx(k)];
-      if (n == none || areas_[idx(n)] >= 0 || is_divided(t, k) || !lies_in_plane(n, seed)) continue;
+      if (n == none || is_divided(t, k) || !is_smaller(areas_[idx(n)], seed)) continue;
+      if (!lies_in_plane(n, seed)) continue;
       areas_[idx(n)] = seed;
       found.push_back(n);
     }
+  }
+
+  bool is_smaller(int area, int than) const {
+    return area < 0 || sizes_[idx(area)] < sizes_[idx(than)];
   }
 
   bool lies_in_plane(int t, int seed) const {
@@ -206,7 +218,8 @@ class FlatAreas {
   int threads_;
   std::vector<int> areas_;  // first triangle of the area; negative outside
   std::vector<Member> area_;
-  bool covered_ = false;  // some sheets of a double cover meet
+  std::vector<int> sizes_;  // of areas as they were grown, by their first triangles
+  bool covered_ = false;    // some sheets of a double cover meet
 };
 
 }  // namespace
