@@ -184,7 +184,10 @@ class FlatAreas {
     }
     for (std::size_t v = 0; v < vertex_areas.size(); ++v) {
       if (vertex_areas[v] < 0 || is_cage(vertex_areas[v])) continue;
-      surface_.normals[v] = area_normal(vertex_areas[v]);
+      const Vec3 normal = area_normal(vertex_areas[v]);
+      const Vec3 w1 = tangent_towards(surface_.curvature[v].w1, normal);
+      surface_.normals[v] = normal;
+      surface_.curvature[v] = {0, 0, w1, normal.cross(w1)};
     }
   }
 

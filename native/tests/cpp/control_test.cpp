@@ -261,6 +261,51 @@ TEST(Control, CopiesAlongASeamShareTheirPlaces) {
   EXPECT_EQ(copies.size(), 3U);
 }
 
+// A box in single precision, turned, whose top is cut into needles: its top is one flat area.
+TEST(Control, AFaceOfNeedlesIsFlat) {
+  PolygonMesh mesh = shapes::polygon_mesh({{0, 0, 0},
+                                           {1.5, 0, 0},
+                                           {0, 1, 0},
+                                           {1.5, 1, 0},
+                                           {0, 0, .5},
+                                           {1.5, 0, .5},
+                                           {0, 1, .5},
+                                           {1.5, 1, .5},
+                                           {.3, .5, .5},
+                                           {.300001, .5, .5},
+                                           {.6, .5, .5},
+                                           {.60001, .5, .5}},
+                                          {{0, 2, 3, 1},
+                                           {0, 1, 5, 4},
+                                           {2, 6, 7, 3},
+                                           {0, 4, 6, 2},
+                                           {1, 3, 7, 5},
+                                           {4, 5, 11},
+                                           {4, 9, 8},
+                                           {4, 10, 9},
+                                           {4, 11, 10},
+                                           {6, 8, 9},
+                                           {6, 9, 10},
+                                           {6, 10, 11},
+                                           {6, 11, 7},
+                                           {4, 8, 6},
+                                           {5, 7, 11}});
+  mesh.crease_angle_deg = 30;
+  mesh.cage = false;
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).matrix();
+  for (Vec3& p : mesh.positions) p = (turn * p + Vec3(3, -2, 1)).cast<float>().cast<double>();
+  Counts report;
+  const Surface surface = refine({sanitize(mesh, report)}, {}, report);
+  EXPECT_EQ(report["angle_creases"], 12);
+  for (const EdgeKind kind : surface.feature_kinds) EXPECT_EQ(kind, EdgeKind::crease);
+  const Vec3 up = turn.col(2);
+  for (std::size_t v = 0; v < surface.normals.size(); ++v) {
+    if (std::abs(surface.normals[v].dot(up)) > 0.5) {
+      EXPECT_LT(1 - std::abs(surface.normals[v].dot(up)), 1e-9);
+    }
+  }
+}
+
 // A mesh whose squares overflow stays as it is.
 TEST(Control, ExtremeSizesStayCages) {
   for (const double scale : {1e-120, 1e120}) {
