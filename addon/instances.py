@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -38,19 +39,21 @@ class Shown:
         self.left_out.setdefault(kind, []).append(name)
 
 
+_Pending = tuple[tuple[str, dict[str, Any], Surface, Any], Any, MeshArrays | None]
+"""What `Placed` has first, the original object, and its mesh; None: its cage is to be read."""
+
+
 def read_shown(scene: Any, depsgraph: Any, is_wanted: Callable[[Any], bool]) -> Shown:
     """Every mesh and instance that a render shows, in the depsgraph's order.
 
     Curves, surfaces, texts and metaballs come as instances of meshes. is_wanted: asked of original
     objects; False leaves them out, and with them what they instance.
     """
-    shown, pending = Shown(), []
-    reader = _Reader(depsgraph)
-    choices: dict[Any, Any] = {}  # styles by owner
+    shown, reader = Shown(), _Reader(depsgraph)
+    chosen = cache(lambda owner: (style_of(owner, scene), surface_of(owner, scene)))
+    pending: list[_Pending] = []
     for instance, owner in _rendered(depsgraph):
-        if owner not in choices:
-            choices[owner] = (style_of(owner, scene), surface_of(owner, scene))
-        style, surface = choices[owner]
+        style, surface = chosen(owner)
         if style.get("ignore") or not is_wanted(owner):
             continue
         thing = instance.object
@@ -59,14 +62,20 @@ def read_shown(scene: Any, depsgraph: Any, is_wanted: Callable[[Any], bool]) -> 
         if thing.type == "MESH":
             place = (thing.name, style, surface, np.array(instance.matrix_world))
             pending.append((place, thing.original, reader.read(thing, surface)))
+    _place(pending, shown, scene)
+    return shown
+
+
+def _place(pending: list[_Pending], shown: Shown, scene: Any) -> None:
+    """Adds meshes at their places; those that are still to be read are cages."""
+    named = {name for listed in shown.left_out.values() for name in listed}
     cages = read_cages([original for _, original, mesh in pending if mesh is None], scene)
     for place, original, mesh in pending:
         geometry = mesh or cages[original]
         if len(geometry.face_sizes):
             shown.placed.append(Placed(*place, geometry))
-        else:
+        elif place[0] not in named:
             shown.leave_out(WITHOUT_FACES, place[0])
-    return shown
 
 
 # --- What is there ------------------------------------------------------------------------------

@@ -41,10 +41,17 @@ class Splitter {
   int twin_face(int face) const {
     return parent_.twin_faces.empty() ? none : parent_.twin_faces[idx(face)];
   }
-  // The same half-edge on the other sheet.
+  // The corner of the face's twin at the twin of a vertex.
+  int corner_on_twin(int face, int vertex) const {
+    const int twin = twin_face(face), other = parent_.twin_vertices[idx(vertex)];
+    int c = faces_.offsets[idx(twin)];
+    while (c + 1 < faces_.offsets[idx(twin) + 1] && faces_.corners[idx(c)] != other) ++c;
+    return c;
+  }
+  // The same half-edge on the other sheet, where it runs the other way.
   int twin_half_edge(int h) const {
-    const int twin = twin_face(faces_.corner_faces[idx(h)]);
-    return twin == none ? none : faces_.reversed(h, faces_.offsets[idx(twin)]);
+    const int face = faces_.corner_faces[idx(h)];
+    return twin_face(face) == none ? none : corner_on_twin(face, faces_.head(h));
   }
 
   void set_twin_vertices() {
@@ -116,17 +123,20 @@ class Splitter {
     if (!quads_) add_face(f, {on_edge(first), on_edge(first + 1), on_edge(first + 2)});
   }
 
-  // The children of a twin stand in the opposite order of corners.
+  // Child k lies at corner k.
   void set_twin_faces() {
     if (parent_.twin_faces.empty()) return;
     for (int f = 0; f < faces_.size(); ++f) {
-      const int twin = twin_face(f), size = static_cast<int>(faces_[f].size());
-      for (int k = 0; k < size; ++k)
-        child_.twin_faces.push_back(twin == none ? none
-                                                 : first_children_[idx(twin)] + size - 1 - k);
+      const int twin = twin_face(f);
+      for (const int v : faces_[f]) child_.twin_faces.push_back(twin_child(f, twin, v));
       if (!quads_)
         child_.twin_faces.push_back(twin == none ? none : first_children_[idx(twin)] + 3);
     }
+  }
+
+  int twin_child(int face, int twin, int vertex) const {
+    if (twin == none) return none;
+    return first_children_[idx(twin)] + corner_on_twin(face, vertex) - faces_.offsets[idx(twin)];
   }
 
   void split_edges() {

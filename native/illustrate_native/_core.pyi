@@ -106,8 +106,8 @@ class PolygonMesh:
                 space of positions, of any length; zero or not finite: unknown, the face's own
                 stands in. Edges where those of both faces differ are creases.
             cage: True: the vertices are the control mesh of a subdivision surface. False: the
-                surface keeps to the mesh: its vertices lie on it, and corners of its boundaries
-                are those that turn, whatever `boundary` says.
+                surface keeps to the mesh as it is shaded: to its vertices within a pixel or so,
+                with corners where its boundaries turn, whatever `boundary` says.
 
         Raises:
             InvalidInput: wrong shapes, wrong types, indices out of range.

@@ -10,6 +10,10 @@
 namespace illustrate {
 namespace {
 
+// What lies this near a plane, as a share of the diagonal, lies in it: coordinates of single
+// precision or six digits are no better, and edges as short as drawings show bend farther.
+constexpr double near_plane = 1e-6;
+
 // Unit, or zero where a triangle has no usable normal.
 Vec3 triangle_normal(const Surface& surface, const Triangle& t) {
   const Vec3& a = surface.positions[idx(t[0])];
@@ -72,6 +76,7 @@ class FlatAreas {
       if (areas_[idx(t)] == candidate) any |= grow(t);
     }
     if (!any) return;
+    if (!covered_) take_in_slivers();
     for_each_triangle([&](int t) {
       for (int k = 0; k < 3; ++k) mark_if_outline(t, k);
     });
@@ -120,6 +125,77 @@ class FlatAreas {
     return false;
   }
 
+  // On a mesh that is no cage triangles beside an area that lie in its plane belong to it, whatever
+  // their normals: needles, whose normals are rounding, and what the scheme folds within the plane.
+  // Of two areas in one plane the larger takes in the other. Vertices of one area alone get its
+  // normal.
+  void take_in_slivers() {
+    sizes_.assign(areas_.size(), 0);
+    for (const int a : areas_) {
+      if (a >= 0) ++sizes_[idx(a)];
+    }
+    std::vector<int> members;  // triangles of areas, those of larger ones first
+    for (int t = 0; t < static_cast<int>(areas_.size()); ++t) {
+      if (areas_[idx(t)] >= 0 && !is_cage(t)) members.push_back(t);
+    }
+    const auto size = [&](int t) { return sizes_[idx(areas_[idx(t)])]; };
+    std::stable_sort(members.begin(), members.end(),
+                     [&](int a, int b) { return size(a) > size(b); });
+    for (std::size_t i = 0; i < members.size(); ++i) take_in_neighbours(members[i], members);
+    flatten_normals();
+  }
+
+  bool is_cage(int t) const {
+    return surface_.controls[idx(surface_.triangle_objects[idx(t)])]->mesh.cage;
+  }
+
+  void take_in_neighbours(int t, std::vector<int>& found) {
+    const int seed = areas_[idx(t)];
+    for (int k = 0; k < 3; ++k) {
+      const int n = surface_.neighbours[idx(t)][idx(k)];
+      if (n == none || is_divided(t, k) || !is_smaller(areas_[idx(n)], seed)) continue;
+      if (!lies_in_plane(n, seed)) continue;
+      areas_[idx(n)] = seed;
+      found.push_back(n);
+    }
+  }
+
+  bool is_smaller(int area, int than) const {
+    return area < 0 || sizes_[idx(area)] < sizes_[idx(than)];
+  }
+
+  bool lies_in_plane(int t, int seed) const {
+    const Vec3 normal = flat_normal(surface_, seed);
+    const Vec3& origin = surface_.positions[idx(surface_.triangles[idx(seed)][0])];
+    for (const int v : surface_.triangles[idx(t)]) {
+      const double off = normal.dot(surface_.positions[idx(v)] - origin);
+      if (!(std::abs(off) <= near_plane * surface_.diagonal)) return false;
+    }
+    return true;
+  }
+
+  void flatten_normals() {
+    std::vector<int> vertex_areas(surface_.positions.size(), candidate);  // none: of several
+    for (std::size_t t = 0; t < areas_.size(); ++t) {
+      for (const int v : surface_.triangles[t]) {
+        int& found = vertex_areas[idx(v)];
+        found = found == candidate || found == areas_[t] ? area(static_cast<int>(t)) : none;
+      }
+    }
+    for (std::size_t v = 0; v < vertex_areas.size(); ++v) {
+      if (vertex_areas[v] < 0 || is_cage(vertex_areas[v])) continue;
+      const Vec3 normal = area_normal(vertex_areas[v]);
+      const Vec3 w1 = tangent_towards(surface_.curvature[v].w1, normal);
+      surface_.normals[v] = normal;
+      surface_.curvature[v] = {0, 0, w1, normal.cross(w1)};
+    }
+  }
+
+  // That of its first triangle, which no other vertex of the area may change.
+  Vec3 area_normal(int seed) const {
+    return triangle_normal(surface_, surface_.triangles[idx(seed)]);
+  }
+
   int area(int t) const { return std::max(areas_[idx(t)], none); }
 
   bool is_divided(int t, int k) const {
@@ -145,7 +221,8 @@ class FlatAreas {
   int threads_;
   std::vector<int> areas_;  // first triangle of the area; negative outside
   std::vector<Member> area_;
-  bool covered_ = false;  // some sheets of a double cover meet
+  std::vector<int> sizes_;  // of areas as they were grown, by their first triangles
+  bool covered_ = false;    // some sheets of a double cover meet
 };
 
 }  // namespace

@@ -7,7 +7,9 @@ namespace illustrate {
 
 // Turns smooth edges round flat areas into EdgeKind::flat_outline. A flat area is grown from its
 // first triangle: connected triangles, three at least, whose normals agree with that one's within
-// tolerance::flat_rad. threads: 0 = all cores.
+// tolerance::flat_rad. On a mesh that is no cage it takes in what lies in its plane beside it,
+// slivers and folds within the plane; its inner vertices get its normal and no curvature.
+// surface.diagonal stands. threads: 0 = all cores.
 void mark_flat_outlines(Surface& surface, int threads);
 
 // Fills feature_edges and feature_kinds from edge_kinds.

@@ -149,9 +149,9 @@ Surface refine(std::vector<SoundMesh> meshes, const SurfaceOptions& options, Cou
         schemes[i] != Scheme::polygons && !surface.object_is_smooth.back() ? 1 : 0;
   }
   progress.report(.9);
+  surface.diagonal = diagonal(surface.positions);
   mark_flat_outlines(surface, options.threads);
   collect_feature_edges(surface);
-  surface.diagonal = diagonal(surface.positions);
   fit_jets(surface, needs_jet, {JetOptions().rings, options.threads}, progress.part(.95, 1),
            surface.curvature);
   report["triangles"] += static_cast<std::int64_t>(surface.triangles.size());

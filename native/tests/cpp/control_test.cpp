@@ -32,6 +32,21 @@ SoundMesh sound(PolygonMesh mesh, bool cage = false) {
   return result;
 }
 
+// A Möbius strip of pentagons, which Loop's scheme cuts into triangles on both sheets.
+PolygonMesh covered_pentagons() {
+  const PolygonMesh strip = shapes::moebius_mesh(9, 1);
+  PolygonMesh mesh;
+  mesh.positions = strip.positions;
+  for (std::size_t f = 0; f < strip.face_sizes.size(); ++f) {
+    const int* c = strip.corner_vertices.data() + 4 * f;
+    mesh.positions.push_back((strip.positions[c[0]] + strip.positions[c[1]]) / 2);
+    const int middle = static_cast<int>(mesh.positions.size()) - 1;
+    shapes::add_face(mesh, {c[0], middle, c[1], c[2], c[3]});
+  }
+  mesh.scheme = Scheme::loop;
+  return mesh;
+}
+
 // Open, creased, semi-sharp, of all sizes of faces.
 std::vector<PolygonMesh> varied_meshes() {
   const auto bump = [](double x, double y) { return std::cos(2 * x) * std::sin(1 + y); };
@@ -46,7 +61,8 @@ std::vector<PolygonMesh> varied_meshes() {
           shapes::uv_sphere_mesh(1, 7, 4),
           shapes::icosahedron(),
           shapes::moebius_mesh(12, 2),
-          shapes::klein_mesh(8, 6)};
+          shapes::klein_mesh(8, 6),
+          covered_pentagons()};
 }
 
 double farthest_nearest(const Points& from, const Points& to) {
@@ -213,9 +229,10 @@ TEST(Control, WeightsMayComeFromARestPose) {
 }
 
 TEST(Control, SheetsOfADoubleCoverStayTogether) {
-  for (const PolygonMesh& mesh : {shapes::moebius_mesh(12, 2), shapes::klein_mesh(8, 6)}) {
+  for (const PolygonMesh& mesh :
+       {shapes::moebius_mesh(12, 2), shapes::klein_mesh(8, 6), covered_pentagons()}) {
     const SoundMesh parent = sound(mesh);
-    const auto kept = keep_to_mesh(parent, Scheme::catmull_clark);
+    const auto kept = keep_to_mesh(parent, choose_scheme(parent, Scheme::automatic));
     ASSERT_TRUE(kept);
     check_sound(*kept);
     for (std::size_t v = 0; v < kept->positions.size(); ++v)
@@ -259,6 +276,51 @@ TEST(Control, CopiesAlongASeamShareTheirPlaces) {
   for (const Edge& seam : child.seams)
     for (const int v : seam) ++copies[child.source_vertices[v]];
   EXPECT_EQ(copies.size(), 3U);
+}
+
+// A box in single precision, turned, whose top is cut into needles: its top is one flat area.
+TEST(Control, AFaceOfNeedlesIsFlat) {
+  PolygonMesh mesh = shapes::polygon_mesh({{0, 0, 0},
+                                           {1.5, 0, 0},
+                                           {0, 1, 0},
+                                           {1.5, 1, 0},
+                                           {0, 0, .5},
+                                           {1.5, 0, .5},
+                                           {0, 1, .5},
+                                           {1.5, 1, .5},
+                                           {.3, .5, .5},
+                                           {.300001, .5, .5},
+                                           {.6, .5, .5},
+                                           {.60001, .5, .5}},
+                                          {{0, 2, 3, 1},
+                                           {0, 1, 5, 4},
+                                           {2, 6, 7, 3},
+                                           {0, 4, 6, 2},
+                                           {1, 3, 7, 5},
+                                           {4, 5, 11},
+                                           {4, 9, 8},
+                                           {4, 10, 9},
+                                           {4, 11, 10},
+                                           {6, 8, 9},
+                                           {6, 9, 10},
+                                           {6, 10, 11},
+                                           {6, 11, 7},
+                                           {4, 8, 6},
+                                           {5, 7, 11}});
+  mesh.crease_angle_deg = 30;
+  mesh.cage = false;
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).matrix();
+  for (Vec3& p : mesh.positions) p = (turn * p + Vec3(3, -2, 1)).cast<float>().cast<double>();
+  Counts report;
+  const Surface surface = refine({sanitize(mesh, report)}, {}, report);
+  EXPECT_EQ(report["angle_creases"], 12);
+  for (const EdgeKind kind : surface.feature_kinds) EXPECT_EQ(kind, EdgeKind::crease);
+  const Vec3 up = turn.col(2);
+  for (std::size_t v = 0; v < surface.normals.size(); ++v) {
+    if (std::abs(surface.normals[v].dot(up)) > 0.5) {
+      EXPECT_LT(1 - std::abs(surface.normals[v].dot(up)), 1e-9);
+    }
+  }
 }
 
 // A mesh whose squares overflow stays as it is.
