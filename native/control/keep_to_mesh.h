@@ -7,7 +7,8 @@
 // 1. The mesh is split once (control/split_once.h). The vertices stay, the new points lie on arcs
 //    through them (control/bent_points.h).
 // 2. The limit of that is still inside. So each point takes one step by how far its limit is off,
-//    along the normal, or across the crease, at most a fifth of its shortest edge.
+//    along the normal, no farther than its smooth neighbours on average, so that noise is not
+//    sharpened; or across the crease. No step is more than a fifth of the point's shortest edge.
 // 3. Where the cage's limit is at its vertices anyway all that would only sharpen noise: by a
 //    weight of each patch between creases the points fade to those of the cage's own first level,
 //    whose limit is the cage's. The weight is smoothstep(.75, 2.25) of the median distance from a
