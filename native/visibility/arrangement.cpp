@@ -138,6 +138,14 @@ Arrangement arrange(const CurveNetwork& network, const Camera& camera) {
   return result;
 }
 
+std::vector<int> paths_of_strands(const Arrangement& arrangement) {
+  std::vector<int> paths(arrangement.visits.size(), none);
+  for (std::size_t p = 0; p < arrangement.paths.size(); ++p) {
+    for (const int strand : arrangement.paths[p].strands) paths[idx(strand)] = static_cast<int>(p);
+  }
+  return paths;
+}
+
 int back_change(const Arrangement& arrangement, const Crossing& crossing) {
   const Strand& front = arrangement.network->strands[idx(crossing.front.strand)];
   const int to_left = front.left_layers - front.right_layers;

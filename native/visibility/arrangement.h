@@ -23,7 +23,7 @@ struct Path {
   std::vector<int>
       jumps;  // change of invisibility on entering strands[i]; [0] only counts when cyclic
   bool cyclic = false;              // also a single closed strand
-  std::vector<std::uint8_t> freed;  // 1: the cusp at the start of strands[i] was demoted to a joint
+  std::vector<std::uint8_t> freed;  // 1: the cusp at the start of strands[i] has become a joint
 };
 
 struct Arrangement {
@@ -54,6 +54,9 @@ struct Arrangement {
 
 // `network` must outlive the result.
 Arrangement arrange(const CurveNetwork& network, const Camera& camera);
+
+// (strands) the path that each belongs to.
+std::vector<int> paths_of_strands(const Arrangement& arrangement);
 
 // Change of invisibility of the back strand at a crossing, in its direction.
 int back_change(const Arrangement& arrangement, const Crossing& crossing);

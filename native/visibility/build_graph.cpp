@@ -51,34 +51,12 @@ class GraphBuilder {
   }
 
   void add_path(const LabelledPath& path) {
-    for (std::size_t i = 0; i < path.labels.arcs.size(); ++i) {
-      const PathArc& arc = path.labels.arcs[i];
-      StrandPlace from = begin_place(arc);
-      start(arc, path.at_start[i]);
-      if (path.at_start[i] != path.along[i])
-        from = jump(arc, from, arc.samples.front(), path.along[i]);
-      if (path.along[i] != path.at_end[i])
-        from = jump(arc, from, arc.samples.back(), path.at_end[i]);
-      push_points(arc, from, end_place(arc));
+    for (std::size_t i = 0; i < path.arcs.size(); ++i) {
+      const PathArc& arc = path.arcs[i];
+      start(arc, path.layers[i]);
+      push_points(arc, begin_place(arc), end_place(arc));
       finish(arc);
     }
-  }
-
-  // Ends the current arc at a joint where the label jumps against all rules, the last resort, and
-  // goes on behind it.
-  StrandPlace jump(const PathArc& arc, const StrandPlace& from, StrandPlace place, int layers) {
-    const int node = static_cast<int>(graph_.nodes.size());
-    graph_.nodes.push_back(
-        {NodeKind::joint, arrangement_.image_at(place), {none, none, none, none}});
-    if (wraps(arc) && place.segment < begin_place(arc).segment) {
-      place.segment += arrangement_.point_count(arc.strand);
-    }
-    push_points(arc, from, place);
-    current().end_node = node;
-    close();
-    open(arc, layers);
-    current().start_node = node;
-    return place;
   }
 
   bool closed(const PathArc& arc) const { return network_.strands[idx(arc.strand)].closed(); }
@@ -125,10 +103,6 @@ class GraphBuilder {
       current().end_node = network_.strands[idx(arc.strand)].end_node;
       ends_[idx(arc.strand)][1] = current_index();
     }
-    close();
-  }
-
-  void close() {
     graph_.points.close_list();
     graph_.image.close_list();
   }

@@ -1,44 +1,31 @@
-// What rays say of the arcs of a path.
+// What rays say of the arcs of a view.
 #pragma once
 
-#include <algorithm>
-#include <map>
-
 #include "visibility/layer_rays.h"
-#include "visibility/potential.h"
+#include "visibility/path_arcs.h"
 
 namespace illustrate {
 
-constexpr double missed_share = 0.75;
-constexpr double outline_weight = 1e9;  // the outside of the drawing is certain: px of length
-
 // What rays say of an arc: so many layers, or up to `unsure` more, worth so many pixels of line.
+// Weight 0: nothing.
 struct Evidence {
-  int layers;
-  int unsure;
-  double weight;
+  int layers = 0;
+  int unsure = 0;
+  double weight = 0;
   bool beside_nothing = false;
-
-  // Pixels of wrong label where the arc has `label` layers. A ray that starts beside the curve
-  // rather misses a layer than that it meets one too many.
-  double against(int label) const {
-    const int missed = std::max(label - layers - unsure, 0);
-    const double share = beside_nothing ? 1 : missed_share;
-    return weight * (std::max(layers - label, 0) + share * missed);
-  }
 };
 
-// What was asked before, by strand and the crossings that bound the arc (none at the strand's
-// ends).
-using KnownEvidence = std::map<std::array<int, 3>, Evidence>;
+// A ray that starts beside the curve rather misses a layer than that it meets one too many: what a
+// label with more layers contradicts of its weight.
+double missed_share(const Evidence& evidence);
 
-// One for each arc: those at the outside of the drawing have 0 layers for certain, the others have
-// weight 0.
-std::vector<Evidence> outline_evidence(const Arrangement& arrangement,
-                                       const std::vector<PathArc>& arcs);
-
-// Adds what rays say of the longest of the other arcs.
-void ask_rays(const Arrangement& arrangement, const std::vector<PathArc>& arcs, LayerRays& rays,
-              KnownEvidence& known, std::vector<Evidence>& evidence);
+// (paths)(arcs) Arcs at the outside of the drawing have 0 layers for certain; of each path the
+// longest of the others are asked, whatever the size of the view: labels follow from them by the
+// rules, and a path that nobody asks would be taken for visible.
+// threads: 0 = all cores; the same for any number. Throws Cancelled through `progress`.
+std::vector<std::vector<Evidence>> gather_evidence(const Arrangement& arrangement,
+                                                   const std::vector<std::vector<PathArc>>& arcs,
+                                                   LayerRays& rays, int threads,
+                                                   const Progress& progress);
 
 }  // namespace illustrate

@@ -6,9 +6,10 @@
 // symbolic perturbation by index, so that two closed curves always cross an even number of times.
 // Quantitative invisibility is then a potential along each path of strands: it changes only where
 // the path passes behind another curve and at cusps. Rays beside the arcs say how many layers there
-// are; the labels are the cheapest ones that obey the rules, where a break of the rules has a
-// price. Crossings that only the interpolation has made are repaired first (repairs.h), so that no
-// crossing of the result contradicts its labels.
+// are. The labels of all arcs are the solution of one convex problem (view_labels.h), in which a
+// broken rule has a price; where one gives way its crossing or cusp becomes a joint, so that no
+// crossing of the result contradicts its labels. Crossings that only the interpolation has made are
+// repaired first (repairs.h).
 #pragma once
 
 #include "contour/curve_network.h"
@@ -21,7 +22,7 @@
 namespace illustrate {
 
 // Adds "crossings", "rays", "loops", "unbalanced_loops", "repairs" to `counts`, the repairs by kind
-// too: "repaired_twists", "repaired_swallowtails", "repaired_crossings", "repaired_breaks"; and
+// too: "repaired_twists", "repaired_swallowtails", "repaired_labels"; and
 // "dropped_touches" apart: crossings next to joints that are no crossings (repairs.h).
 LabelledGraph label_network(const CurveNetwork& network, const Surface& surface, const Bvh& bvh,
                             const Camera& camera, Counts& counts, const Progress& progress = {});

@@ -6,7 +6,7 @@
 
 #include "core/segments.h"
 #include "visibility/joint_touches.h"
-#include "visibility/potential.h"
+#include "visibility/path_arcs.h"
 
 namespace illustrate {
 namespace {
@@ -95,19 +95,14 @@ class Repairer {
     return dropped;
   }
 
-  // All contradictory lenses, or those of the given crossings.
-  int lenses(const std::vector<int>* wanted) {
+  // Those whose crossings contradict each other.
+  int lenses() {
     start();
     int dropped = 0;
-    for (std::size_t k = 0; k < (wanted ? wanted->size() : arrangement_.crossings.size()); ++k) {
-      const int c = wanted ? (*wanted)[k] : static_cast<int>(k);
+    for (int c = 0; c < static_cast<int>(arrangement_.crossings.size()); ++c) {
       if (!arrangement_.is_live(c)) continue;
-      const int partner = lens_partner(c, wanted == nullptr);
-      if (partner != none && !unbalances(c, partner)) {
-        dropped += drop(c) + drop(partner);
-      } else if (wanted && balances(c) && joint_behind(c) != none) {
-        dropped += drop(c);
-      }
+      const int partner = lens_partner(c);
+      if (partner != none && !unbalances(c, partner)) dropped += drop(c) + drop(partner);
     }
     arrangement_.forget_visits();
     return dropped;
@@ -239,8 +234,8 @@ class Repairer {
     return true;
   }
 
-  // The crossing that forms a thin lens with c, none if there is none.
-  int lens_partner(int c, bool only_contradictory) {
+  // The crossing that forms a thin lens with c, front and back exchanged; none if there is none.
+  int lens_partner(int c) {
     for (const std::size_t role : {0U, 1U}) {
       const Stop here = stops_[2 * idx(c) + role];
       const Stop there = next(here);
@@ -248,7 +243,7 @@ class Repairer {
       const int partner = visit(there).crossing;
       if (partner == c || !arrangement_.is_live(partner)) continue;
       const bool same_role = visit(there).front == (role == 0);
-      if (only_contradictory && same_role) continue;
+      if (same_role) continue;
       const Stop other_here = stops_[2 * idx(c) + 1 - role];
       const Stop other_there = stops_[2 * idx(partner) + (visit(there).front ? 1 : 0)];
       if (is_thin(here, there, other_here, other_there)) return partner;
@@ -360,7 +355,7 @@ int drop_twists_and_lenses(Arrangement& arrangement, double& moved_px) {
   Repairer repairer(arrangement, moved_px);
   int total = 0;
   for (int round = 0; round < 4; ++round) {
-    const int dropped = repairer.twists() + repairer.lenses(nullptr);
+    const int dropped = repairer.twists() + repairer.lenses();
     total += dropped;
     if (dropped == 0) break;
   }
@@ -375,10 +370,6 @@ int drop_touches(Arrangement& arrangement, double& moved_px) {
     total += dropped;
   }
   return total + drop_touches_past_nodes(arrangement, is_paid, moved_px);
-}
-
-int drop_lenses(Arrangement& arrangement, const std::vector<int>& crossings, double& moved_px) {
-  return Repairer(arrangement, moved_px).lenses(&crossings);
 }
 
 }  // namespace illustrate

@@ -22,10 +22,6 @@ int drop_twists_and_lenses(Arrangement& arrangement, double& moved_px);
 // end_px from its end. Returns their number.
 int drop_touches(Arrangement& arrangement, double& moved_px);
 
-// Drops the lens that each of these crossings belongs to, where it belongs to one: with another
-// crossing, or with the joint that both strands run into. Returns the number of crossings dropped.
-int drop_lenses(Arrangement& arrangement, const std::vector<int>& crossings, double& moved_px);
-
 // Joins pairs of cusps that turn the same way with no more than a pixel of strand between them, on
 // cycles whose changes do not sum to zero: swallowtails whose crossing the interpolation has lost;
 // those that have it, within a pixel, stay. The smallest go first. Single cusps go where an open

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "visibility/potential.h"
+#include "visibility/path_arcs.h"
 #include "visibility/repairs.h"
 
 namespace illustrate {

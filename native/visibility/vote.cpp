@@ -114,10 +114,8 @@ class Voter {
       : arrangement_(arrangement), edges_(edges), rays_(rays) {}
 
   LabelledPath label(const Path& path) {
-    LabelledPath result;
-    result.labels = relative_labels(arrangement_, path);
-    for (const PathArc& arc : result.labels.arcs) result.along.push_back(is_hidden(arc) ? 1 : 0);
-    result.at_start = result.at_end = result.along;
+    LabelledPath result{path_arcs(arrangement_, path), {}};
+    for (const PathArc& arc : result.arcs) result.layers.push_back(is_hidden(arc) ? 1 : 0);
     return result;
   }
 
@@ -125,7 +123,7 @@ class Voter {
   bool is_hidden(const PathArc& arc) {
     const Strand& strand = arrangement_.network->strands[idx(arc.strand)];
     const int votes = strand.kind == Kind::silhouette ? majority(arc) : 0;
-    return votes != 0 ? votes < 0 : rays_.count(arrangement_, arc.samples[2]).layers > 0;
+    return votes != 0 ? votes < 0 : rays_.count(arrangement_, arc.samples[1]).layers > 0;
   }
 
   // Visible edges near the arc less hidden ones, each once.

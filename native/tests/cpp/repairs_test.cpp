@@ -5,8 +5,7 @@
 #include <algorithm>
 
 #include "cameras.h"
-#include "visibility/least_contradiction.h"
-#include "visibility/potential.h"
+#include "visibility/path_arcs.h"
 
 namespace illustrate {
 namespace {
@@ -84,18 +83,8 @@ TEST(Twists, ThatBalanceAPathAreKept) {
   ASSERT_EQ(imbalance(arrangement, arrangement.paths[0]), 0);
   double moved_px = 0;
   EXPECT_EQ(drop_twists_and_lenses(arrangement, moved_px), 0);
-  EXPECT_EQ(drop_lenses(arrangement, {0}, moved_px), 0);
   EXPECT_TRUE(arrangement.is_live(0));
   EXPECT_EQ(moved_px, 0);
-}
-
-TEST(Imbalance, IsTheResidualOfTheLabels) {
-  for (const int jump : {-1, 0, 1}) {
-    const CurveNetwork network = curled_square(jump, 1);
-    const Arrangement arrangement = arrange(network, one_px);
-    const Path& path = arrangement.paths[0];
-    EXPECT_EQ(imbalance(arrangement, path), relative_labels(arrangement, path).residual);
-  }
 }
 
 // The edge of a square hole with two swallowtails: the one above, of 0.4 px, crosses itself next to
@@ -356,35 +345,6 @@ TEST(Lenses, ThatContradictThemselvesAreDroppedUnlessTheyBalanceAPath) {
   arrangement = arrange(balanced, one_px);
   ASSERT_EQ(imbalance_of_closed(arrangement), 0);
   EXPECT_EQ(drop_twists_and_lenses(arrangement, moved_px), 0);
-}
-
-TEST(Demoted, CrossingsKeepTheirChange) {
-  const CurveNetwork network = curled_square(0, 0);
-  Arrangement arrangement = arrange(network, one_px);
-  const int change = relative_labels(arrangement, arrangement.paths[0]).residual;
-  ASSERT_EQ(std::abs(change), 2);
-  arrangement.states[0] = CrossingState::demoted;
-  arrangement.forget_visits();
-  const PathLabels labels = relative_labels(arrangement, arrangement.paths[0]);
-  EXPECT_EQ(labels.residual, change);
-  EXPECT_EQ(std::count_if(labels.arcs.begin(), labels.arcs.end(),
-                          [](const PathArc& arc) { return arc.starts_free; }),
-            1);
-}
-
-// The labels of three arcs, the rule's change between the first two, which rays may overrule, 2.
-std::vector<int> labels_past_a_demoted_crossing(const std::vector<Evidence>& evidence) {
-  LabelledPath path;
-  for (const int offset : {0, 2, 2})
-    path.labels.arcs.push_back({0, none, none, offset, path.labels.arcs.size() == 1, 0, {}});
-  label_with_breaks(path, evidence, false, 10);
-  return path.along;
-}
-
-TEST(Demoted, CrossingsYieldToRaysAtAPrice) {
-  const std::vector<int> by_rule{0, 2, 2}, by_rays{0, 1, 1};
-  EXPECT_EQ(labels_past_a_demoted_crossing({{0, 0, 100}, {1, 0, 4}, {2, 0, .5}}), by_rule);
-  EXPECT_EQ(labels_past_a_demoted_crossing({{0, 0, 100}, {1, 0, 5}, {1, 0, 2}}), by_rays);
 }
 
 }  // namespace

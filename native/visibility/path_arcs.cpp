@@ -1,44 +1,30 @@
-#include "visibility/potential.h"
+#include "visibility/path_arcs.h"
 
 #include <algorithm>
 
 namespace illustrate {
 namespace {
 
-constexpr double tip_px = 0.5;  // how near to an arc's ends its first and last samples are
-
 class PathWalker {
  public:
   PathWalker(const Arrangement& arrangement, const Path& path)
       : arrangement_(arrangement), path_(path) {}
 
-  PathLabels run() {
-    for (std::size_t i = 0; i < path_.strands.size(); ++i) {
-      if (i > 0) offset_ += path_.jumps[i];
-      walk(path_.strands[i], path_.freed[i] != 0);
-    }
-    if (path_.cyclic) labels_.residual = offset_ + path_.jumps[0];
-    return std::move(labels_);
+  std::vector<PathArc> run() {
+    for (std::size_t i = 0; i < path_.strands.size(); ++i) walk(static_cast<int>(i));
+    return std::move(arcs_);
   }
 
  private:
-  void walk(int strand, bool freed) {
-    const std::vector<Visit>& visits = arrangement_.visits[idx(strand)];
-    const int count = static_cast<int>(visits.size());
+  void walk(int step) {
+    const int strand = path_.strands[idx(step)];
+    const int count = static_cast<int>(arrangement_.visits[idx(strand)].size());
     const bool closed = arrangement_.network->strands[idx(strand)].closed();
-    if (!closed || count == 0) add_arc(strand, none, count == 0 ? none : 0, freed);
+    if (!closed || count == 0) add_arc(step, none, count == 0 ? none : 0);
     for (int v = 0; v < count; ++v) {
-      const Visit& visit = visits[idx(v)];
-      if (!visit.front) {
-        offset_ += back_change(arrangement_, arrangement_.crossings[idx(visit.crossing)]);
-      }
-      const bool last = v + 1 == count;
-      add_arc(strand, v, last ? (closed ? 0 : none) : v + 1, is_demoted(strand, v));
+      const bool is_last = v + 1 == count;
+      add_arc(step, v, is_last ? (closed ? 0 : none) : v + 1);
     }
-  }
-
-  bool is_demoted(int strand, int visit) const {
-    return !arrangement_.is_live(arrangement_.visits[idx(strand)][idx(visit)].crossing);
   }
 
   StrandPlace place(int strand, int visit, int point) const {
@@ -46,42 +32,42 @@ class PathWalker {
     return {strand, point, 0};
   }
 
-  void add_arc(int strand, int begin, int end, bool starts_free) {
+  void add_arc(int step, int begin, int end) {
+    const int strand = path_.strands[idx(step)];
     const int count = arrangement_.point_count(strand);
     const bool closed = arrangement_.network->strands[idx(strand)].closed();
     const StrandPlace from = place(strand, begin, 0);
     StrandPlace to = place(strand, end, closed ? count : count - 1);
     const bool wraps = closed && begin != none && end != none && end <= begin;
     if (wraps) to.segment += count;
-    measure({strand, begin, end, offset_, starts_free, 0, {}}, from, to);
+    measure({strand, begin, end, step, 0, {}}, from, to);
   }
 
   // Image length and the sample places.
   void measure(PathArc arc, const StrandPlace& from, const StrandPlace& to) {
-    std::vector<StrandPlace>& places = places_;
-    places.assign(1, from);
-    for (int i = from.segment + 1; i <= to.segment; ++i) places.push_back({arc.strand, i, 0});
-    places.push_back(to);
-    std::vector<double>& reach = reach_;
-    reach.assign(1, 0);
+    places_.assign(1, from);
+    for (int i = from.segment + 1; i <= to.segment; ++i) places_.push_back({arc.strand, i, 0});
+    places_.push_back(to);
+    reach_.assign(1, 0);
     Vec2 last = image_of(from);
-    for (std::size_t i = 1; i < places.size(); ++i) {
-      const Vec2 next = image_of(places[i]);
-      reach.push_back(reach.back() + (next - last).norm());
+    for (std::size_t i = 1; i < places_.size(); ++i) {
+      const Vec2 next = image_of(places_[i]);
+      reach_.push_back(reach_.back() + (next - last).norm());
       last = next;
     }
-    arc.length_px = reach.back();
-    const double tip = std::min(0.25, tip_px / std::max(reach.back(), tip_px));
-    const std::array<double, 5> shares{tip, 0.25, 0.5, 0.75, 1 - tip};
-    for (std::size_t k = 0; k < shares.size(); ++k) {
-      const double wanted = reach.back() * shares[k];
-      std::size_t i = 1;
-      while (i + 1 < reach.size() && reach[i] < wanted) ++i;
-      const double step = reach[i] - reach[i - 1];
-      arc.samples[k] =
-          between(places[i - 1], places[i], step > 0 ? (wanted - reach[i - 1]) / step : 0.5);
+    arc.length_px = reach_.back();
+    for (std::size_t k = 0; k < arc.samples.size(); ++k) {
+      arc.samples[k] = at_share(static_cast<double>(k + 1) / 4);
     }
-    labels_.arcs.push_back(arc);
+    arcs_.push_back(arc);
+  }
+
+  StrandPlace at_share(double share) const {
+    const double wanted = reach_.back() * share;
+    std::size_t i = 1;
+    while (i + 1 < reach_.size() && reach_[i] < wanted) ++i;
+    const double step = reach_[i] - reach_[i - 1];
+    return between(places_[i - 1], places_[i], step > 0 ? (wanted - reach_[i - 1]) / step : 0.5);
   }
 
   Vec2 image_of(const StrandPlace& p) const {
@@ -99,8 +85,7 @@ class PathWalker {
 
   const Arrangement& arrangement_;
   const Path& path_;
-  PathLabels labels_;
-  int offset_ = 0;
+  std::vector<PathArc> arcs_;
   std::vector<StrandPlace> places_;  // of one arc
   std::vector<double> reach_;
 };
@@ -119,7 +104,7 @@ int imbalance(const Arrangement& arrangement, const Path& path) {
   return sum;
 }
 
-PathLabels relative_labels(const Arrangement& arrangement, const Path& path) {
+std::vector<PathArc> path_arcs(const Arrangement& arrangement, const Path& path) {
   return PathWalker(arrangement, path).run();
 }
 
