@@ -146,7 +146,7 @@ class FlatAreas {
   }
 
   bool is_cage(int t) const {
-    return surface_.controls[idx(surface_.triangle_objects[idx(t)])]->mesh.cage;
+    return surface_.controls[idx(surface_.triangle_objects[idx(t)])].mesh->mesh.cage;
   }
 
   void take_in_neighbours(int t, std::vector<int>& found) {
