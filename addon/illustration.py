@@ -5,11 +5,14 @@ thread.
 """
 
 import time
+from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
+
+import numpy as np
 
 from . import native, settings
 from .cache import CACHE, Cache, digest, split_widths
@@ -170,7 +173,7 @@ def compute_prepared(
     ill = native.load()
 
     def make(previous: Any) -> Any:
-        meshes = [ill.PolygonMesh(**vars(mesh)) for mesh in request.arrays.meshes]
+        meshes = native_meshes(ill, request.arrays)
         options = settings.prepare_options(
             request.prepare, request.arrays.guides, request.guide_weight
         )
@@ -182,6 +185,30 @@ def compute_prepared(
 
     with _explained(request):
         return cache.prepared(request.prepared_key, request.meshes_key, make)
+
+
+def native_meshes(ill: Any, arrays: SceneArrays) -> list[Any]:
+    """Meshes for `ill.prepare`: objects that have the same one are instances of it.
+
+    But mirrored objects: their front is on the other side.
+    """
+    if not arrays.copies:
+        return [ill.PolygonMesh(**vars(mesh)) for mesh in arrays.meshes]
+    keys = [digest(copy.mesh) for copy in arrays.copies]
+    counts, originals, meshes = Counter(keys), {}, []
+    for key, copy, mesh in zip(keys, arrays.copies, arrays.meshes, strict=True):
+        if counts[key] == 1 or not _can_share(copy.matrix):
+            meshes.append(ill.PolygonMesh(**vars(mesh)))
+            continue
+        if key not in originals:
+            originals[key] = ill.PolygonMesh(**vars(copy.mesh))
+        meshes.append(originals[key].instance(copy.matrix, mesh.name, mesh.edge_length))
+    return meshes
+
+
+def _can_share(matrix: Any) -> bool:
+    is_affine = np.isfinite(matrix).all() and (matrix[3] == (0, 0, 0, 1)).all()
+    return bool(is_affine and np.linalg.det(matrix[:3, :3]) > 0)
 
 
 def _draw(request: Request, prepared: Any, progress: Progress | None) -> Any:

@@ -55,11 +55,20 @@ class CameraArrays:
 
 
 @dataclass
+class Copy:
+    """What an object is a copy of, if others have the same mesh."""
+
+    mesh: MeshArrays  # in its own space, without a name
+    matrix: Any  # (4, 4)
+
+
+@dataclass
 class SceneArrays:
     """All that a drawing is made from."""
 
     camera: CameraArrays
     meshes: list[MeshArrays] = field(default_factory=list)
+    copies: list[Copy] = field(default_factory=list)  # of the meshes; empty: none is shared
     styles: list[dict[str, Any]] = field(default_factory=list)  # of the meshes; empty: the scene's
     lights: list[LightArrays] = field(default_factory=list)
     guides: GuideArrays = field(default_factory=GuideArrays)
@@ -95,6 +104,7 @@ def read_scene(
 
     shown = read_shown(scene, depsgraph, is_wanted)
     arrays.meshes = [_in_world(placed, arrays.camera) for placed in shown.placed]
+    arrays.copies = [_as_copy(placed) for placed in shown.placed]
     arrays.styles = [placed.style for placed in shown.placed]
     arrays.left_out = shown.left_out
     if not arrays.meshes:
@@ -200,13 +210,11 @@ def _finite(points: Any) -> Any:
 
 def _in_world(placed: Placed, camera: CameraArrays) -> MeshArrays:
     """A copy at its place, as its style has it, with the edge length its nearness asks for."""
-    geometry, surface, linear = placed.geometry, placed.surface, placed.matrix[:3, :3]
+    geometry, linear = placed.geometry, placed.matrix[:3, :3]
     arrays = replace(
-        geometry,
+        _as_styled(placed),
         name=placed.name,
         positions=geometry.positions @ linear.T + placed.matrix[:3, 3],
-        crease_angle_deg=180.0 if geometry.cage else surface.crease_angle_deg,
-        scheme=geometry.scheme or surface.scheme,
     )
     if geometry.corner_normals is not None:
         arrays.corner_normals = geometry.corner_normals @ _of_normals(linear).T
@@ -214,6 +222,19 @@ def _in_world(placed: Placed, camera: CameraArrays) -> MeshArrays:
     if len(sizes):
         arrays.edge_length = _halved(_median_edge(arrays), EDGE_LENGTH * float(sizes.min()))
     return arrays
+
+
+def _as_copy(placed: Placed) -> Copy:
+    return Copy(replace(_as_styled(placed), name=""), placed.matrix)
+
+
+def _as_styled(placed: Placed) -> MeshArrays:
+    geometry, surface = placed.geometry, placed.surface
+    return replace(
+        geometry,
+        crease_angle_deg=180.0 if geometry.cage else surface.crease_angle_deg,
+        scheme=geometry.scheme or surface.scheme,
+    )
 
 
 def _of_normals(linear: Any) -> Any:

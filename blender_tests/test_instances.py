@@ -6,7 +6,7 @@ from typing import Any, ClassVar
 import bpy
 import numpy as np
 import pytest
-from illustrate import illustration, instances
+from illustrate import illustration, instances, native
 
 import tools
 from tools import read
@@ -253,3 +253,57 @@ def test_what_is_drawn_is_what_a_render_gets(scene: Any) -> None:
     finally:
         bpy.utils.unregister_class(MeshesOfRender)
     assert names(scene) == dict(MeshesOfRender.seen)
+
+
+class Spy:
+    """The native module, which counts the meshes that are made of arrays."""
+
+    def __init__(self) -> None:
+        self.native = native.load()
+        self.made = 0
+
+    def PolygonMesh(self, **arrays: Any) -> Any:  # noqa: N802
+        self.made += 1
+        return self.native.PolygonMesh(**arrays)
+
+
+def linked_copies(scene: Any, scale: tuple[float, ...] = (0.5, 0.5, 0.5)) -> list[Any]:
+    """A cube with round edges, and two more objects of the same mesh, one of them turned."""
+    tools.add_camera(scene)
+    cube = tools.add_cube("Part")
+    copies = [cube, cube.copy(), cube.copy()]
+    for x, copy in enumerate(copies[1:], 1):
+        scene.collection.objects.link(copy)
+        copy.location.x = 4.0 * x
+    copies[1].rotation_euler = (0.3, 0.5, 0.7)
+    copies[2].scale = scale
+    bpy.context.view_layer.update()
+    return copies
+
+
+def test_linked_copies_share_one_mesh(scene: Any) -> None:
+    linked_copies(scene)
+    arrays, spy = read(scene), Spy()
+    meshes = illustration.native_meshes(spy, arrays)
+    assert [mesh.name for mesh in meshes] == [mesh.name for mesh in arrays.meshes]
+    assert spy.made == 1
+
+
+def test_a_mirrored_copy_is_a_mesh_of_its_own(scene: Any) -> None:
+    linked_copies(scene, (-1.0, 1.0, 1.0))
+    spy = Spy()
+    illustration.native_meshes(spy, read(scene))
+    assert spy.made == 2
+
+
+def test_linked_copies_are_drawn_as_copies_of_their_own(scene: Any) -> None:
+    copies = linked_copies(scene)
+    shared = illustration.illustrate(scene, bpy.context.evaluated_depsgraph_get()).drawing
+    for copy in copies:
+        copy.data = copy.data.copy()
+        copy.data.vertices[0].co.x *= 1 + 1e-4 * copies.index(copy)
+    bpy.context.view_layer.update()
+    own = illustration.illustrate(scene, bpy.context.evaluated_depsgraph_get()).drawing
+    lines = [(d.kinds < int(native.load().Kind.HATCH)).sum() for d in (shared, own)]
+    assert lines[0] == lines[1]
+    assert shared.counts["crossings"] == own.counts["crossings"]

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <tuple>
 
-#include "core/parallel.h"
-
 namespace illustrate {
 namespace {
 
@@ -76,22 +74,19 @@ double missed_share(const Evidence& evidence) {
 
 std::vector<std::vector<Evidence>> gather_evidence(const Arrangement& arrangement,
                                                    const std::vector<std::vector<PathArc>>& arcs,
-                                                   LayerRays& rays, int threads,
-                                                   const Progress& progress) {
-  std::vector<std::vector<Evidence>> evidence(arcs.size());
-  parallel_for(arcs.size(), threads, progress, [&](std::size_t begin, std::size_t end) {
-    LayerRays own = rays.another();
-    for (std::size_t p = begin; p < end; ++p) {
-      evidence[p].resize(arcs[p].size());
-      for (std::size_t i = 0; i < arcs[p].size(); ++i) {
-        if (is_outline(arrangement, arcs[p][i])) evidence[p][i] = {0, 0, outline_weight, true};
-      }
-      for (const std::size_t i : longest_arcs(arcs[p], evidence[p])) {
-        evidence[p][i] = ask(arrangement, arcs[p][i], own);
-      }
+                                                   LayerRays& rays, const Progress& progress) {
+  std::vector<std::vector<Evidence>> evidence;
+  for (const std::vector<PathArc>& path : arcs) {
+    progress.report(static_cast<double>(evidence.size()) / static_cast<double>(arcs.size()));
+    std::vector<Evidence> of_arcs(path.size());
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      if (is_outline(arrangement, path[i])) of_arcs[i] = {0, 0, outline_weight, true};
     }
-    rays.add(own);
-  });
+    for (const std::size_t i : longest_arcs(path, of_arcs)) {
+      of_arcs[i] = ask(arrangement, path[i], rays);
+    }
+    evidence.push_back(std::move(of_arcs));
+  }
   return evidence;
 }
 

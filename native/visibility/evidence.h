@@ -1,6 +1,7 @@
 // What rays say of the arcs of a view.
 #pragma once
 
+#include "core/progress.h"
 #include "visibility/layer_rays.h"
 #include "visibility/path_arcs.h"
 
@@ -22,10 +23,9 @@ double missed_share(const Evidence& evidence);
 // (paths)(arcs) Arcs at the outside of the drawing have 0 layers for certain; of each path the
 // longest of the others are asked, whatever the size of the view: labels follow from them by the
 // rules, and a path that nobody asks would be taken for visible.
-// threads: 0 = all cores; the same for any number. Throws Cancelled through `progress`.
+// Throws Cancelled through `progress`.
 std::vector<std::vector<Evidence>> gather_evidence(const Arrangement& arrangement,
                                                    const std::vector<std::vector<PathArc>>& arcs,
-                                                   LayerRays& rays, int threads,
-                                                   const Progress& progress);
+                                                   LayerRays& rays, const Progress& progress);
 
 }  // namespace illustrate

@@ -22,12 +22,12 @@ std::vector<std::vector<PathArc>> arcs_of_paths(const Arrangement& arrangement) 
 }
 
 // Labels that no rule contradicts, but for what had to give way: a repair each.
-std::vector<LabelledPath> label_paths(Arrangement& arrangement, LayerRays& rays, int threads,
+std::vector<LabelledPath> label_paths(Arrangement& arrangement, LayerRays& rays,
                                       std::int64_t& repairs, const Progress& progress) {
   std::vector<std::vector<PathArc>> arcs = arcs_of_paths(arrangement);
-  const auto evidence = gather_evidence(arrangement, arcs, rays, threads, progress);
+  const auto evidence = gather_evidence(arrangement, arcs, rays, progress.part(0, 0.7));
   const ViewProblem view = state_labels(arrangement, arcs, evidence);
-  const std::vector<int> labels = least_labels(view.problem, view.start);
+  const std::vector<int> labels = least_labels(view.problem, view.start, progress.part(0.7, 1));
   return settle_labels(arrangement, std::move(arcs), view, labels, repairs);
 }
 
@@ -50,7 +50,7 @@ LabelledGraph label_network(const CurveNetwork& network, const Surface& surface,
   LayerRays rays(surface, bvh, camera);
   std::int64_t settled = 0;
   const std::vector<LabelledPath> labels =
-      label_paths(arrangement, rays, 1, settled, progress.part(0.3, 1));
+      label_paths(arrangement, rays, settled, progress.part(0.3, 1));
   pull_touches_together(arrangement, touching);
   LabelledGraph graph = build_graph(arrangement, labels, surface);
   graph.repair_max_px = moved_px;

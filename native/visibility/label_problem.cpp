@@ -85,12 +85,12 @@ std::int64_t price(const LabelProblem& problem, const std::vector<int>& x) {
   return sum;
 }
 
-std::vector<int> least_labels(const LabelProblem& problem, std::vector<int> start) {
+std::vector<int> least_labels(const LabelProblem& problem, std::vector<int> start,
+                              const Progress& progress) {
   std::vector<int> x = std::move(start);
-  Step up(problem, 1), down(problem, -1);
-  while (up.take(x)) {
-  }
-  while (down.take(x)) {
+  for (Step step : {Step(problem, 1), Step(problem, -1)}) {
+    do progress.report(0);
+    while (step.take(x));
   }
   return x;
 }

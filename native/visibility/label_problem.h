@@ -11,12 +11,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/progress.h"
 #include "core/types.h"
 
 namespace illustrate {
 
 // Prices are whole numbers, so that sums are exact: this many to a pixel of line.
-constexpr double price_of_pixel = 1 << 16;
+constexpr double price_of_pixel = 1 << 21;
 
 // below * (low - x) under low, above * (x - high) over high >= low.
 struct ValueTerm {
@@ -42,7 +43,9 @@ struct LabelProblem {
 std::int64_t price(const LabelProblem& problem, const std::vector<int>& x);
 
 // Of all x with the least sum the one with the least numbers, whatever the start (unknowns, >= 0);
-// only the time depends on that.
-std::vector<int> least_labels(const LabelProblem& problem, std::vector<int> start);
+// only the time depends on that. Throws Cancelled through `progress`, which it asks before each
+// cut.
+std::vector<int> least_labels(const LabelProblem& problem, std::vector<int> start,
+                              const Progress& progress = {});
 
 }  // namespace illustrate

@@ -1,8 +1,6 @@
 // Layers of surface in front of a curve, counted by a ray to the eye.
 #pragma once
 
-#include <atomic>
-
 #include "mesh/bvh.h"
 #include "surface/surface.h"
 #include "visibility/arrangement.h"
@@ -28,12 +26,7 @@ class LayerRays {
   // lies on the smooth surface, not on its triangles.
   LayerCount count(const Arrangement& arrangement, const StrandPlace& place);
 
-  // How many were cast.
   std::int64_t rays() const { return rays_; }
-
-  // For another thread, and what it has cast added to what was cast here.
-  LayerRays another() const { return {surface_, bvh_, camera_}; }
-  void add(const LayerRays& other) { rays_ += other.rays_; }
 
  private:
   LayerCount count_from(const Vec3& origin, double blind);
@@ -44,7 +37,7 @@ class LayerRays {
   const Bvh& bvh_;
   const Camera& camera_;
   std::vector<RayHit> hits_;
-  std::atomic<std::int64_t> rays_ = 0;
+  std::int64_t rays_ = 0;
 };
 
 }  // namespace illustrate

@@ -143,9 +143,8 @@ class Statement {
         arrangement_, arcs_,
         [&](std::size_t p, std::size_t before, std::size_t i, const Transition& t) {
           if (t.at == Transition::At::nothing) return;
-          const double extent = t.at == Transition::At::cusp
-                                    ? extents_.cusps[p][idx(t.step)]
-                                    : extents_.crossings[idx(t.crossing)];
+          const double extent = t.at == Transition::At::cusp ? extents_.cusps[p][idx(t.step)]
+                                                             : extents_.crossings[idx(t.crossing)];
           const std::int64_t price = as_price(change_price(extent));
           add({view_.unknowns[p][before], view_.unknowns[p][i], t.change, price, price});
         });
