@@ -4,11 +4,10 @@
 // Touching is not crossing: whether triangles cross is decided, exactly, with every vertex moved
 // inward, against its normal, by 2^-22 of the farthest distance from the middle (of a sixteenth of
 // that from the origin where it is larger; at most 1/400 of the median edge), and the farther (at
-// most twice as far) the later its connected part comes. So a solid that stands on another, up to the rounding of
-// single precision, and a copy at the same place as its original, have no curve with it. The curves
-// themselves lie on the surface as it is.
-// Pairs of triangles that share a vertex are left out, coplanar ones too: a curve that reaches such
-// a pair ends.
+// most twice as far) the later its connected part comes. So a solid that stands on another, up to
+// the rounding of single precision, and a copy at the same place as its original, have no curve
+// with it. The curves themselves lie on the surface as it is. Pairs of triangles that share a
+// vertex are left out, coplanar ones too: a curve that reaches such a pair ends.
 #pragma once
 
 #include "core/progress.h"
