@@ -24,7 +24,8 @@ std::vector<Segment> find_segments(const CrossingTest& test, const Bvh& bvh, std
   std::vector<Segment> segments;
   std::int64_t undecided = 0, visited = 0;
   const double expected = expected_pairs * static_cast<double>(triangles);
-  const auto visit = [&](int s, int t) {
+  const auto visit = [&](int a, int b) {
+    const int s = std::min(a, b), t = std::max(a, b);
     if (++visited % pairs_between_reports == 0) {
       const auto done = static_cast<double>(visited);
       progress.report(done / (done + expected));
@@ -36,6 +37,9 @@ std::vector<Segment> find_segments(const CrossingTest& test, const Bvh& bvh, std
   };
   bvh.overlapping_pairs(visit, test.reach());
   report["intersection_ties"] += undecided;
+  // The order of the BVH is that of the axes, and curves start where segments come first.
+  std::sort(segments.begin(), segments.end(),
+            [](const Segment& a, const Segment& b) { return a.triangles < b.triangles; });
   return segments;
 }
 
