@@ -24,8 +24,7 @@ std::vector<Segment> find_segments(const CrossingTest& test, const Bvh& bvh, std
   std::vector<Segment> segments;
   std::int64_t undecided = 0, visited = 0;
   const double expected = expected_pairs * static_cast<double>(triangles);
-  const auto visit = [&](int a, int b) {
-    const int s = std::min(a, b), t = std::max(a, b);
+  const auto visit = [&](int s, int t) {
     if (++visited % pairs_between_reports == 0) {
       const auto done = static_cast<double>(visited);
       progress.report(done / (done + expected));

@@ -290,6 +290,13 @@ def moved(camera: ill.Camera, turn: NDArray[np.float64], shift: NDArray[np.float
     return ill.Camera(camera.projection, view, camera.width_px, camera.height_px)
 
 
+def a_turn() -> NDArray[np.float64]:
+    """By the Cayley transform, about an axis that is none of the world's."""
+    angle = np.array([0.7, -0.4, 1.1])
+    skew = np.array([[0, -angle[2], angle[1]], [angle[2], 0, -angle[0]], [-angle[1], angle[0], 0]])
+    return np.linalg.solve(np.eye(3) + skew, np.eye(3) - skew)
+
+
 @pytest.mark.parametrize(
     ("shape", "scheme", "crease_deg"),
     [
@@ -302,10 +309,7 @@ def moved(camera: ill.Camera, turn: NDArray[np.float64], shift: NDArray[np.float
     ids=["cube", "quads", "polygons", "pocket", "wobble"],
 )  # fmt: skip
 def test_rigid_motions_move_no_line(shape: Shape, scheme: str, crease_deg: float) -> None:
-    angle = np.array([0.7, -0.4, 1.1])
-    skew = np.array([[0, -angle[2], angle[1]], [angle[2], 0, -angle[0]], [-angle[1], angle[0], 0]])
-    turn = np.linalg.solve(np.eye(3) + skew, np.eye(3) - skew)
-    shift = np.array([5.0, -3.0, 2.0])
+    turn, shift = a_turn(), np.array([5.0, -3.0, 2.0])
     there = Shape(shape.positions @ turn.T + shift, shape.face_sizes, shape.corner_vertices)
     options = ill.PrepareOptions(level=4, scheme=scheme, field=False)
     here, gone = (
@@ -314,6 +318,19 @@ def test_rigid_motions_move_no_line(shape: Shape, scheme: str, crease_deg: float
     for camera in CAMERAS:
         one = draw(here, camera, LINES)
         two = draw(gone, moved(camera, turn, shift), LINES)
+        assert one.image.shape == two.image.shape
+        assert np.abs(one.image - two.image).max() < 1e-3
+
+
+def test_rigid_motions_move_no_line_where_parts_cross() -> None:
+    turn, shift = a_turn(), np.array([5.0, -3.0, 2.0])
+    parts = [cube(), cube().moved((0.6, 0.35, 0.8))]
+    gone = [Shape(p.positions @ turn.T + shift, p.face_sizes, p.corner_vertices) for p in parts]
+    options = ill.PrepareOptions(level=4, field=False)
+    here, there = (ill.prepare([s.mesh() for s in shapes], options) for shapes in (parts, gone))
+    for camera in CAMERAS:
+        one = draw(here, camera, LINES)
+        two = draw(there, moved(camera, turn, shift), LINES)
         assert one.image.shape == two.image.shape
         assert np.abs(one.image - two.image).max() < 1e-3
 
