@@ -112,6 +112,7 @@ enter() {
         root=$1 downloads=$2 checkout=$3 shared=$4
         shift 4
         mount --make-rprivate /
+        mount --bind "$root" "$root" # / in there is a mount, as mounting in there asks for
         mount -t proc proc "$root/proc"
         mount -t sysfs -o ro sysfs "$root/sys"
         mount -t tmpfs tmpfs "$root/dev"
