@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Packages of the add-on in dist: for Blender 4.2 and later, and for 3.4 to 4.1. In dist/wheels the
-# module alone, for each Python; the one for Python 3.11 in dist as well.
+# module alone, for each Python; the one for Python 3.11 in dist as well. extension.sh VERSION...:
+# for these Pythons besides 3.11 alone, which is quicker.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 PATH=$VENV/bin:$PATH
@@ -27,7 +28,9 @@ print(next(f.locate() for f in m.files("pybind11") if pathlib.PurePath(f).name =
 "$ROOT/tools/build.sh"
 check_compiler
 for version in 3.10 3.13 3.14; do
-    if "$ROOT/tools/setup_headers.sh" "$version" >/dev/null; then
+    if [ $# != 0 ] && [[ " $* " != *" $version "* ]]; then
+        say "LEFT OUT of the packages, make extension has it: Python $version"
+    elif "$ROOT/tools/setup_headers.sh" "$version" >/dev/null; then
         PYTHONS+=("$version")
     else
         say "LEFT OUT of the packages: Python $version"

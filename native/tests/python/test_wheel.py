@@ -29,6 +29,12 @@ def run(*command: object) -> str:
     return ran.stdout
 
 
+def pinned(package: str) -> str:
+    """The requirement of .venv, such as 'mypy==2.4.1'."""
+    lines = (ROOT / "tools" / "requirements.txt").read_text().splitlines()
+    return next(line for line in lines if line.startswith(f"{package}=="))
+
+
 @pytest.fixture(scope="module")
 def bare_python(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """An environment with the wheel and what it asks for, and nothing else."""
@@ -52,7 +58,7 @@ def test_a_mesh_file_becomes_an_svg(bare_python: Path, tmp_path: Path) -> None:
 def test_its_types_are_what_the_module_has(bare_python: Path) -> None:
     """By mypy of this environment, on what is installed in that one."""
     allowed = ROOT / "tools" / "stubtest-allowlist.txt"
-    run(bare_python, "-m", "pip", "install", "--quiet", "mypy")
+    run(bare_python, "-m", "pip", "install", "--quiet", pinned("mypy"))
     run(bare_python, "-m", "mypy.stubtest", "illustrate_native", "--allowlist", allowed,
         "--ignore-unused-allowlist")  # fmt: skip
     run(bare_python, "-m", "mypy", "--strict", ROOT / "examples" / "draw_file.py")
