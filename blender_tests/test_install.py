@@ -32,13 +32,16 @@ def test_installs_draws_and_goes_without_a_trace(tmp_path: Any) -> None:
 
 @pytest.fixture
 def package_for_others(tmp_path: Any) -> pathlib.Path:
-    """The package without its module for this Python."""
-    digits = PYTHON.replace(".", "")
+    """The package without its module for this Python; its only one goes as another Python's."""
+    digits, another = PYTHON.replace(".", ""), "39"
     path = pathlib.Path(tmp_path) / "illustrate-for-others.zip"
     with zipfile.ZipFile(ARCHIVE) as source, zipfile.ZipFile(path, "w") as target:
+        pythons = set(re.findall(r"cp(?:ython-)?(3\d+)-", " ".join(source.namelist())))
         for name in source.namelist():
             data = source.read(name)
             if re.search(rf"cp(ython-)?{digits}-", name):
+                if pythons == {digits}:
+                    target.writestr(name.replace(f"-{digits}-", f"-{another}-"), data)
                 continue
             if name == "blender_manifest.toml":
                 data = re.sub(rb".*-cp" + digits.encode() + rb"-.*\n", b"", data)
