@@ -86,7 +86,8 @@ def run(suite: Suite) -> Outcome:
     start = time.monotonic()
     code, text = _output(suite)
     print(f"== {suite.name}\n{text}", flush=True)
-    found = Outcome(seconds=time.monotonic() - start)
+    seconds = time.monotonic() - start
+    found = Outcome()
     try:
         found = _read(suite.junit)
     except (OSError, ElementTree.ParseError) as error:
@@ -94,6 +95,7 @@ def run(suite: Suite) -> Outcome:
     if not found.counts or (code != 0 and not found.counts["failed"]):
         print(f"{suite.name}: ended with exit code {code} and {found.counts.total()} results")
         found.counts["failed"] += 1
+    found.seconds = seconds
     return found
 
 
