@@ -163,6 +163,7 @@ def compute(
     seconds.update(prepared.timings if start else {})
     seconds.update(drawn[0].timings if drawn else {})
     warnings = _warnings(request.arrays, prepared.reports) + request.warnings
+    warnings += _crowding(drawing.counts)
     return Illustration(drawing, prepared, request.arrays, warnings, seconds)
 
 
@@ -281,6 +282,17 @@ def _warnings(arrays: SceneArrays, reports: list[dict[str, Any]]) -> list[str]:
     if arrays.left_out:
         warnings.append(f"Left out {', '.join(map(_named, arrays.left_out.items()))}")
     return warnings
+
+
+def _crowding(counts: dict[str, int]) -> list[str]:
+    """What the artist should know of a view with too many crossings of lines."""
+    unsettled = counts.get("unsettled_crossings", 0)
+    if not unsettled:
+        return []
+    return [
+        f"{unsettled} crossings of lines are too many to settle: what hides what was asked line by "
+        "line, and may be wrong. Ignore or hide objects, in their styles, that lie inside others"
+    ]
 
 
 def _named(kind_and_names: tuple[str, list[str]]) -> str:

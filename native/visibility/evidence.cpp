@@ -6,7 +6,6 @@
 namespace illustrate {
 namespace {
 
-constexpr std::size_t arcs_asked = 5;  // of each path, the longest
 // The outside of the drawing is certain: pixels of line, more than anything could weigh against it.
 constexpr double outline_weight = 1e6;
 constexpr double usual_missed_share = 0.75;
@@ -34,12 +33,12 @@ bool is_outline(const Arrangement& arrangement, const PathArc& arc) {
 
 // The arcs of a path that are asked.
 std::vector<std::size_t> longest_arcs(const std::vector<PathArc>& arcs,
-                                      const std::vector<Evidence>& evidence) {
+                                      const std::vector<Evidence>& evidence, const Asking& asking) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < arcs.size(); ++i) {
-    if (evidence[i].weight == 0) order.push_back(i);
+    if (evidence[i].weight == 0 && arcs[i].length_px >= asking.least_px) order.push_back(i);
   }
-  const auto count = static_cast<std::ptrdiff_t>(std::min(arcs_asked, order.size()));
+  const auto count = static_cast<std::ptrdiff_t>(std::min(asking.most_arcs, order.size()));
   std::partial_sort(
       order.begin(), order.begin() + count, order.end(), [&](std::size_t i, std::size_t j) {
         return arcs[i].length_px != arcs[j].length_px ? arcs[i].length_px > arcs[j].length_px
@@ -74,7 +73,8 @@ double missed_share(const Evidence& evidence) {
 
 std::vector<std::vector<Evidence>> gather_evidence(const Arrangement& arrangement,
                                                    const std::vector<std::vector<PathArc>>& arcs,
-                                                   LayerRays& rays, const Progress& progress) {
+                                                   LayerRays& rays, const Asking& asking,
+                                                   const Progress& progress) {
   std::vector<std::vector<Evidence>> evidence;
   for (const std::vector<PathArc>& path : arcs) {
     progress.report(static_cast<double>(evidence.size()) / static_cast<double>(arcs.size()));
@@ -82,7 +82,7 @@ std::vector<std::vector<Evidence>> gather_evidence(const Arrangement& arrangemen
     for (std::size_t i = 0; i < path.size(); ++i) {
       if (is_outline(arrangement, path[i])) of_arcs[i] = {0, 0, outline_weight, true};
     }
-    for (const std::size_t i : longest_arcs(path, of_arcs)) {
+    for (const std::size_t i : longest_arcs(path, of_arcs, asking)) {
       of_arcs[i] = ask(arrangement, path[i], rays);
     }
     evidence.push_back(std::move(of_arcs));

@@ -20,12 +20,20 @@ struct Evidence {
 // label with more layers contradicts of its weight.
 double missed_share(const Evidence& evidence);
 
+// Which arcs of a path are asked: the longest, and none that is shorter than so many pixels. As few
+// as five tell the others, by the rules.
+struct Asking {
+  std::size_t most_arcs = 5;
+  double least_px = 0;
+};
+
 // (paths)(arcs) Arcs at the outside of the drawing have 0 layers for certain; of each path the
-// longest of the others are asked, whatever the size of the view: labels follow from them by the
-// rules, and a path that nobody asks would be taken for visible.
+// longest of the others are asked, whatever the size of the view: a path that
+// nobody asks would be taken for visible.
 // Throws Cancelled through `progress`.
 std::vector<std::vector<Evidence>> gather_evidence(const Arrangement& arrangement,
                                                    const std::vector<std::vector<PathArc>>& arcs,
-                                                   LayerRays& rays, const Progress& progress);
+                                                   LayerRays& rays, const Asking& asking,
+                                                   const Progress& progress);
 
 }  // namespace illustrate

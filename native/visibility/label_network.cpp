@@ -21,11 +21,18 @@ std::vector<std::vector<PathArc>> arcs_of_paths(const Arrangement& arrangement) 
   return arcs;
 }
 
+// Crossings beyond which the problem takes minutes: machines of a hundred parts have half as many,
+// a pile of needles has more.
+constexpr std::int64_t most_settled = 200'000;
+
 // Labels that no rule contradicts, but for what had to give way: a repair each.
 std::vector<LabelledPath> label_paths(Arrangement& arrangement, LayerRays& rays,
                                       std::int64_t& repairs, const Progress& progress) {
+  if (arrangement.live_crossings() > most_settled) {
+    return labels_by_rays(arrangement, rays, repairs, progress);
+  }
   std::vector<std::vector<PathArc>> arcs = arcs_of_paths(arrangement);
-  const auto evidence = gather_evidence(arrangement, arcs, rays, progress.part(0, 0.7));
+  const auto evidence = gather_evidence(arrangement, arcs, rays, Asking{}, progress.part(0, 0.7));
   const ViewProblem view = state_labels(arrangement, arcs, evidence);
   const std::vector<int> labels = least_labels(view.problem, view.start, progress.part(0.7, 1));
   return settle_labels(arrangement, std::move(arcs), view, labels, repairs);
@@ -48,6 +55,8 @@ LabelledGraph label_network(const CurveNetwork& network, const Surface& surface,
   repairs += swallowtails;
   counts["repaired_swallowtails"] += swallowtails;
   LayerRays rays(surface, bvh, camera);
+  const std::int64_t crossings = arrangement.live_crossings();
+  counts["unsettled_crossings"] += crossings > most_settled ? crossings : 0;
   std::int64_t settled = 0;
   const std::vector<LabelledPath> labels =
       label_paths(arrangement, rays, settled, progress.part(0.3, 1));

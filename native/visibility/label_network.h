@@ -21,6 +21,9 @@
 
 namespace illustrate {
 
+// A view of more than 200,000 crossings has labels by rays alone, one for each arc, and says so:
+// "unsettled_crossings" are then all of them, else 0.
+//
 // Adds "crossings", "rays", "loops", "unbalanced_loops", "repairs" to `counts`, the repairs by kind
 // too: "repaired_twists", "repaired_swallowtails", "repaired_labels"; and
 // "dropped_touches" apart: crossings next to joints that are no crossings (repairs.h).

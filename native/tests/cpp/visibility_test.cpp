@@ -6,10 +6,12 @@
 #include "check_graph.h"
 #include "contour/network.h"
 #include "shapes.h"
+#include "visibility/build_graph.h"
 #include "visibility/crossings.h"
 #include "visibility/label_network.h"
 #include "visibility/outline.h"
 #include "visibility/repairs.h"
+#include "visibility/view_labels.h"
 
 namespace illustrate {
 namespace {
@@ -267,6 +269,25 @@ int expect_layers(const LabelledGraph& graph, const Vec3& towards, const Points&
 
 // Contours dive into other spheres; circles of intersection change where they meet contours and, in
 // the two points that lie on three spheres, a third sphere.
+TEST(Labels, ByRaysAloneAreThoseOfATorusToo) {
+  const Surface surface = shapes::torus_surface(1, 0.4, 256, 128);
+  const Bvh bvh(surface.positions, surface.triangles);
+  const Camera camera = cameras::orthographic(Vec3(1, 0, .45), 2);
+  Counts counts;
+  const CurveNetwork network = build_network(
+      {surface, LimitSurface(surface), feature_edges(surface), {}}, camera, {}, counts);
+  Arrangement arrangement = arrange(network, camera);
+  LayerRays rays(surface, bvh, camera);
+  std::int64_t repairs = 0;
+  const std::int64_t crossings = arrangement.live_crossings();
+  const auto labels = labels_by_rays(arrangement, rays, repairs, {});
+  const LabelledGraph graph = build_graph(arrangement, labels, surface);
+  check_graph(graph);
+  EXPECT_GT(crossings, 0);
+  EXPECT_EQ(repairs, crossings);
+  EXPECT_EQ(most_hidden(graph), most_hidden(label_network(network, surface, bvh, camera, counts)));
+}
+
 TEST(Labels, OfSpheresThatPassThroughEachOtherAreTrue) {
   const Points two{{-0.5, 0, 0}, {0.5, 0.1, 0.05}};
   const Points three{{0.5, 0, 0}, {-0.25, 0.43, 0}, {-0.25, -0.43, 0.02}};
