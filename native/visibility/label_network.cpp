@@ -15,12 +15,6 @@ std::int64_t count_unbalanced(const Arrangement& arrangement) {
                        [&](const Path& path) { return imbalance(arrangement, path) != 0; });
 }
 
-std::vector<std::vector<PathArc>> arcs_of_paths(const Arrangement& arrangement) {
-  std::vector<std::vector<PathArc>> arcs;
-  for (const Path& path : arrangement.paths) arcs.push_back(path_arcs(arrangement, path));
-  return arcs;
-}
-
 // Crossings beyond which the problem takes minutes: machines of a hundred parts have half as many,
 // a pile of needles has more.
 constexpr std::int64_t most_settled = 200'000;
@@ -28,9 +22,6 @@ constexpr std::int64_t most_settled = 200'000;
 // Labels that no rule contradicts, but for what had to give way: a repair each.
 std::vector<LabelledPath> label_paths(Arrangement& arrangement, LayerRays& rays,
                                       std::int64_t& repairs, const Progress& progress) {
-  if (arrangement.live_crossings() > most_settled) {
-    return labels_by_rays(arrangement, rays, repairs, progress);
-  }
   std::vector<std::vector<PathArc>> arcs = arcs_of_paths(arrangement);
   const auto evidence = gather_evidence(arrangement, arcs, rays, Asking{}, progress.part(0, 0.7));
   const ViewProblem view = state_labels(arrangement, arcs, evidence);
@@ -56,10 +47,11 @@ LabelledGraph label_network(const CurveNetwork& network, const Surface& surface,
   counts["repaired_swallowtails"] += swallowtails;
   LayerRays rays(surface, bvh, camera);
   const std::int64_t crossings = arrangement.live_crossings();
-  counts["unsettled_crossings"] += crossings > most_settled ? crossings : 0;
+  const bool is_pile = crossings > most_settled;
+  counts["unsettled_crossings"] += is_pile ? crossings : 0;
   std::int64_t settled = 0;
   const std::vector<LabelledPath> labels =
-      label_paths(arrangement, rays, settled, progress.part(0.3, 1));
+      (is_pile ? labels_by_rays : label_paths)(arrangement, rays, settled, progress.part(0.3, 1));
   pull_touches_together(arrangement, touching);
   LabelledGraph graph = build_graph(arrangement, labels, surface);
   graph.repair_max_px = moved_px;

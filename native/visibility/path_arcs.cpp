@@ -108,4 +108,10 @@ std::vector<PathArc> path_arcs(const Arrangement& arrangement, const Path& path)
   return PathWalker(arrangement, path).run();
 }
 
+std::vector<std::vector<PathArc>> arcs_of_paths(const Arrangement& arrangement) {
+  std::vector<std::vector<PathArc>> arcs;
+  for (const Path& path : arrangement.paths) arcs.push_back(path_arcs(arrangement, path));
+  return arcs;
+}
+
 }  // namespace illustrate

@@ -20,6 +20,9 @@ struct PathArc {
 // In order along the path.
 std::vector<PathArc> path_arcs(const Arrangement& arrangement, const Path& path);
 
+// (paths)(arcs) of all paths.
+std::vector<std::vector<PathArc>> arcs_of_paths(const Arrangement& arrangement);
+
 // The sum of what a closed path's crossings and cusps change; 0 where its labels can all be true.
 int imbalance(const Arrangement& arrangement, const Path& path);
 

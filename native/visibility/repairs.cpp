@@ -52,13 +52,11 @@ class Repairer {
   Repairer(Arrangement& arrangement, double& moved_px)
       : arrangement_(arrangement),
         moved_px_(moved_px),
-        path_of_(arrangement.visits.size()),
+        path_of_(paths_of_strands(arrangement)),
         step_of_(arrangement.visits.size()) {
-    for (std::size_t p = 0; p < arrangement.paths.size(); ++p) {
-      const std::vector<int>& strands = arrangement.paths[p].strands;
-      for (std::size_t i = 0; i < strands.size(); ++i) {
-        path_of_[idx(strands[i])] = static_cast<int>(p);
-        step_of_[idx(strands[i])] = static_cast<int>(i);
+    for (const Path& path : arrangement.paths) {
+      for (std::size_t i = 0; i < path.strands.size(); ++i) {
+        step_of_[idx(path.strands[i])] = static_cast<int>(i);
       }
     }
   }

@@ -275,11 +275,8 @@ std::vector<LabelledPath> labels_by_rays(Arrangement& arrangement, LayerRays& ra
   std::replace(arrangement.states.begin(), arrangement.states.end(), CrossingState::live,
                CrossingState::demoted);
   arrangement.forget_visits();
-  std::vector<std::vector<PathArc>> arcs;
-  for (Path& path : arrangement.paths) {
-    path.freed.assign(path.freed.size(), 1);
-    arcs.push_back(path_arcs(arrangement, path));
-  }
+  for (Path& path : arrangement.paths) path.freed.assign(path.freed.size(), 1);
+  std::vector<std::vector<PathArc>> arcs = arcs_of_paths(arrangement);
   const Asking all{std::numeric_limits<std::size_t>::max(), least_shown_px};
   const auto evidence = gather_evidence(arrangement, arcs, rays, all, progress);
   std::vector<LabelledPath> result;
