@@ -20,6 +20,15 @@ struct NetworkNode {
   Vec3 position;
 };
 
+// What is known of whether a strand can be seen (unseen.h). Covered: it has one layer at least in
+// front all along. Buried: so has all within a few pixels of it at its depth, too. Beyond the
+// frame: nobody asks.
+enum class Sight : std::uint8_t { possible, covered, buried, beyond_frame };
+
+inline bool takes_part_in_crossings(Sight sight) {
+  return sight == Sight::possible || sight == Sight::covered;
+}
+
 // One curve between two nodes, or a closed one without nodes (both `none`). A curve behind it
 // has `left_layers` more layers in front where it passes on the left side of this one than it has
 // without this curve's surface, `right_layers` on the right, left and right as the viewer sees the
@@ -32,6 +41,7 @@ struct Strand {
   int end_node = none;
   int left_layers = 0;
   int right_layers = 0;
+  Sight sight = Sight::possible;
 
   bool closed() const { return start_node == none; }
 };

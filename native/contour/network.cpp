@@ -1,9 +1,13 @@
 #include "contour/network.h"
 
+#include <algorithm>
+#include <optional>
+
 #include "contour/exact_silhouettes.h"
 #include "contour/joints.h"
 #include "contour/polygon_silhouettes.h"
 #include "contour/strands.h"
+#include "contour/unseen.h"
 
 namespace illustrate {
 namespace {
@@ -30,6 +34,16 @@ std::vector<FeatureEdge> wanted_features(const std::vector<FeatureEdge>& feature
   return result;
 }
 
+// Triangles, edges and points that carry curves: views of fewer take less time than it would take
+// to tell what is seen of them.
+constexpr std::size_t crowd = 30'000;
+
+std::optional<Unseen> tell_unseen(const ContourScene& scene, const Camera& camera,
+                                  const NetworkOptions& options, std::size_t carriers) {
+  if (!options.only_seen || carriers < crowd) return {};
+  return Unseen(scene.surface, camera, options.threads);
+}
+
 }  // namespace
 
 CurveNetwork build_network(const ContourScene& scene, const Camera& camera,
@@ -38,7 +52,11 @@ CurveNetwork build_network(const ContourScene& scene, const Camera& camera,
   const Surface& surface = scene.surface;
   const std::vector<FeatureEdge> features = wanted_features(scene.features, options);
   const ContourFunctions functions(surface, camera);
-  const LinearSilhouettes linear = linear_silhouettes(surface, functions, scene.dual);
+  LinearSilhouettes linear = linear_silhouettes(surface, functions, scene.dual);
+  const std::optional<Unseen> unseen = tell_unseen(
+      scene, camera, options,
+      linear.triangles.size() + features.size() + scene.intersections.curves.values.size());
+  counts["unseen_chains"] += unseen ? drop_unseen_chains(*unseen, linear) : 0;
   const Silhouettes found = exact_silhouettes(surface, scene.limit, functions, camera, linear,
                                               false, counts, progress.part(0, 0.5));
   const PolygonSilhouettes folds = polygon_silhouettes(surface, camera, scene.dual);
@@ -56,12 +74,16 @@ CurveNetwork build_network(const ContourScene& scene, const Camera& camera,
   add_feature_strands(surface, features, folds.edges, functions, camera, joints, network);
   add_curvature_strands(surface, lines, options.curvature_curves, joints, network);
   CurveNetwork clipped = clip_near(surface, network, camera);
+  if (unseen) clipped = cut_at_unseen(*unseen, clipped);
   counts["triangles_visited"] += linear.triangles_visited;
   counts["silhouette_triangles"] += static_cast<std::int64_t>(linear.triangles.size());
   counts["edges_visited"] += folds.edges_visited;
   counts["silhouette_edges"] += static_cast<std::int64_t>(folds.edges.size());
   counts["cusps"] += found.cusps;
   counts["strands"] += static_cast<std::int64_t>(clipped.strands.size());
+  counts["unseen_strands"] +=
+      std::count_if(clipped.strands.begin(), clipped.strands.end(),
+                    [](const Strand& s) { return !takes_part_in_crossings(s.sight); });
   progress.report(1);
   return clipped;
 }

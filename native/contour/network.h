@@ -24,6 +24,10 @@ struct NetworkOptions {
   bool materials = false;      // borders between materials
   bool flat_outlines = false;  // outlines of flat areas
   CurvatureCurveOptions curvature_curves;
+  // Views of many curves are worked out as far as they are seen (unseen.h): contours that are not
+  // are left out, other curves cut. Not for drawings of hidden lines.
+  bool only_seen = false;
+  int threads = 0;  // 0: all cores
 };
 
 // What curves are drawn of. The limit surface is that of `surface`.
@@ -38,7 +42,7 @@ struct ContourScene {
 
 // Adds "triangles_visited", "silhouette_triangles" (of smooth objects), "edges_visited",
 // "silhouette_edges" (of polygon objects), "cusps", "swallowtails", "troubled_triangles",
-// "evaluations", "strands" to `counts`.
+// "evaluations", "strands", "unseen_chains" and "unseen_strands" to `counts`.
 CurveNetwork build_network(const ContourScene& scene, const Camera& camera,
                            const NetworkOptions& options, Counts& counts,
                            const Progress& progress = {});

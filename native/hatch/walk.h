@@ -3,7 +3,7 @@
 
 #include "hatch/field_walk.h"
 #include "hatch/hatches.h"
-#include "tone/image_map.h"
+#include "view/image_map.h"
 
 namespace illustrate {
 

@@ -10,7 +10,7 @@
 #include "hatch/reduce_hatches.h"
 #include "pipeline/seen_scene.h"
 #include "pipeline/stopwatch.h"
-#include "tone/visible_image.h"
+#include "occlusion/visible_image.h"
 #include "visibility/label_network.h"
 #include "visibility/vote.h"
 
@@ -123,8 +123,13 @@ class View {
 
   void label_curves(const Progress& progress) {
     const StrokeOptions& stroke = options_.stroke;
-    const NetworkOptions network_options{stroke.marks, stroke.materials, stroke.flat_outlines,
-                                         options_.curvature_curves};
+    const bool by_vote = options_.visibility == VisibilityMethod::vote;
+    const NetworkOptions network_options{stroke.marks,
+                                         stroke.materials,
+                                         stroke.flat_outlines,
+                                         options_.curvature_curves,
+                                         !stroke.hidden_lines && !by_vote,
+                                         options_.threads};
     const double unit = line_unit(camera_);
     const Camera on_paper = camera_.in_units_of(unit);
     const Progress search = progress.part(0, 0.2, "contour");
@@ -141,7 +146,6 @@ class View {
                            progress.part(0.3, 0.6, "contour"));
     });
     result_.graph = timed(result_.timings["visibility"], [&] {
-      const bool by_vote = options_.visibility == VisibilityMethod::vote;
       return (by_vote ? vote_network : label_network)(network, scene_.surface(), scene_.bvh(),
                                                       on_paper, result_.counts,
                                                       progress.part(0.6, 1, "visibility"));

@@ -10,7 +10,7 @@
 #include "core/progress.h"
 #include "mesh/bvh.h"
 #include "tone/light.h"
-#include "tone/visible_image.h"
+#include "occlusion/visible_image.h"
 #include "visibility/labelled_graph.h"
 
 namespace illustrate {

@@ -29,10 +29,19 @@ SegmentBox box_of(const GridPoint& a, const GridPoint& b) {
   return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
 }
 
+std::vector<StrandSegment> crossing_segments(const CurveNetwork& network) {
+  std::vector<StrandSegment> segments = all_segments(network);
+  const auto is_left_out = [&](const StrandSegment& s) {
+    return !takes_part_in_crossings(network.strands[idx(s.strand)].sight);
+  };
+  segments.erase(std::remove_if(segments.begin(), segments.end(), is_left_out), segments.end());
+  return segments;
+}
+
 class CrossingFinder {
  public:
   CrossingFinder(const CurveNetwork& network, const ImageStrands& strands)
-      : network_(network), strands_(strands), segments_(all_segments(network)) {}
+      : network_(network), strands_(strands), segments_(crossing_segments(network)) {}
 
   std::vector<Crossing> run() {
     std::vector<SegmentBox> boxes;

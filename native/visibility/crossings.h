@@ -21,8 +21,9 @@ struct Crossing {
 };
 
 // All of them, in a fixed order, but those where curvature lines, which hide nothing, pass in
-// front. Two closed curves cross an even number of times, whatever the degeneracy: ties are settled
-// by a symbolic perturbation by point id. Segments that share a node do not cross.
+// front, and those of strands that are buried or
+// beyond the frame. Two closed curves cross an even number of times, whatever the degeneracy: ties
+// are settled by a symbolic perturbation by point id. Segments that share a node do not cross.
 std::vector<Crossing> find_crossings(const CurveNetwork& network, const ImageStrands& strands);
 
 // The sign of the turn a, b, c: +1 left (y up), -1 right; never 0 for different ids.

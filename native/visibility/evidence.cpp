@@ -31,6 +31,27 @@ bool is_outline(const Arrangement& arrangement, const PathArc& arc) {
   return std::any_of(places.begin(), places.end(), contains);
 }
 
+bool is_under_cover(Sight sight) { return sight == Sight::covered || sight == Sight::buried; }
+
+// (nodes) Where a strand ends that is under cover: what else ends there is so too.
+std::vector<std::uint8_t> nodes_under_cover(const CurveNetwork& network) {
+  std::vector<std::uint8_t> result(network.nodes.size(), 0);
+  for (const Strand& s : network.strands) {
+    if (!is_under_cover(s.sight) || s.closed()) continue;
+    result[idx(s.start_node)] = result[idx(s.end_node)] = 1;
+  }
+  return result;
+}
+
+bool is_under_cover(const CurveNetwork& network, const std::vector<std::uint8_t>& nodes,
+                    const PathArc& arc) {
+  const Strand& s = network.strands[idx(arc.strand)];
+  if (is_under_cover(s.sight)) return true;
+  if (s.closed()) return false;
+  return (arc.begin == none && nodes[idx(s.start_node)]) ||
+         (arc.end == none && nodes[idx(s.end_node)]);
+}
+
 // The arcs of a path that are asked.
 std::vector<std::size_t> longest_arcs(const std::vector<PathArc>& arcs,
                                       const std::vector<Evidence>& evidence, const Asking& asking) {
@@ -75,12 +96,17 @@ std::vector<std::vector<Evidence>> gather_evidence(const Arrangement& arrangemen
                                                    const std::vector<std::vector<PathArc>>& arcs,
                                                    LayerRays& rays, const Asking& asking,
                                                    const Progress& progress) {
+  const CurveNetwork& network = *arrangement.network;
+  const std::vector<std::uint8_t> covered_nodes = nodes_under_cover(network);
   std::vector<std::vector<Evidence>> evidence;
   for (const std::vector<PathArc>& path : arcs) {
     progress.report(static_cast<double>(evidence.size()) / static_cast<double>(arcs.size()));
     std::vector<Evidence> of_arcs(path.size());
     for (std::size_t i = 0; i < path.size(); ++i) {
-      if (is_outline(arrangement, path[i])) of_arcs[i] = {0, 0, outline_weight, true};
+      if (is_under_cover(network, covered_nodes, path[i])) {
+        of_arcs[i] = {1, any_more, path[i].length_px + least_weight, false};
+      } else if (is_outline(arrangement, path[i]))
+        of_arcs[i] = {0, 0, outline_weight, true};
     }
     for (const std::size_t i : longest_arcs(path, of_arcs, asking)) {
       of_arcs[i] = ask(arrangement, path[i], rays);

@@ -7,6 +7,9 @@
 
 namespace illustrate {
 
+// Evidence::unsure where nothing is known but that there are `layers` at least.
+constexpr int any_more = 1 << 20;
+
 // What rays say of an arc: so many layers, or up to `unsure` more, worth so many pixels of line.
 // Weight 0: nothing.
 struct Evidence {
@@ -27,10 +30,10 @@ struct Asking {
   double least_px = 0;
 };
 
-// (paths)(arcs) Arcs at the outside of the drawing have 0 layers for certain; of each path the
-// longest of the others are asked, whatever the size of the view: a path that
-// nobody asks would be taken for visible.
-// Throws Cancelled through `progress`.
+// (paths)(arcs) Arcs at the outside of the drawing have 0 layers for certain, those on covered or
+// buried strands, or next to them on one path of the surface, one at least. Of each path the
+// longest of the others are asked, whatever the size of the view: a path that nobody asks would be
+// taken for visible. Throws Cancelled through `progress`.
 std::vector<std::vector<Evidence>> gather_evidence(const Arrangement& arrangement,
                                                    const std::vector<std::vector<PathArc>>& arcs,
                                                    LayerRays& rays, const Asking& asking,

@@ -128,6 +128,7 @@ class Statement {
   // Labels start at what the last ray said, and change as they must.
   void ask_what_rays_say(std::size_t p, const std::vector<Evidence>& evidence) {
     view_.start.resize(idx(view_.problem.unknowns), 0);
+    view_.at_least.resize(idx(view_.problem.unknowns), 0);
     int label = 0;
     for (std::size_t i = 0; i < evidence.size(); ++i) {
       const Evidence& e = evidence[i];
@@ -135,6 +136,7 @@ class Statement {
       label += transition_into(arrangement_, arrangement_.paths[p], arcs_[p][i]).change;
       if (e.weight > 0) {
         label = e.layers;
+        if (e.unsure == any_more) view_.at_least[idx(unknown)] = 1;
         view_.problem.values.push_back({unknown, e.layers, e.layers + e.unsure, as_price(e.weight),
                                         as_price(missed_share(e) * e.weight)});
       }
@@ -159,6 +161,7 @@ class Statement {
         unknowns_at_crossings(arrangement_, arcs_, view_.unknowns);
     for (std::size_t c = 0; c < at.size(); ++c) {
       if (arrangement_.states[c] != CrossingState::live) continue;
+      if (view_.at_least[idx(at[c].front)]) continue;
       const auto [in, out] = layers_hidden(arrangement_, arrangement_.crossings[c]);
       const std::int64_t price = as_price(cover_price(extents_.crossings[c]) / 2);
       add({at[c].front, at[c].in, in, price, 0});
@@ -233,9 +236,9 @@ std::vector<LabelledPath> settle_labels(Arrangement& arrangement,
                                         std::vector<std::vector<PathArc>> arcs,
                                         const ViewProblem& view, const std::vector<int>& labels,
                                         std::int64_t& repairs) {
-  const auto demote = [&](int crossing) {
+  const auto demote = [&](int crossing, bool is_repair = true) {
     CrossingState& state = arrangement.states[idx(crossing)];
-    if (state == CrossingState::live) ++repairs;
+    if (state == CrossingState::live && is_repair) ++repairs;
     state = CrossingState::demoted;
   };
   const auto label = [&](int unknown) { return labels[idx(unknown)]; };
@@ -245,7 +248,7 @@ std::vector<LabelledPath> settle_labels(Arrangement& arrangement,
     const auto [in, out] = layers_hidden(arrangement, arrangement.crossings[c]);
     const int front = label(at[c].front);
     if (label(at[c].in) < front + in || label(at[c].out) < front + out) {
-      demote(static_cast<int>(c));
+      demote(static_cast<int>(c), !view.at_least[idx(at[c].front)]);
     }
   }
   for_each_transition(arrangement, arcs,

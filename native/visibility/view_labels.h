@@ -21,6 +21,9 @@ struct ViewProblem {
   LabelProblem problem;
   std::vector<std::vector<int>> unknowns;  // (paths)(arcs)
   std::vector<int> start;                  // (unknowns) labels near what rays say
+  // (unknowns) 1: under cover, so that its label is only a least one, and says nothing of what it
+  // hides.
+  std::vector<std::uint8_t> at_least;
 };
 
 ViewProblem state_labels(const Arrangement& arrangement,

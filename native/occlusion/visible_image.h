@@ -2,8 +2,8 @@
 #pragma once
 
 #include "surface/surface.h"
-#include "tone/image_map.h"
 #include "view/camera.h"
+#include "view/image_map.h"
 
 namespace illustrate {
 

@@ -1,4 +1,4 @@
-#include "tone/visible_image.h"
+#include "occlusion/visible_image.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "core/errors.h"
 #include "core/parallel.h"
-#include "tone/image_map.h"
+#include "view/image_map.h"
 
 namespace illustrate {
 namespace {

@@ -1,0 +1,94 @@
+#include "occlusion/occlusion_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace illustrate {
+namespace {
+
+constexpr int most_cells_across = 64;  // of a box that is looked at
+constexpr double least_gap_edges = 3;  // between a triangle and what it hides
+constexpr double largest_gap = 0.01;   // of everything's diagonal
+
+// greatest[i] = max(greatest[i], values[i + shift]) wherever both are there.
+void take_greater(float* greatest, const float* values, std::ptrdiff_t count,
+                  std::ptrdiff_t shift) {
+  const std::ptrdiff_t begin = std::max<std::ptrdiff_t>(-shift, 0);
+  const std::ptrdiff_t end = std::min(count - shift, count);
+  for (std::ptrdiff_t i = begin; i < end; ++i) {
+    greatest[i] = std::max(greatest[i], values[i + shift]);
+  }
+}
+
+// The greatest value within a square of cells.
+std::vector<float> greatest_within(const std::vector<float>& values, int width, int height,
+                                   int reach) {
+  std::vector<float> in_rows = values;
+  for (int row = 0; row < height; ++row) {
+    const std::ptrdiff_t start = static_cast<std::ptrdiff_t>(row) * width;
+    for (int shift = -reach; shift <= reach; ++shift) {
+      take_greater(in_rows.data() + start, values.data() + start, width, shift);
+    }
+  }
+  std::vector<float> result = in_rows;
+  const auto count = static_cast<std::ptrdiff_t>(values.size());
+  for (int shift = -reach; shift <= reach; ++shift) {
+    take_greater(result.data(), in_rows.data(), count, static_cast<std::ptrdiff_t>(shift) * width);
+  }
+  return result;
+}
+
+double longest_edge(const Surface& surface, int triangle) {
+  const Triangle& v = surface.triangles[idx(triangle)];
+  double longest = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3& a = surface.positions[idx(v[idx(k)])];
+    longest = std::max(longest, (surface.positions[idx(v[idx(next_corner(k))])] - a).norm());
+  }
+  return longest;
+}
+
+// Depths from which on each cell's triangle hides; rounded up.
+std::vector<float> hiding_depths(const Surface& surface, const VisibleImage& image) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  std::vector<float> depths(image.depth.size(), infinity);
+  for (std::size_t cell = 0; cell < depths.size(); ++cell) {
+    const int triangle = image.triangle[cell];
+    if (triangle == none) continue;
+    const double edges = least_gap_edges * longest_edge(surface, triangle);
+    const double depth = image.depth[cell] + std::min(edges, largest_gap * surface.diagonal);
+    depths[cell] = std::nextafter(static_cast<float>(depth), infinity);
+  }
+  return depths;
+}
+
+}  // namespace
+
+OcclusionMap::OcclusionMap(const Surface& surface, const VisibleImage& image, int reach)
+    : width_(image.width),
+      height_(image.height),
+      cell_px_(image.cell_px),
+      farthest_(greatest_within(hiding_depths(surface, image), width_, height_, reach)) {}
+
+OcclusionMap OcclusionMap::with_more_reach(int cells) const {
+  OcclusionMap result = *this;
+  result.farthest_ = greatest_within(farthest_, width_, height_, cells);
+  return result;
+}
+
+bool OcclusionMap::hides(const Vec2& low, const Vec2& high, double depth) const {
+  const Vec2 first = low / cell_px_, last = high / cell_px_;
+  if (!(first.minCoeff() >= 0 && last.x() < width_ && last.y() < height_)) return false;
+  const int column = static_cast<int>(first.x()), column_end = static_cast<int>(last.x()) + 1;
+  const int row = static_cast<int>(first.y()), row_end = static_cast<int>(last.y()) + 1;
+  if (std::max(column_end - column, row_end - row) > most_cells_across) return false;
+  for (int j = row; j < row_end; ++j) {
+    for (int i = column; i < column_end; ++i) {
+      if (!(static_cast<double>(farthest_[idx(j * width_ + i)]) < depth)) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace illustrate
