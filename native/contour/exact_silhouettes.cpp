@@ -5,6 +5,7 @@
 
 #include "contour/cusp_ends.h"
 #include "contour/patchwork.h"
+#include "core/parallel.h"
 
 namespace illustrate {
 namespace {
@@ -19,24 +20,32 @@ struct ExactChains {
   std::vector<ExactPolyline> chains;
   std::vector<int> swallowtails;  // in each chain
   std::vector<int> troubled;      // triangles, ascending
+  std::int64_t evaluations = 0;   // of the limit surface
+};
+
+// A view of the limit surface, and how a drawing of its contour is worked out.
+struct Task {
+  const LimitSurface& limit;
+  const Camera& camera;
+  bool everywhere;
+  int threads;
 };
 
 class Drawer {
  public:
-  Drawer(LimitContour& contour, const Camera& camera, bool everywhere, const Progress& progress)
-      : contour_(contour),
-        camera_(camera),
-        segment_(contour, camera),
-        everywhere_(everywhere),
-        progress_(progress) {}
+  explicit Drawer(const Task& task)
+      : camera_(task.camera),
+        contour_(task.limit, task.camera),
+        segment_(contour_, task.camera),
+        everywhere_(task.everywhere) {}
 
   // Chains with troubled triangles stay empty, unless all are wanted.
   ExactChains draw(const Surface& surface, const ContourFunctions& functions,
-                   const LinearSilhouettes& linear, SolvedEdges* solved, bool all) {
+                   const LinearSilhouettes& linear, std::size_t begin, std::size_t end,
+                   SolvedEdges* solved, bool all) {
     ExactChain exact(surface, contour_, functions, solved);
     ExactChains result;
-    for (std::size_t c = 0; c < linear.chains.size(); ++c) {
-      progress_.report(static_cast<double>(c) / static_cast<double>(linear.chains.size()));
+    for (std::size_t c = begin; c < end; ++c) {
       exact.solve(linear.chains[c], linear.closed[c], everywhere_);
       ExactPolyline line = exact.polyline();
       const std::vector<int> troubled = exact.troubled();
@@ -48,6 +57,7 @@ class Drawer {
       result.chains.back() = std::move(line);
     }
     std::sort(result.troubled.begin(), result.troubled.end());
+    result.evaluations = contour_.evaluations();
     return result;
   }
 
@@ -81,12 +91,42 @@ class Drawer {
     return any;
   }
 
-  LimitContour& contour_;
   const Camera& camera_;
+  LimitContour contour_;
   ExactSegment segment_;
   bool everywhere_;
-  const Progress& progress_;
 };
+
+// Points of linear chains that are worth a turn on another thread.
+constexpr std::size_t least_share = 4000;
+
+template <class Value>
+void append(std::vector<Value>& values, std::vector<Value>& more) {
+  std::move(more.begin(), more.end(), std::back_inserter(values));
+}
+
+// All chains, but those with troubled triangles; many at a time.
+ExactChains draw_untroubled(const Surface& surface, const ContourFunctions& functions,
+                            const LinearSilhouettes& linear, const Task& task,
+                            const Progress& progress) {
+  std::vector<std::size_t> sizes;
+  for (std::size_t c = 0; c < linear.chains.size(); ++c) sizes.push_back(linear.chains[c].size());
+  const std::vector<std::size_t> starts = shares_of(sizes, least_share);
+  std::vector<ExactChains> shares(starts.size() - 1);
+  parallel_each(shares.size(), task.threads, progress, [&](std::size_t i) {
+    shares[i] =
+        Drawer(task).draw(surface, functions, linear, starts[i], starts[i + 1], nullptr, false);
+  });
+  ExactChains result;
+  for (ExactChains& share : shares) {
+    append(result.chains, share.chains);
+    append(result.swallowtails, share.swallowtails);
+    append(result.troubled, share.troubled);
+    result.evaluations += share.evaluations;
+  }
+  std::sort(result.troubled.begin(), result.troubled.end());
+  return result;
+}
 
 // Back from the patchwork to the whole surface.
 void restore(const Patchwork& patchwork, ExactChains& drawn) {
@@ -119,24 +159,26 @@ class Finer {
   }
 
   // Takes the place of the chains of `drawn` that were troubled.
-  void redraw(const Camera& camera, Drawer& drawer, ExactChains& drawn) {
+  void redraw(const Task& task, ExactChains& drawn) {
     include(drawn.troubled);
     std::vector<int> wanted;
     for (const int t : drawn.troubled) wanted.push_back(patchwork_.number_of(t));
     SolvedEdges solved;
+    Drawer drawer(task);
     ExactChains finer;
     for (int round = 1; !wanted.empty(); ++round) {
       const bool is_last = !patchwork_.cut(wanted) || round == most_cuts;
       include(patchwork_.take_added());
       const Surface& surface = patchwork_.surface();
-      const ContourFunctions functions(surface, camera);
+      const ContourFunctions functions(surface, task.camera);
       const LinearSilhouettes traced = linear_silhouettes(surface, functions);
-      finer = drawer.draw(surface, functions, traced, &solved, is_last);
+      finer = drawer.draw(surface, functions, traced, 0, traced.chains.size(), &solved, is_last);
       wanted.clear();
       if (!is_last) wanted = finer.troubled;
     }
     restore(patchwork_, finer);
     replace(drawn, finer);
+    drawn.evaluations += finer.evaluations;
   }
 
  private:
@@ -160,7 +202,7 @@ class Finer {
     }
     const auto keep_and_add = [kept](auto& values, auto& more) {
       values.resize(kept);
-      std::move(more.begin(), more.end(), std::back_inserter(values));
+      append(values, more);
     };
     keep_and_add(drawn.chains, finer.chains);
     keep_and_add(drawn.swallowtails, finer.swallowtails);
@@ -177,12 +219,11 @@ class Finer {
 Silhouettes exact_silhouettes(const Surface& surface, const LimitSurface& limit,
                               const ContourFunctions& functions, const Camera& camera,
                               const LinearSilhouettes& linear, bool everywhere, Counts& counts,
-                              const Progress& progress) {
-  LimitContour contour(limit, camera);
-  Drawer drawer(contour, camera, everywhere, progress);
-  ExactChains drawn = drawer.draw(surface, functions, linear, nullptr, false);
+                              const Progress& progress, int threads) {
+  const Task task{limit, camera, everywhere, threads};
+  ExactChains drawn = draw_untroubled(surface, functions, linear, task, progress);
   counts["troubled_triangles"] += static_cast<std::int64_t>(drawn.troubled.size());
-  if (!drawn.troubled.empty()) Finer(surface, limit, linear).redraw(camera, drawer, drawn);
+  if (!drawn.troubled.empty()) Finer(surface, limit, linear).redraw(task, drawn);
   Silhouettes result;
   std::size_t points = 0;
   for (const ExactPolyline& line : drawn.chains) points += line.points.size();
@@ -200,7 +241,7 @@ Silhouettes exact_silhouettes(const Surface& surface, const LimitSurface& limit,
     result.chains.close_list();
     result.closed.push_back(line.closed);
   }
-  counts["evaluations"] += contour.evaluations();
+  counts["evaluations"] += drawn.evaluations;
   return result;
 }
 

@@ -32,10 +32,10 @@ struct Silhouettes {
 // away nearer to a cusp than the image can show. Pairs of cusps less than a quarter pixel apart
 // that undo each other's turn (a swallowtail) become one plain point. `everywhere`: all points
 // become exact. Adds "evaluations", "swallowtails", "troubled_triangles" to `counts`. Throws
-// Cancelled through `progress`.
+// Cancelled through `progress`. threads (0: all cores) take chains in turn.
 Silhouettes exact_silhouettes(const Surface& surface, const LimitSurface& limit,
                               const ContourFunctions& functions, const Camera& camera,
                               const LinearSilhouettes& linear, bool everywhere, Counts& counts,
-                              const Progress& progress = {});
+                              const Progress& progress = {}, int threads = 1);
 
 }  // namespace illustrate

@@ -63,7 +63,12 @@ void Patchwork::add(const std::vector<int>& triangles) {
   for (const int t : triangles) {
     if (numbers_[t] == none) add_whole(t);
   }
-  publish();
+}
+
+const Surface& Patchwork::surface() {
+  if (!is_published_) publish();
+  is_published_ = true;
+  return surface_;
 }
 
 int Patchwork::add_vertex_of(int whole_vertex) {
@@ -83,6 +88,7 @@ int Patchwork::add_vertex_of(int whole_vertex) {
 int Patchwork::add_whole(int triangle) {
   const int number = static_cast<int>(pieces_.size());
   numbers_.at(triangle) = number;
+  is_published_ = false;
   Piece piece;
   for (int k = 0; k < 3; ++k) {
     piece.vertices[idx(k)] = add_vertex_of(whole_.triangles[idx(triangle)][idx(k)]);
@@ -138,7 +144,7 @@ bool Patchwork::cut(const std::vector<int>& triangles) {
   for (int t = 0; t < static_cast<int>(cutting.middles.size()); ++t) {
     if (cutting.is_cut(t)) replace(t, cutting);
   }
-  publish();
+  is_published_ = false;
   return true;
 }
 

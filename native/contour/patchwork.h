@@ -32,7 +32,7 @@ class Patchwork {
   std::vector<int> take_added() { return std::exchange(added_, {}); }
 
   // With the fields that tracing needs; the patchwork's rim has no neighbours.
-  const Surface& surface() const { return surface_; }
+  const Surface& surface();
 
   // A triangle of the whole that is not cut yet.
   int number_of(int whole_triangle) const { return numbers_[whole_triangle]; }
@@ -89,7 +89,8 @@ class Patchwork {
   const LimitSurface& limit_;
   Surface surface_;
   std::vector<Piece> pieces_;
-  IndexMap numbers_;  // of triangles of the whole; once cut that of one part
+  bool is_published_ = false;  // whether surface_ has the triangles of pieces_
+  IndexMap numbers_;           // of triangles of the whole; once cut that of one part
   std::vector<int> added_;
   IndexMap vertices_;  // of vertices of the whole
   IndexMap places_;    // of places of the whole

@@ -1,6 +1,7 @@
 #include "core/parallel.h"
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
 #include <thread>
 #include <vector>
@@ -14,10 +15,44 @@ constexpr std::size_t smallest_share = 2048;
 // Elements of a thread between two reports of progress.
 constexpr std::size_t share_between_reports = 4096;
 
+std::size_t asked_threads(int threads) {
+  return threads > 0 ? static_cast<std::size_t>(threads)
+                     : std::max(1U, std::thread::hardware_concurrency());
+}
+
 std::size_t thread_count(std::size_t count, int threads) {
-  const std::size_t asked = threads > 0 ? static_cast<std::size_t>(threads)
-                                        : std::max(1U, std::thread::hardware_concurrency());
-  return std::max<std::size_t>(1, std::min(asked, count / smallest_share));
+  return std::max<std::size_t>(1, std::min(asked_threads(threads), count / smallest_share));
+}
+
+// The elements that are left, for whoever asks next; none once a body has failed.
+class Queue {
+ public:
+  explicit Queue(std::size_t count) : count_(count) {}
+
+  // Calls `before` and the body for elements until there are none; keeps what they throw.
+  void work(const std::function<void(std::size_t)>& before,
+            const std::function<void(std::size_t)>& body, std::exception_ptr& failure) {
+    try {
+      for (std::size_t i = next_++; i < count_ && !has_failed_; i = next_++) {
+        before(i);
+        body(i);
+      }
+    } catch (...) {
+      failure = std::current_exception();
+      has_failed_ = true;
+    }
+  }
+
+ private:
+  std::size_t count_;
+  std::atomic<std::size_t> next_{0};
+  std::atomic<bool> has_failed_{false};
+};
+
+void rethrow_first(const std::vector<std::exception_ptr>& failures) {
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
 }
 
 }  // namespace
@@ -41,9 +76,7 @@ void parallel_for(std::size_t count, int threads,
     });
   }
   for (std::thread& worker : workers) worker.join();
-  for (const std::exception_ptr& failure : failures) {
-    if (failure) std::rethrow_exception(failure);
-  }
+  rethrow_first(failures);
 }
 
 void parallel_for(std::size_t count, int threads, const Progress& progress,
@@ -54,6 +87,35 @@ void parallel_for(std::size_t count, int threads, const Progress& progress,
     parallel_for(std::min(piece, count - done), threads,
                  [&](std::size_t begin, std::size_t end) { body(done + begin, done + end); });
   }
+}
+
+void parallel_each(std::size_t count, int threads, const Progress& progress,
+                   const std::function<void(std::size_t)>& body) {
+  Queue queue(count);
+  std::vector<std::exception_ptr> failures(
+      std::max<std::size_t>(1, std::min(asked_threads(threads), count)));
+  const auto report = [&](std::size_t i) {
+    progress.report(static_cast<double>(i) / static_cast<double>(count));
+  };
+  std::vector<std::thread> others;
+  for (std::size_t s = 1; s < failures.size(); ++s) {
+    others.emplace_back([&, s] { queue.work([](std::size_t) {}, body, failures[s]); });
+  }
+  queue.work(report, body, failures[0]);
+  for (std::thread& other : others) other.join();
+  rethrow_first(failures);
+}
+
+std::vector<std::size_t> shares_of(const std::vector<std::size_t>& work, std::size_t least) {
+  std::vector<std::size_t> starts{0};
+  std::size_t sum = 0;
+  for (std::size_t i = 0; i < work.size(); ++i) {
+    sum += work[i];
+    if (sum < least && i + 1 < work.size()) continue;
+    starts.push_back(i + 1);
+    sum = 0;
+  }
+  return starts;
 }
 
 }  // namespace illustrate

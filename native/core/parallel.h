@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 #include "core/progress.h"
 
@@ -20,5 +21,14 @@ void parallel_for(std::size_t count, int threads,
 // The same, a few milliseconds of work at a time, with a report before each.
 void parallel_for(std::size_t count, int threads, const Progress& progress,
                   const std::function<void(std::size_t begin, std::size_t end)>& body);
+
+// Calls body(i) for every i in [0, count), each on the thread that is free first: for elements of a
+// millisecond of work or more. The body writes only to what belongs to i.
+void parallel_each(std::size_t count, int threads, const Progress& progress,
+                   const std::function<void(std::size_t i)>& body);
+
+// Consecutive elements put together to shares of so much work at least: the first element of each
+// share, and the count.
+std::vector<std::size_t> shares_of(const std::vector<std::size_t>& work, std::size_t least);
 
 }  // namespace illustrate

@@ -8,9 +8,9 @@
 #include "core/errors.h"
 #include "hatch/even_hatches.h"
 #include "hatch/reduce_hatches.h"
+#include "occlusion/visible_image.h"
 #include "pipeline/seen_scene.h"
 #include "pipeline/stopwatch.h"
-#include "occlusion/visible_image.h"
 #include "visibility/label_network.h"
 #include "visibility/vote.h"
 
@@ -146,9 +146,11 @@ class View {
                            progress.part(0.3, 0.6, "contour"));
     });
     result_.graph = timed(result_.timings["visibility"], [&] {
-      return (by_vote ? vote_network : label_network)(network, scene_.surface(), scene_.bvh(),
-                                                      on_paper, result_.counts,
-                                                      progress.part(0.6, 1, "visibility"));
+      const Progress visibility = progress.part(0.6, 1, "visibility");
+      return by_vote ? vote_network(network, scene_.surface(), scene_.bvh(), on_paper,
+                                    result_.counts, visibility)
+                     : label_network(network, scene_.surface(), scene_.bvh(), on_paper,
+                                     result_.counts, visibility, options_.threads);
     });
     to_pixels(result_.graph, unit);
   }

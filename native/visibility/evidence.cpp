@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "core/parallel.h"
+
 namespace illustrate {
 namespace {
 
@@ -12,6 +14,7 @@ constexpr double usual_missed_share = 0.75;
 constexpr double asked_thrice_px = 30;      // longer arcs are asked at three places
 constexpr double beside_nothing_px = 100;   // an arc next to the empty background is nearly certain
 constexpr double beside_nothing_share = 3;  // of its length: a sliver may hide a short one
+constexpr std::size_t least_share = 500;    // arcs that are worth a turn on another thread
 constexpr double least_weight = 1e-6;       // an arc without length still prefers its ray
 
 bool is_before(const StrandPlace& a, const StrandPlace& b) {
@@ -50,6 +53,16 @@ bool is_under_cover(const CurveNetwork& network, const std::vector<std::uint8_t>
   if (s.closed()) return false;
   return (arc.begin == none && nodes[idx(s.start_node)]) ||
          (arc.end == none && nodes[idx(s.end_node)]);
+}
+
+// What is known of an arc that nobody asked.
+Evidence known(const Arrangement& arrangement, const std::vector<std::uint8_t>& covered_nodes,
+               const PathArc& arc) {
+  if (is_under_cover(*arrangement.network, covered_nodes, arc)) {
+    return {1, any_more, arc.length_px + least_weight, false};
+  }
+  if (is_outline(arrangement, arc)) return {0, 0, outline_weight, true};
+  return {};
 }
 
 // The arcs of a path that are asked.
@@ -98,21 +111,24 @@ std::vector<std::vector<Evidence>> gather_evidence(const Arrangement& arrangemen
                                                    const Progress& progress) {
   const CurveNetwork& network = *arrangement.network;
   const std::vector<std::uint8_t> covered_nodes = nodes_under_cover(network);
-  std::vector<std::vector<Evidence>> evidence;
-  for (const std::vector<PathArc>& path : arcs) {
-    progress.report(static_cast<double>(evidence.size()) / static_cast<double>(arcs.size()));
-    std::vector<Evidence> of_arcs(path.size());
-    for (std::size_t i = 0; i < path.size(); ++i) {
-      if (is_under_cover(network, covered_nodes, path[i])) {
-        of_arcs[i] = {1, any_more, path[i].length_px + least_weight, false};
-      } else if (is_outline(arrangement, path[i]))
-        of_arcs[i] = {0, 0, outline_weight, true};
+  std::vector<std::size_t> sizes;
+  for (const std::vector<PathArc>& path : arcs) sizes.push_back(path.size());
+  const std::vector<std::size_t> starts = shares_of(sizes, least_share);
+  std::vector<LayerRays> shares(starts.size() - 1, rays);
+  std::vector<std::vector<Evidence>> evidence(arcs.size());
+  parallel_each(shares.size(), asking.threads, progress, [&](std::size_t s) {
+    for (std::size_t p = starts[s]; p < starts[s + 1]; ++p) {
+      std::vector<Evidence>& of_arcs = evidence[p];
+      of_arcs.resize(arcs[p].size());
+      for (std::size_t i = 0; i < of_arcs.size(); ++i) {
+        of_arcs[i] = known(arrangement, covered_nodes, arcs[p][i]);
+      }
+      for (const std::size_t i : longest_arcs(arcs[p], of_arcs, asking)) {
+        of_arcs[i] = ask(arrangement, arcs[p][i], shares[s]);
+      }
     }
-    for (const std::size_t i : longest_arcs(path, of_arcs, asking)) {
-      of_arcs[i] = ask(arrangement, path[i], rays);
-    }
-    evidence.push_back(std::move(of_arcs));
-  }
+  });
+  for (const LayerRays& share : shares) rays.add_count(share);
   return evidence;
 }
 

@@ -28,6 +28,7 @@ double missed_share(const Evidence& evidence);
 struct Asking {
   std::size_t most_arcs = 5;
   double least_px = 0;
+  int threads = 1;  // 0: all cores; the same for any number
 };
 
 // (paths)(arcs) Arcs at the outside of the drawing have 0 layers for certain, those on covered or

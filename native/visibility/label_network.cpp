@@ -21,9 +21,12 @@ constexpr std::int64_t most_settled = 200'000;
 
 // Labels that no rule contradicts, but for what had to give way: a repair each.
 std::vector<LabelledPath> label_paths(Arrangement& arrangement, LayerRays& rays,
-                                      std::int64_t& repairs, const Progress& progress) {
+                                      std::int64_t& repairs, int threads,
+                                      const Progress& progress) {
   std::vector<std::vector<PathArc>> arcs = arcs_of_paths(arrangement);
-  const auto evidence = gather_evidence(arrangement, arcs, rays, Asking{}, progress.part(0, 0.7));
+  Asking asking;
+  asking.threads = threads;
+  const auto evidence = gather_evidence(arrangement, arcs, rays, asking, progress.part(0, 0.7));
   const ViewProblem view = state_labels(arrangement, arcs, evidence);
   const std::vector<int> labels = least_labels(view.problem, view.start, progress.part(0.7, 1));
   return settle_labels(arrangement, std::move(arcs), view, labels, repairs);
@@ -32,7 +35,8 @@ std::vector<LabelledPath> label_paths(Arrangement& arrangement, LayerRays& rays,
 }  // namespace
 
 LabelledGraph label_network(const CurveNetwork& network, const Surface& surface, const Bvh& bvh,
-                            const Camera& camera, Counts& counts, const Progress& progress) {
+                            const Camera& camera, Counts& counts, const Progress& progress,
+                            int threads) {
   Arrangement arrangement = arrange(network, camera);
   progress.report(0.3);
   double moved_px = 0;
@@ -50,8 +54,8 @@ LabelledGraph label_network(const CurveNetwork& network, const Surface& surface,
   const bool is_pile = crossings > most_settled;
   counts["unsettled_crossings"] += is_pile ? crossings : 0;
   std::int64_t settled = 0;
-  const std::vector<LabelledPath> labels =
-      (is_pile ? labels_by_rays : label_paths)(arrangement, rays, settled, progress.part(0.3, 1));
+  const std::vector<LabelledPath> labels = (is_pile ? labels_by_rays : label_paths)(
+      arrangement, rays, settled, threads, progress.part(0.3, 1));
   pull_touches_together(arrangement, touching);
   LabelledGraph graph = build_graph(arrangement, labels, surface);
   graph.repair_max_px = moved_px;

@@ -28,6 +28,7 @@ namespace illustrate {
 // too: "repaired_twists", "repaired_swallowtails", "repaired_labels"; and
 // "dropped_touches" apart: crossings next to joints that are no crossings (repairs.h).
 LabelledGraph label_network(const CurveNetwork& network, const Surface& surface, const Bvh& bvh,
-                            const Camera& camera, Counts& counts, const Progress& progress = {});
+                            const Camera& camera, Counts& counts, const Progress& progress = {},
+                            int threads = 1);
 
 }  // namespace illustrate

@@ -27,6 +27,9 @@ class LayerRays {
   LayerCount count(const Arrangement& arrangement, const StrandPlace& place);
 
   std::int64_t rays() const { return rays_; }
+  // A copy asks on its own, and starts to count anew.
+  LayerRays(const LayerRays& other) : LayerRays(other.surface_, other.bvh_, other.camera_) {}
+  void add_count(const LayerRays& other) { rays_ += other.rays_; }
 
  private:
   LayerCount count_from(const Vec3& origin, double blind);

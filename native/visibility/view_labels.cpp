@@ -273,14 +273,15 @@ std::vector<LabelledPath> settle_labels(Arrangement& arrangement,
 }
 
 std::vector<LabelledPath> labels_by_rays(Arrangement& arrangement, LayerRays& rays,
-                                         std::int64_t& repairs, const Progress& progress) {
+                                         std::int64_t& repairs, int threads,
+                                         const Progress& progress) {
   repairs += arrangement.live_crossings();
   std::replace(arrangement.states.begin(), arrangement.states.end(), CrossingState::live,
                CrossingState::demoted);
   arrangement.forget_visits();
   for (Path& path : arrangement.paths) path.freed.assign(path.freed.size(), 1);
   std::vector<std::vector<PathArc>> arcs = arcs_of_paths(arrangement);
-  const Asking all{std::numeric_limits<std::size_t>::max(), least_shown_px};
+  const Asking all{std::numeric_limits<std::size_t>::max(), least_shown_px, threads};
   const auto evidence = gather_evidence(arrangement, arcs, rays, all, progress);
   std::vector<LabelledPath> result;
   for (std::size_t p = 0; p < arcs.size(); ++p) {

@@ -42,6 +42,7 @@ std::vector<LabelledPath> settle_labels(Arrangement& arrangement,
 // or more has the layers that a ray counts, a shorter one those of the arc before; no crossing ties
 // them.
 std::vector<LabelledPath> labels_by_rays(Arrangement& arrangement, LayerRays& rays,
-                                         std::int64_t& repairs, const Progress& progress);
+                                         std::int64_t& repairs, int threads,
+                                         const Progress& progress);
 
 }  // namespace illustrate

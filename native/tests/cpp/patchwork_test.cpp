@@ -24,7 +24,7 @@ double weight_area(const Patchwork& patchwork, int t) {
 
 // Neighbours know each other across the same two places; parts fill what they were cut from, and
 // lie on the limit surface.
-void check_patchwork(const Patchwork& patchwork, const Surface& whole) {
+void check_patchwork(Patchwork& patchwork, const Surface& whole) {
   const Surface& s = patchwork.surface();
   const LimitSurface limit(whole);
   std::map<int, double> filled;

@@ -280,7 +280,7 @@ TEST(Labels, ByRaysAloneAreThoseOfATorusToo) {
   LayerRays rays(surface, bvh, camera);
   std::int64_t repairs = 0;
   const std::int64_t crossings = arrangement.live_crossings();
-  const auto labels = labels_by_rays(arrangement, rays, repairs, {});
+  const auto labels = labels_by_rays(arrangement, rays, repairs, 1, {});
   const LabelledGraph graph = build_graph(arrangement, labels, surface);
   check_graph(graph);
   EXPECT_GT(crossings, 0);
