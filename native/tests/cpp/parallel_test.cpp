@@ -52,6 +52,30 @@ TEST_P(ParallelTest, ExceptionsComeThrough) {
   EXPECT_THROW(parallel_for(100'000, GetParam(), {}, body), InvalidInput);
 }
 
+TEST_P(ParallelTest, EachElementOnceWhoeverIsFree) {
+  for (const std::size_t count : {0, 1, 3, 100}) {
+    std::vector<std::atomic<int>> visits(count);
+    parallel_each(count, GetParam(), {}, [&](std::size_t i) { ++visits[i]; });
+    for (const auto& visit : visits) EXPECT_EQ(visit, 1);
+  }
+}
+
+TEST_P(ParallelTest, EachStopsWhenCancelledOrFailed) {
+  std::atomic<int> done = 0;
+  const Progress cancel([&](double, const std::string&) { return false; }, "");
+  EXPECT_THROW(parallel_each(1000, GetParam(), cancel, [&](std::size_t) { ++done; }), Cancelled);
+  const auto fails = [](std::size_t i) {
+    if (i == 7) throw InvalidInput("element 7");
+  };
+  EXPECT_THROW(parallel_each(1000, GetParam(), {}, fails), InvalidInput);
+}
+
+TEST(Shares, HoldWorkEnoughAndEverything) {
+  EXPECT_EQ(shares_of({}, 5), (std::vector<std::size_t>{0}));
+  EXPECT_EQ(shares_of({1}, 5), (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(shares_of({9, 1, 1, 3, 9, 1}, 5), (std::vector<std::size_t>{0, 1, 4, 5, 6}));
+}
+
 INSTANTIATE_TEST_SUITE_P(Threads, ParallelTest, testing::Values(1, 2, 5));
 
 }  // namespace
