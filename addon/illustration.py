@@ -286,12 +286,11 @@ def _warnings(arrays: SceneArrays, reports: list[dict[str, Any]]) -> list[str]:
 
 def _crowding(counts: dict[str, int]) -> list[str]:
     """What the artist should know of a view with too many crossings of lines."""
-    unsettled = counts.get("unsettled_crossings", 0)
-    if not unsettled:
+    if not counts.get("sampled_views", 0):
         return []
     return [
-        f"{unsettled} crossings of lines are too many to settle: what hides what was asked line by "
-        "line, and may be wrong. Ignore or hide objects, in their styles, that lie inside others"
+        "There are over 200,000 crossings of lines: what hides what was sampled once a pixel. "
+        "Ignore objects, in their styles, of which single lines cannot be told, such as fur"
     ]
 
 

@@ -41,7 +41,7 @@ constexpr std::size_t crowd = 30'000;
 std::optional<Unseen> tell_unseen(const ContourScene& scene, const Camera& camera,
                                   const NetworkOptions& options, std::size_t carriers) {
   if (!options.only_seen || carriers < crowd) return {};
-  return Unseen(scene.surface, camera, options.threads);
+  return Unseen(scene.surface, camera, Unseen::Evidence::certain, options.threads);
 }
 
 }  // namespace

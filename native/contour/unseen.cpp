@@ -13,15 +13,22 @@ namespace {
 constexpr double cell_px = 1;
 constexpr double least_gap_px = 3;  // in front of what is covered
 constexpr double beyond_frame_px = 32;
-constexpr double piece_px = 4;  // curves are looked at piece by piece
-constexpr double most_pieces = 512;
-constexpr double least_cut_px = 8;
+constexpr double most_pieces = 1024;
 // What crosses a buried place within a piece, and is not cut off for being short, is covered.
 constexpr int covered_cells = 2, buried_cells = 8;
 
+// Curves are looked at piece by piece, and cut where a run of pieces is long enough.
+struct Fineness {
+  double piece_px, least_cut_px;
+};
+Fineness fineness(Unseen::Evidence evidence) {
+  return evidence == Unseen::Evidence::certain ? Fineness{4, 8} : Fineness{1, 2};
+}
+
 class Cutter {
  public:
-  Cutter(const Unseen& unseen, const CurveNetwork& network) : unseen_(unseen), network_(network) {
+  Cutter(const Unseen& unseen, const CurveNetwork& network)
+      : unseen_(unseen), network_(network), fineness_(fineness(unseen.evidence())) {
     result_.nodes = network.nodes;
   }
 
@@ -102,7 +109,7 @@ class Cutter {
       const Vec3 &a = point(i).position, &b = point(i + 1).position;
       const double length =
           (unseen_.camera().project(b).xy - unseen_.camera().project(a).xy).norm();
-      const double pieces = std::clamp(std::ceil(length / piece_px), 1.0, most_pieces);
+      const double pieces = std::clamp(std::ceil(length / fineness_.piece_px), 1.0, most_pieces);
       for (double k = 0; k < pieces; ++k) {
         const double from = k / pieces, to = (k + 1) / pieces;
         const Sight sight = unseen_.segment(a + from * (b - a), a + to * (b - a));
@@ -119,11 +126,11 @@ class Cutter {
   }
 
   // Short runs of one kind become another, but a whole strand.
-  static std::vector<Run> without_short(Sight kind, Sight other, const std::vector<Run>& runs) {
+  std::vector<Run> without_short(Sight kind, Sight other, const std::vector<Run>& runs) const {
     if (runs.size() == 1) return runs;
     std::vector<Run> result;
     for (Run run : runs) {
-      if (run.sight == kind && run.length_px < least_cut_px) run.sight = other;
+      if (run.sight == kind && run.length_px < fineness_.least_cut_px) run.sight = other;
       append(result, run);
     }
     return result;
@@ -157,17 +164,27 @@ class Cutter {
 
   const Unseen& unseen_;
   const CurveNetwork& network_;
+  Fineness fineness_;
   Span<const CurvePoint> points_;  // of the strand that is being cut
   CurveNetwork result_;
 };
 
+OcclusionMap map_of(const Surface& surface, const Camera& camera, Unseen::Evidence evidence,
+                    int threads) {
+  const VisibleImage image = render_visible(surface, camera, cell_px, {}, threads);
+  if (evidence == Unseen::Evidence::likely) return {surface, image, camera};
+  return {surface, image, covered_cells};
+}
+
 }  // namespace
 
-Unseen::Unseen(const Surface& surface, const Camera& camera, int threads)
+Unseen::Unseen(const Surface& surface, const Camera& camera, Evidence evidence, int threads)
     : surface_(surface),
       camera_(camera),
-      covered_(surface, render_visible(surface, camera, cell_px, {}, threads), covered_cells),
-      buried_(covered_.with_more_reach(buried_cells - covered_cells)) {}
+      evidence_(evidence),
+      covered_(map_of(surface, camera, evidence, threads)),
+      buried_(evidence == Evidence::certain ? covered_.with_more_reach(buried_cells - covered_cells)
+                                            : covered_) {}
 
 Sight Unseen::box(Span<const Vec3> points) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();

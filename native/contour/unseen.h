@@ -15,19 +15,25 @@ namespace illustrate {
 
 class Unseen {
  public:
+  // certain: as above. likely: whatever is behind the nearest surface at its very place, to within
+  // a pixel; all of it counts as buried then.
+  enum class Evidence : std::uint8_t { certain, likely };
+
   // threads: 0 = all cores.
-  Unseen(const Surface& surface, const Camera& camera, int threads);
+  Unseen(const Surface& surface, const Camera& camera, Evidence evidence, int threads);
 
   Sight triangle(int triangle) const;
   Sight segment(const Vec3& a, const Vec3& b) const;
   const Camera& camera() const { return camera_; }
   const Surface& surface() const { return surface_; }
+  Evidence evidence() const { return evidence_; }
 
  private:
   Sight box(Span<const Vec3> points) const;
 
   const Surface& surface_;
   Camera camera_;
+  Evidence evidence_;
   OcclusionMap covered_, buried_;
 };
 

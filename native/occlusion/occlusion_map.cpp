@@ -49,18 +49,39 @@ double longest_edge(const Surface& surface, int triangle) {
   return longest;
 }
 
-// Depths from which on each cell's triangle hides; rounded up.
-std::vector<float> hiding_depths(const Surface& surface, const VisibleImage& image) {
+// Depths from which on each cell's triangle hides, so much behind it; rounded up.
+template <class Slack>
+std::vector<float> hiding_depths(const Surface& surface, const VisibleImage& image,
+                                 const Slack& slack) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   std::vector<float> depths(image.depth.size(), infinity);
   for (std::size_t cell = 0; cell < depths.size(); ++cell) {
     const int triangle = image.triangle[cell];
     if (triangle == none) continue;
     const double edges = least_gap_edges * longest_edge(surface, triangle);
-    const double depth = image.depth[cell] + std::min(edges, largest_gap * surface.diagonal);
+    const double gap = std::min(edges, largest_gap * surface.diagonal);
+    const double depth = image.depth[cell] + gap + slack(triangle);
     depths[cell] = std::nextafter(static_cast<float>(depth), infinity);
   }
   return depths;
+}
+
+// How far the triangle's plane recedes in so many px; a few of its edges at most, where it is seen
+// from its edge.
+double recession(const Surface& surface, const Camera& camera, int triangle, double px) {
+  std::array<ImagePoint, 3> p;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3& corner = surface.positions[idx(surface.triangles[idx(triangle)][k])];
+    if (!(camera.near_distance(corner) > 0)) return 0;
+    p[k] = camera.project(corner);
+  }
+  const Vec2 a = p[1].xy - p[0].xy, b = p[2].xy - p[0].xy;
+  const double da = p[1].depth - p[0].depth, db = p[2].depth - p[0].depth;
+  const double area = a.x() * b.y() - a.y() * b.x();
+  const double slope =
+      Vec2(da * b.y() - db * a.y(), db * a.x() - da * b.x()).norm() / std::abs(area);
+  const double most = least_gap_edges * longest_edge(surface, triangle);
+  return slope * px < most ? slope * px : most;
 }
 
 }  // namespace
@@ -69,7 +90,15 @@ OcclusionMap::OcclusionMap(const Surface& surface, const VisibleImage& image, in
     : width_(image.width),
       height_(image.height),
       cell_px_(image.cell_px),
-      farthest_(greatest_within(hiding_depths(surface, image), width_, height_, reach)) {}
+      farthest_(greatest_within(hiding_depths(surface, image, [](int) { return 0.0; }), width_,
+                                height_, reach)) {}
+
+OcclusionMap::OcclusionMap(const Surface& surface, const VisibleImage& image, const Camera& camera)
+    : width_(image.width), height_(image.height), cell_px_(image.cell_px) {
+  farthest_ = hiding_depths(surface, image, [&](int triangle) {
+    return recession(surface, camera, triangle, 2 * cell_px_);
+  });
+}
 
 OcclusionMap OcclusionMap::with_more_reach(int cells) const {
   OcclusionMap result = *this;

@@ -16,6 +16,9 @@ class OcclusionMap {
   // curves are still known a little beyond the edge that they pass behind. Triangles hide from a
   // few of their edges behind them on: their own surface's curves do not quite lie on them.
   OcclusionMap(const Surface& surface, const VisibleImage& image, int reach);
+  // Without any reach: triangles hide from the depth on that they have up to two cells away, so
+  // that steep ones do not hide the rim of their own surface.
+  OcclusionMap(const Surface& surface, const VisibleImage& image, const Camera& camera);
   OcclusionMap with_more_reach(int cells) const;
 
   // Whether all that lies in the box from `low` to `high` (px of the image), at `depth` or farther,

@@ -127,14 +127,32 @@ Vec3 Arrangement::world_at(const StrandPlace& place) const {
 }
 
 Arrangement arrange(const CurveNetwork& network, const Camera& camera) {
+  return *arrange(network, camera, std::numeric_limits<std::size_t>::max());
+}
+
+std::optional<Arrangement> arrange(const CurveNetwork& network, const Camera& camera,
+                                   std::size_t most) {
   Arrangement result;
   result.network = &network;
   result.image = project_strands(network, camera);
-  result.crossings = find_crossings(network, result.image);
+  std::optional<std::vector<Crossing>> crossings = find_crossings(network, result.image, most);
+  if (!crossings) return {};
+  result.crossings = std::move(*crossings);
   result.states.assign(result.crossings.size(), CrossingState::live);
   result.paths = PathFinder(network).run();
   result.outline = outline_places(network, result.image);
   result.visits = sorted_visits(result);
+  return result;
+}
+
+Arrangement arrange_apart(const CurveNetwork& network, const Camera& camera) {
+  Arrangement result;
+  result.network = &network;
+  result.image = project_strands(network, camera);
+  for (int s = 0; s < static_cast<int>(network.strands.size()); ++s) {
+    result.paths.push_back({{s}, {0}, network.strands[idx(s)].closed(), {0}});
+  }
+  result.visits.resize(network.strands.size());
   return result;
 }
 

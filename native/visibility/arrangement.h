@@ -54,6 +54,11 @@ struct Arrangement {
 
 // `network` must outlive the result.
 Arrangement arrange(const CurveNetwork& network, const Camera& camera);
+// Nothing where there are more crossings than `most`.
+std::optional<Arrangement> arrange(const CurveNetwork& network, const Camera& camera,
+                                   std::size_t most);
+// Strands that cross nothing and follow nothing.
+Arrangement arrange_apart(const CurveNetwork& network, const Camera& camera);
 
 // (strands) the path that each belongs to.
 std::vector<int> paths_of_strands(const Arrangement& arrangement);

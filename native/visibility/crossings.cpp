@@ -43,7 +43,7 @@ class CrossingFinder {
   CrossingFinder(const CurveNetwork& network, const ImageStrands& strands)
       : network_(network), strands_(strands), segments_(crossing_segments(network)) {}
 
-  std::vector<Crossing> run() {
+  std::optional<std::vector<Crossing>> run(std::size_t most) {
     std::vector<SegmentBox> boxes;
     boxes.reserve(segments_.size());
     for (const StrandSegment& s : segments_) {
@@ -51,8 +51,11 @@ class CrossingFinder {
     }
     std::vector<std::pair<int, int>> pairs;
     overlapping_boxes(boxes, [&](int i, int j) {
-      if (cross(segments_[idx(i)], segments_[idx(j)])) pairs.emplace_back(i, j);
+      if (pairs.size() <= most && cross(segments_[idx(i)], segments_[idx(j)])) {
+        pairs.emplace_back(i, j);
+      }
     });
+    if (pairs.size() > most) return {};
     std::sort(pairs.begin(), pairs.end());
     std::vector<Crossing> result;
     for (const auto& [i, j] : pairs) {
@@ -135,8 +138,9 @@ int orientation(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
   return parity * perturbed(*p[0], *p[1], *p[2]);
 }
 
-std::vector<Crossing> find_crossings(const CurveNetwork& network, const ImageStrands& strands) {
-  return CrossingFinder(network, strands).run();
+std::optional<std::vector<Crossing>> find_crossings(const CurveNetwork& network,
+                                                    const ImageStrands& strands, std::size_t most) {
+  return CrossingFinder(network, strands).run(most);
 }
 
 }  // namespace illustrate

@@ -1,6 +1,9 @@
 // Where strands cross in the image, decided exactly.
 #pragma once
 
+#include <limits>
+#include <optional>
+
 #include "visibility/image_strands.h"
 
 namespace illustrate {
@@ -24,7 +27,10 @@ struct Crossing {
 // front, and those of strands that are buried or
 // beyond the frame. Two closed curves cross an even number of times, whatever the degeneracy: ties
 // are settled by a symbolic perturbation by point id. Segments that share a node do not cross.
-std::vector<Crossing> find_crossings(const CurveNetwork& network, const ImageStrands& strands);
+// Nothing where there are more than `most`.
+std::optional<std::vector<Crossing>> find_crossings(
+    const CurveNetwork& network, const ImageStrands& strands,
+    std::size_t most = std::numeric_limits<std::size_t>::max());
 
 // The sign of the turn a, b, c: +1 left (y up), -1 right; never 0 for different ids.
 int orientation(const GridPoint& a, const GridPoint& b, const GridPoint& c);

@@ -70,7 +70,7 @@ std::vector<std::size_t> longest_arcs(const std::vector<PathArc>& arcs,
                                       const std::vector<Evidence>& evidence, const Asking& asking) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < arcs.size(); ++i) {
-    if (evidence[i].weight == 0 && arcs[i].length_px >= asking.least_px) order.push_back(i);
+    if (evidence[i].weight == 0) order.push_back(i);
   }
   const auto count = static_cast<std::ptrdiff_t>(std::min(asking.most_arcs, order.size()));
   std::partial_sort(

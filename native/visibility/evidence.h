@@ -27,7 +27,6 @@ double missed_share(const Evidence& evidence);
 // as five tell the others, by the rules.
 struct Asking {
   std::size_t most_arcs = 5;
-  double least_px = 0;
   int threads = 1;  // 0: all cores; the same for any number
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "visibility/build_graph.h"
+#include "visibility/label_pile.h"
 #include "visibility/repairs.h"
 #include "visibility/touch_images.h"
 #include "visibility/view_labels.h"
@@ -17,7 +18,7 @@ std::int64_t count_unbalanced(const Arrangement& arrangement) {
 
 // Crossings beyond which the problem takes minutes: machines of a hundred parts have half as many,
 // a pile of needles has more.
-constexpr std::int64_t most_settled = 200'000;
+constexpr std::size_t most_settled = 200'000;
 
 // Labels that no rule contradicts, but for what had to give way: a repair each.
 std::vector<LabelledPath> label_paths(Arrangement& arrangement, LayerRays& rays,
@@ -37,7 +38,10 @@ std::vector<LabelledPath> label_paths(Arrangement& arrangement, LayerRays& rays,
 LabelledGraph label_network(const CurveNetwork& network, const Surface& surface, const Bvh& bvh,
                             const Camera& camera, Counts& counts, const Progress& progress,
                             int threads) {
-  Arrangement arrangement = arrange(network, camera);
+  std::optional<Arrangement> settled = arrange(network, camera, most_settled);
+  counts["sampled_views"] += !settled;
+  if (!settled) return label_pile(network, surface, camera, threads);
+  Arrangement& arrangement = *settled;
   progress.report(0.3);
   double moved_px = 0;
   const int touches = drop_touches(arrangement, moved_px);
@@ -50,12 +54,9 @@ LabelledGraph label_network(const CurveNetwork& network, const Surface& surface,
   repairs += swallowtails;
   counts["repaired_swallowtails"] += swallowtails;
   LayerRays rays(surface, bvh, camera);
-  const std::int64_t crossings = arrangement.live_crossings();
-  const bool is_pile = crossings > most_settled;
-  counts["unsettled_crossings"] += is_pile ? crossings : 0;
-  std::int64_t settled = 0;
-  const std::vector<LabelledPath> labels = (is_pile ? labels_by_rays : label_paths)(
-      arrangement, rays, settled, threads, progress.part(0.3, 1));
+  std::int64_t label_repairs = 0;
+  const std::vector<LabelledPath> labels =
+      label_paths(arrangement, rays, label_repairs, threads, progress.part(0.3, 1));
   pull_touches_together(arrangement, touching);
   LabelledGraph graph = build_graph(arrangement, labels, surface);
   graph.repair_max_px = moved_px;
@@ -63,8 +64,8 @@ LabelledGraph label_network(const CurveNetwork& network, const Surface& surface,
   counts["rays"] += rays.rays();
   counts["loops"] += arrangement.loops();
   counts["unbalanced_loops"] += unbalanced;
-  counts["repaired_labels"] += settled;
-  counts["repairs"] += repairs + settled;
+  counts["repaired_labels"] += label_repairs;
+  counts["repairs"] += repairs + label_repairs;
   return graph;
 }
 

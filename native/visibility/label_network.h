@@ -21,8 +21,8 @@
 
 namespace illustrate {
 
-// A view of more than 200,000 crossings has labels by rays alone, one for each arc, and says so:
-// "unsettled_crossings" are then all of them, else 0.
+// A view of more than 200,000 crossings is sampled instead (label_pile.h), and says so:
+// "sampled_views" counts it. The result is the same for any number of threads (0: all cores).
 //
 // Adds "crossings", "rays", "loops", "unbalanced_loops", "repairs" to `counts`, the repairs by kind
 // too: "repaired_twists", "repaired_swallowtails", "repaired_labels"; and

@@ -13,9 +13,6 @@ constexpr double price_per_px = 5;
 constexpr double least_change_price = 5, greatest_change_price = 120;
 constexpr double least_cover_price = 0.5, greatest_cover_price = 40;
 
-// Of arcs that rays alone label, the shortest that are asked; others are as the arc before them.
-constexpr double least_shown_px = 1;
-
 std::int64_t as_price(double px) { return std::llround(px * price_of_pixel); }
 
 double change_price(double extent) {
@@ -268,29 +265,6 @@ std::vector<LabelledPath> settle_labels(Arrangement& arrangement,
     std::vector<int> layers;
     for (const int unknown : view.unknowns[p]) layers.push_back(label(unknown));
     result.push_back(relabellings[p].run(arrangement, arrangement.paths[p], layers));
-  }
-  return result;
-}
-
-std::vector<LabelledPath> labels_by_rays(Arrangement& arrangement, LayerRays& rays,
-                                         std::int64_t& repairs, int threads,
-                                         const Progress& progress) {
-  repairs += arrangement.live_crossings();
-  std::replace(arrangement.states.begin(), arrangement.states.end(), CrossingState::live,
-               CrossingState::demoted);
-  arrangement.forget_visits();
-  for (Path& path : arrangement.paths) path.freed.assign(path.freed.size(), 1);
-  std::vector<std::vector<PathArc>> arcs = arcs_of_paths(arrangement);
-  const Asking all{std::numeric_limits<std::size_t>::max(), least_shown_px, threads};
-  const auto evidence = gather_evidence(arrangement, arcs, rays, all, progress);
-  std::vector<LabelledPath> result;
-  for (std::size_t p = 0; p < arcs.size(); ++p) {
-    std::vector<int> layers;
-    for (const Evidence& e : evidence[p]) {
-      const int before = layers.empty() ? 0 : layers.back();
-      layers.push_back(e.weight > 0 ? e.layers : before);
-    }
-    result.push_back({std::move(arcs[p]), std::move(layers)});
   }
   return result;
 }

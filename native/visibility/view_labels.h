@@ -38,11 +38,4 @@ std::vector<LabelledPath> settle_labels(Arrangement& arrangement,
                                         const ViewProblem& view, const std::vector<int>& labels,
                                         std::int64_t& repairs);
 
-// The same for a pile of curves that is too much for the problem: every arc of a pixel
-// or more has the layers that a ray counts, a shorter one those of the arc before; no crossing ties
-// them.
-std::vector<LabelledPath> labels_by_rays(Arrangement& arrangement, LayerRays& rays,
-                                         std::int64_t& repairs, int threads,
-                                         const Progress& progress);
-
 }  // namespace illustrate

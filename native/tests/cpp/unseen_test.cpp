@@ -7,6 +7,7 @@
 #include "contour/network.h"
 #include "shapes.h"
 #include "visibility/label_network.h"
+#include "visibility/label_pile.h"
 
 namespace illustrate {
 namespace {
@@ -16,6 +17,8 @@ Surface plate(double half) {
   return shapes::plain_surface(shapes::polygon_mesh(
       {{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}}, {{0, 1, 2, 3}}));
 }
+
+constexpr auto certain = Unseen::Evidence::certain;
 
 // 250 px to a unit, the origin at (500, 500).
 const Camera from_above = cameras::orthographic(Vec3::UnitZ(), 2);
@@ -58,7 +61,7 @@ double start_px(const CurveNetwork& network, std::size_t strand) {
 
 TEST(Unseen, StrandsAreCutALittleBeyondWhatHidesThem) {
   const Surface surface = plate(1);
-  const Unseen unseen(surface, from_above, 1);
+  const Unseen unseen(surface, from_above, certain, 1);
   const CurveNetwork cut = cut_at_unseen(unseen, line_under_plate(-1.9));
   ASSERT_EQ(cut.strands.size(), 2U) << "covered stretches of a few pixels are no strands";
   EXPECT_EQ(cut.strands[0].sight, Sight::possible);
@@ -81,14 +84,15 @@ TEST(Unseen, StrandsAlongAnEdgeAreCovered) {
     p.y() = 1 - 5. / 250;
     network.points.values[i].position = p;
   }
-  const CurveNetwork cut = cut_at_unseen(Unseen(surface, from_above, 1), network);
+  const CurveNetwork cut = cut_at_unseen(Unseen(surface, from_above, certain, 1), network);
   ASSERT_EQ(cut.strands.size(), 2U);
   EXPECT_EQ(cut.strands[1].sight, Sight::covered);
 }
 
 TEST(Unseen, StrandsAreCutBeyondTheFrame) {
   const Surface surface = plate(0.1);
-  const CurveNetwork cut = cut_at_unseen(Unseen(surface, from_above, 1), line_under_plate(-100));
+  const CurveNetwork cut =
+      cut_at_unseen(Unseen(surface, from_above, certain, 1), line_under_plate(-100));
   ASSERT_GE(cut.strands.size(), 2U);
   EXPECT_EQ(cut.strands[0].sight, Sight::beyond_frame);
   EXPECT_EQ(cut.strands[1].sight, Sight::possible);
@@ -124,7 +128,7 @@ TEST(Unseen, LeavesTheSameLinesVisible) {
   Counts counts;
   const CurveNetwork network =
       build_network({surface, LimitSurface(surface), {}, {}}, camera, {}, counts);
-  const CurveNetwork cut = cut_at_unseen(Unseen(surface, camera, 1), network);
+  const CurveNetwork cut = cut_at_unseen(Unseen(surface, camera, certain, 1), network);
   Counts whole_counts, cut_counts;
   const LabelledGraph whole = label_network(network, surface, bvh, camera, whole_counts);
   const LabelledGraph graph = label_network(cut, surface, bvh, camera, cut_counts);
@@ -139,6 +143,26 @@ TEST(Unseen, LeavesTheSameLinesVisible) {
   EXPECT_GT(all, 1000);
 }
 
+TEST(LabelPile, ShowsWhatLabelsShowToAPixelOrTwo) {
+  const int side = 4;
+  const Surface surface = block_of_balls(side);
+  const Camera camera = cameras::perspective(Vec3(-12, -15, 13), Vec3(3, 3, 3));
+  const Bvh bvh(surface.positions, surface.triangles);
+  Counts counts;
+  const CurveNetwork network =
+      build_network({surface, LimitSurface(surface), {}, {}}, camera, {}, counts);
+  const LabelledGraph settled = label_network(network, surface, bvh, camera, counts);
+  const LabelledGraph sampled = label_pile(network, surface, camera, 1);
+  check_graph(sampled);
+  EXPECT_EQ(counts["sampled_views"], 0);
+  double all = 0, off = 0;
+  for (int object = 0; object < side * side * side; ++object) {
+    all += seen_length(settled, object);
+    off += std::abs(seen_length(sampled, object) - seen_length(settled, object));
+  }
+  EXPECT_LT(off, 0.02 * all);
+}
+
 TEST(Unseen, ChainsWithinWallsAreDropped) {
   const Surface surface =
       shapes::joined(plate(1), shapes::joined(shapes::sphere_surface(0.3, 2, Vec3(0, 0, -1)),
@@ -146,7 +170,7 @@ TEST(Unseen, ChainsWithinWallsAreDropped) {
   const ContourFunctions functions(surface, from_above);
   LinearSilhouettes found = linear_silhouettes(surface, functions);
   ASSERT_EQ(found.chains.size(), 2U);
-  EXPECT_EQ(drop_unseen_chains(Unseen(surface, from_above, 1), found), 1);
+  EXPECT_EQ(drop_unseen_chains(Unseen(surface, from_above, certain, 1), found), 1);
   ASSERT_EQ(found.chains.size(), 1U);
   EXPECT_GT(found.chains[0].front().position.x(), 0.6);
 }
