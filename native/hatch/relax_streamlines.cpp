@@ -38,6 +38,8 @@ constexpr double most_overshoot = 1.3;
 // Angles of streamlines to the cross grow no further than this: what is beyond weighs more.
 constexpr double most_drift = 0.055;  // radians
 constexpr double most_stiffening = 30;
+// On flat faces any drift shows: there they move as they are.
+constexpr double flat_stiffening = 1e4;
 
 // How far ahead the surface is asked for.
 constexpr std::size_t nodes_ahead = 3;
@@ -171,7 +173,12 @@ class Relaxer {
     return pull;
   }
 
-  static std::vector<Segment> segments_of(const Streamline& streamline) {
+  bool is_flat(const StreamlineNode& node) const {
+    const std::vector<int>& planes = view_.walker.on_surface().surface().triangle_planes;
+    return !planes.empty() && planes[idx(node.on.triangle)] != none;
+  }
+
+  std::vector<Segment> segments_of(const Streamline& streamline) const {
     const double length = stiffness * streamline.spacing, least_px = 1e-3 * streamline.spacing;
     std::vector<Segment> segments;
     segments.reserve(streamline.nodes.size());
@@ -179,9 +186,10 @@ class Relaxer {
       const StreamlineNode &a = streamline.nodes[i], &b = streamline.nodes[i + 1];
       const Vec2 field = a.heading + b.heading, chord = b.image - a.image;
       const double lever = (a.lever + b.lever) / 2;
+      const double stiffening = is_flat(a) && is_flat(b) ? flat_stiffening : 1;
       segments.push_back({std::max(chord.norm(), least_px),
                           std::atan2(cross(field, chord), field.dot(chord)), lever,
-                          length * length * std::clamp(lever * lever, 0.1, 9.0)});
+                          stiffening * length * length * std::clamp(lever * lever, 0.1, 9.0)});
     }
     return segments;
   }

@@ -1,0 +1,233 @@
+#include "surface/plane_faces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/parallel.h"
+#include "mesh/polygons.h"
+#include "surface/base_edges.h"
+#include "surface/plane_rim.h"
+#include "surface/refined_mesh.h"
+
+namespace illustrate {
+namespace {
+
+// What lies this near a plane, as a share of the diagonal, lies in it: coordinates of single
+// precision or of six digits are no better.
+constexpr double near_plane = 2e-6;
+// Faces that turn less are in one plane; strips of the finest fillets turn ten times as much.
+constexpr double least_turn = 1e-3;
+// A plane is fitted anew to what was found by the last one: that of a sliver misses much of it.
+constexpr int most_fits = 4;
+
+// A smooth rim may have gaps: a corner of a hole that lies on it.
+constexpr double sharp_share = 0.99;
+// A flat face is this many times as thick as most of what it goes on into smoothly...
+constexpr double thickness_ratio = 3, thin_share = 0.5;
+// ... and this much of the mesh. A dense scan has no triangle so large.
+constexpr double least_area = 1e-3;
+
+// Faces in one plane.
+struct Piece {
+  Vec3 twice_area = Vec3::Zero();
+  double rim = 0;         // length
+  double smooth_rim = 0;  // of it
+
+  // The width of a strip, half the side of a square.
+  double thickness() const { return rim > 0 ? twice_area.norm() / rim : 0; }
+};
+
+class PlaneFinder {
+ public:
+  PlaneFinder(const SoundMesh& mesh, int threads)
+      : base_(mesh), mesh_(polygonal_mesh(mesh, threads)), tolerance_(near_plane * diagonal()) {
+    measure_faces(threads);
+  }
+
+  // (f) pieces, in the order of their largest faces.
+  void divide() {
+    pieces_of_.assign(mesh_.face_count(), none);
+    std::vector<int> seeds(mesh_.face_count());
+    std::iota(seeds.begin(), seeds.end(), 0);
+    std::stable_sort(seeds.begin(), seeds.end(), [&](int a, int b) {
+      return twice_areas_[idx(a)].squaredNorm() > twice_areas_[idx(b)].squaredNorm();
+    });
+    for (const int seed : seeds) {
+      if (pieces_of_[idx(seed)] == none && !is_hole(seed)) grow(seed);
+    }
+    for_each_rim_edge([&](int corner, int, double length) {
+      Piece& piece = pieces_[idx(pieces_of_[idx(mesh_.face(corner))])];
+      piece.rim += length;
+      if (is_smooth(corner)) piece.smooth_rim += length;
+    });
+  }
+
+  // Numbers the flat faces among the pieces from `first`; (f) the number of each face.
+  std::vector<PlaneFace> flat_faces(int object, int first, std::vector<int>& numbers) const {
+    const std::vector<std::uint8_t> is_flat = flat_pieces();
+    std::vector<int> of_piece(pieces_.size(), none);
+    std::vector<PlaneFace> planes;
+    for (std::size_t p = 0; p < pieces_.size(); ++p) {
+      if (!is_flat[p]) continue;
+      of_piece[p] = first + static_cast<int>(planes.size());
+      PlaneFace plane;
+      plane.object = object;
+      plane.normal = unit_or_zero(pieces_[p].twice_area);
+      plane.ends_sharply = is_sharp(pieces_[p]);
+      planes.push_back(plane);
+    }
+    numbers.assign(mesh_.face_count(), none);
+    for (std::size_t f = 0; f < numbers.size(); ++f) {
+      if (pieces_of_[f] != none) numbers[f] = of_piece[idx(pieces_of_[f])];
+    }
+    add_rims(first, numbers, planes);
+    return planes;
+  }
+
+ private:
+  double diagonal() const { return illustrate::diagonal(base_.positions); }
+  bool is_hole(int face) const { return !base_.holes.empty() && base_.holes[idx(face)]; }
+
+  void measure_faces(int threads) {
+    twice_areas_.resize(mesh_.face_count());
+    longest_.resize(mesh_.face_count());
+    parallel_for(mesh_.face_count(), threads, [&](std::size_t begin, std::size_t end) {
+      for (int f = static_cast<int>(begin); f < static_cast<int>(end); ++f) {
+        const Vec3& origin = mesh_.point(mesh_.first(f));
+        Vec3 sum = Vec3::Zero();
+        double longest = 0;
+        for (int c = mesh_.first(f); c < mesh_.first(f + 1); ++c) {
+          const Vec3 edge = mesh_.point(mesh_.next(c)) - mesh_.point(c);
+          sum += (mesh_.point(c) - origin).cross(edge);
+          longest = std::max(longest, edge.norm());
+        }
+        twice_areas_[idx(f)] = sum;
+        longest_[idx(f)] = longest;
+      }
+    });
+  }
+
+  void grow(int seed) {
+    const int number = static_cast<int>(pieces_.size());
+    Piece piece;
+    std::vector<int> members{seed};
+    pieces_of_[idx(seed)] = number;
+    piece.twice_area = twice_areas_[idx(seed)];
+    for (int fit = 0; fit < most_fits; ++fit) {
+      const std::size_t before = members.size();
+      const Vec3 normal = unit_or_zero(piece.twice_area);
+      if (normal.isZero()) break;
+      const double height = mean_height(members, normal);
+      for (std::size_t i = 0; i < members.size(); ++i) {
+        for (int c = mesh_.first(members[i]); c < mesh_.first(members[i] + 1); ++c) {
+          const int other = mesh_.mate(c) == none ? none : mesh_.face(mesh_.mate(c));
+          if (other == none || pieces_of_[idx(other)] != none || is_hole(other)) continue;
+          if (!lies_in_plane(other, normal, height)) continue;
+          pieces_of_[idx(other)] = number;
+          piece.twice_area += twice_areas_[idx(other)];
+          members.push_back(other);
+        }
+      }
+      if (members.size() == before) break;
+    }
+    pieces_.push_back(piece);
+  }
+
+  double mean_height(const std::vector<int>& faces, const Vec3& normal) const {
+    double sum = 0;
+    int count = 0;
+    for (const int f : faces) {
+      for (int c = mesh_.first(f); c < mesh_.first(f + 1); ++c, ++count) {
+        sum += normal.dot(mesh_.point(c) - base_.positions[0]);
+      }
+    }
+    return sum / count;
+  }
+
+  // The normal of a sliver is rounding, the more the thinner it is.
+  bool lies_in_plane(int face, const Vec3& normal, double height) const {
+    for (int c = mesh_.first(face); c < mesh_.first(face + 1); ++c) {
+      const double off = normal.dot(mesh_.point(c) - base_.positions[0]) - height;
+      if (!(std::abs(off) <= tolerance_)) return false;
+    }
+    const double thickness = twice_areas_[idx(face)].norm() / longest_[idx(face)];
+    if (!(thickness > tolerance_)) return true;
+    const double turn = (unit_or_zero(twice_areas_[idx(face)]) - normal).norm();
+    return turn <= least_turn || (turn < 1 && thickness * turn <= tolerance_);
+  }
+
+  bool is_smooth(int corner) const {
+    return !mesh_.is_sharp(corner) && !is_hole(mesh_.face(mesh_.mate(corner)));
+  }
+
+  // visit(corner, piece beyond or none, length) for each edge that ends a piece.
+  template <class Visit>
+  void for_each_rim_edge(const Visit& visit) const {
+    for (int c = 0; c < static_cast<int>(mesh_.corner_count()); ++c) {
+      const int own = pieces_of_[idx(mesh_.face(c))], mate = mesh_.mate(c);
+      const int other = mate == none ? none : pieces_of_[idx(mesh_.face(mate))];
+      if (own == none || own == other) continue;
+      visit(c, other, (mesh_.point(mesh_.next(c)) - mesh_.point(c)).norm());
+    }
+  }
+
+  static bool is_sharp(const Piece& piece) {
+    return piece.smooth_rim <= (1 - sharp_share) * piece.rim;
+  }
+
+  std::vector<std::uint8_t> flat_pieces() const {
+    std::vector<double> thin_rim(pieces_.size(), 0);
+    for_each_rim_edge([&](int corner, int other, double length) {
+      const int own = pieces_of_[idx(mesh_.face(corner))];
+      if (!is_smooth(corner) || other == none) return;
+      const double thickness = pieces_[idx(other)].thickness();
+      if (thickness * thickness_ratio <= pieces_[idx(own)].thickness()) {
+        thin_rim[idx(own)] += length;
+      }
+    });
+    double whole = 0;
+    for (const Piece& piece : pieces_) whole += piece.twice_area.norm();
+    std::vector<std::uint8_t> result(pieces_.size(), 0);
+    for (std::size_t p = 0; p < pieces_.size(); ++p) {
+      const Piece& piece = pieces_[p];
+      const double size = piece.twice_area.norm();
+      if (!(size > 0) || !std::isfinite(size)) continue;
+      const bool is_large = size >= least_area * whole &&
+                            thin_rim[p] >= thin_share * piece.smooth_rim;
+      result[p] = is_sharp(piece) || is_large;
+    }
+    return result;
+  }
+
+  void add_rims(int first, const std::vector<int>& numbers, std::vector<PlaneFace>& planes) const {
+    std::vector<std::vector<RimEdge>> rims(planes.size());
+    for_each_rim_edge([&](int corner, int, double) {
+      const int number = numbers[idx(mesh_.face(corner))];
+      if (number == none) return;
+      rims[idx(number - first)].push_back(
+          {mesh_.point(corner), mesh_.point(mesh_.next(corner))});
+    });
+    for (std::size_t p = 0; p < planes.size(); ++p) measure_rim(rims[p], planes[p]);
+  }
+
+  const SoundMesh& base_;
+  const RefinedMesh mesh_;
+  double tolerance_;
+  std::vector<Vec3> twice_areas_;  // (f) along the normals
+  std::vector<double> longest_;    // (f) edges
+  std::vector<int> pieces_of_;     // (f)
+  std::vector<Piece> pieces_;
+};
+
+}  // namespace
+
+std::vector<PlaneFace> find_plane_faces(SoundMesh& mesh, int object, int first, int threads) {
+  mesh.face_planes.clear();
+  if (mesh.face_sizes.empty() || has_double_cover(mesh)) return {};
+  PlaneFinder finder(mesh, threads);
+  finder.divide();
+  return finder.flat_faces(object, first, mesh.face_planes);
+}
+
+}  // namespace illustrate
