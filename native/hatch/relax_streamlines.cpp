@@ -72,7 +72,9 @@ class Relaxer {
       const bool is_drawn = (i + sweep_) % 2 == 0 || count == 2;
       pulls.push_back(is_drawn ? pull_at(streamline, number, i) : Pull{});
     }
-    return moved(streamline, pulls);
+    std::vector<StreamlineNode> nodes = moved(streamline, pulls);
+    drop_stuck_ends(streamline.nodes, nodes);
+    return nodes;
   }
 
   // The nodes drawn to where they are, if none comes too near to another streamline by that.
@@ -108,6 +110,21 @@ class Relaxer {
           shifted(streamline.nodes[i], std::clamp(share_moved * shift[i], -most, most)));
     }
     return nodes;
+  }
+
+  // On flat faces ends that could not go with the others, since an edge is there, would be hooks:
+  // ends are extended again.
+  void drop_stuck_ends(const std::vector<StreamlineNode>& from,
+                       std::vector<StreamlineNode>& to) const {
+    const auto is_stuck = [&](std::size_t i) {
+      return is_flat(from[i]) && from[i].image == to[i].image;
+    };
+    std::size_t begin = 0, end = to.size();
+    while (begin < end && is_stuck(begin)) ++begin;
+    while (end > begin && is_stuck(end - 1)) --end;
+    if (end - begin < 2) return;
+    to.erase(to.begin() + static_cast<std::ptrdiff_t>(end), to.end());
+    to.erase(to.begin(), to.begin() + static_cast<std::ptrdiff_t>(begin));
   }
 
   // Distances to the nearest parallel streamlines to the left and the right, infinite beyond
