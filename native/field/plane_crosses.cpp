@@ -1,8 +1,10 @@
 #include "field/plane_crosses.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
+#include "core/tolerances.h"
 #include "field/coplanar.h"
 
 namespace illustrate {
@@ -19,22 +21,51 @@ bool is_clear(const PlaneFace& plane) {
   return plane.agreement >= (plane.ends_sharply ? clear_sharp : clear_smooth);
 }
 
-// (planes) the clear one of each one's group of which most rim asks for its direction; none where
-// none is clear.
-std::vector<int> leaders(const std::vector<PlaneFace>& planes, bool across_objects) {
-  const std::vector<int> groups = coplanar_groups(planes, across_objects);
-  const auto strength = [&](int p) {
-    return planes[idx(p)].agreement * planes[idx(p)].rim_length;
-  };
-  std::vector<int> of_group(planes.size(), none);
+// What decides between faces: how much rim asks for the direction.
+double strength(const PlaneFace& plane) { return plane.agreement * plane.rim_length; }
+
+// Of those of each group (planes) the strongest clear one; none where none is clear.
+template <class Group>
+std::vector<int> strongest(const std::vector<PlaneFace>& planes, std::size_t groups,
+                           const Group& group_of) {
+  std::vector<int> result(groups, none);
   for (int p = 0; p < static_cast<int>(planes.size()); ++p) {
-    int& leader = of_group[idx(groups[idx(p)])];
     if (!is_clear(planes[idx(p)])) continue;
-    if (leader == none || strength(p) > strength(leader)) leader = p;
+    int& best = result[idx(group_of(p))];
+    if (best == none || strength(planes[idx(p)]) > strength(planes[idx(best)])) best = p;
   }
-  std::vector<int> result;
-  for (const int group : groups) result.push_back(of_group[idx(group)]);
   return result;
+}
+
+// Of the axes of an object, which its strongest face has, the one that lies most in a plane.
+Vec3 own_axis(const PlaneFace& strongest, const Vec3& normal) {
+  const std::array<Vec3, 3> axes{strongest.direction,
+                                 strongest.normal.cross(strongest.direction), strongest.normal};
+  return *std::min_element(axes.begin(), axes.end(), [&](const Vec3& a, const Vec3& b) {
+    return std::abs(a.dot(normal)) < std::abs(b.dot(normal)) - tolerance::flat_rad;
+  });
+}
+
+// (planes) the direction of the cross; zero where the default is to be taken.
+std::vector<Vec3> directions_of(const std::vector<PlaneFace>& planes, bool across_objects) {
+  const std::vector<int> groups = coplanar_groups(planes, across_objects);
+  const auto group_of = [&](int p) { return groups[idx(p)]; };
+  const auto object_of = [&](int p) { return planes[idx(p)].object; };
+  const std::size_t objects = idx(planes.back().object) + 1;
+  const std::vector<int> leaders = strongest(planes, planes.size(), group_of);
+  const std::vector<int> of_objects = strongest(planes, objects, object_of);
+  std::vector<Vec3> directions;
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    const int leader = leaders[idx(groups[p])], own = of_objects[idx(planes[p].object)];
+    if (leader != none) {
+      directions.push_back(planes[idx(leader)].direction);
+    } else if (own != none) {
+      directions.push_back(own_axis(planes[idx(own)], planes[p].normal));
+    } else {
+      directions.emplace_back(Vec3::Zero());
+    }
+  }
+  return directions;
 }
 
 // Of the triangles at a vertex: the lowest and the highest face, or none.
@@ -92,7 +123,7 @@ PlaneCrosses plane_crosses(const Surface& surface, const TangentFrames& frames,
                            const CrossNumbers& default_crosses, bool across_objects) {
   PlaneCrosses result{std::vector<int>(frames.size(), none), default_crosses};
   if (surface.planes.empty()) return result;
-  const std::vector<int> leader_of = leaders(surface.planes, across_objects);
+  const std::vector<Vec3> directions = directions_of(surface.planes, across_objects);
   const std::vector<PlanesAround> around = planes_around_vertices(surface);
   const CrossNumbers rims = rim_crosses(surface, frames);
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -101,11 +132,10 @@ PlaneCrosses plane_crosses(const Surface& surface, const TangentFrames& frames,
     if (plane == none) continue;
     const PlaneFace& face = surface.planes[idx(plane)];
     if (!face.ends_sharply && !is_clear(face)) continue;
-    const int leader = leader_of[idx(plane)];
-    CrossNumber z = default_crosses[i];
-    if (leader != none) {
-      z = fourth_power(direction_in_frame(frames, i, surface.planes[idx(leader)].direction));
-    }
+    const Vec3& direction = directions[idx(plane)];
+    const bool is_default = direction.isZero();
+    const CrossNumber z =
+        is_default ? default_crosses[i] : fourth_power(direction_in_frame(frames, i, direction));
     if (!around[i].is_inside() && !agrees(rims[i], z)) continue;
     result.planes[i] = plane;
     result.z[i] = z;

@@ -47,6 +47,7 @@ void ControlNodes::lay_grids() {
     // A quarter of a pentagon is a ptex face as well: it has fewer cells than a quad.
     grid.cells = std::max(1, whole_face / (size_in_steps(patch) << (control.level - level)));
     grid.is_triangle = control.scheme == Scheme::loop;
+    grid.is_plane = !surface_.planes.empty() && surface_.triangle_planes[t] != none;
   }
   int slots = 0;
   for (Grid& grid : grids_) {
@@ -101,6 +102,7 @@ void ControlNodes::for_each_edge(const Grid& grid, Visit&& visit) {
 void ControlNodes::link_nodes() {
   std::vector<std::array<int, 3>> ways;  // from, to, sign
   for (const Grid& grid : grids_) {
+    if (grid.is_plane) continue;
     for_each_edge(grid, [&](int s0, int s1) {
       const int c0 = slots_[idx(s0)], c1 = slots_[idx(s1)];
       if (c0 == none || c1 == none) return;

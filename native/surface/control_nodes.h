@@ -30,6 +30,8 @@ class ControlNodes {
 
   // Vertices of the surface, ascending.
   const std::vector<int>& vertices() const { return vertices_; }
+  // Not within flat faces: those say nothing of how the surface bends beside them, and are so much
+  // larger than the strips of a rounding that nothing else would count.
   Span<const Link> links(int node) const { return links_[idx(node)]; }
   // Edges between nodes that one edge of the control mesh has at this node.
   int links_per_edge(int node) const;
@@ -43,6 +45,7 @@ class ControlNodes {
     int first_slot = 0;
     int cells = 0;  // along a side; 0: nothing is there
     bool is_triangle = false;
+    bool is_plane = false;  // of a flat face
 
     int side() const { return cells + 1; }
     int slot(int i, int j) const { return first_slot + j * side() + i; }

@@ -21,7 +21,10 @@ constexpr double least_turn = 1e-3;
 // A plane is fitted anew to what was found by the last one: that of a sliver misses much of it.
 constexpr int most_fits = 4;
 
-// A smooth rim may have gaps: a corner of a hole that lies on it.
+// At slivers pieces that turn by 30 degrees meet sharply.
+constexpr double sharp_cosine = 0.8660254037844387;
+
+// So much of a rim that ends sharply may not: a crease that a mesh has lost at a corner.
 constexpr double sharp_share = 0.99;
 // A flat face is this many times as thick as most of what it goes on into smoothly...
 constexpr double thickness_ratio = 3, thin_share = 0.5;
@@ -151,14 +154,25 @@ class PlaneFinder {
       const double off = normal.dot(mesh_.point(c) - base_.positions[0]) - height;
       if (!(std::abs(off) <= tolerance_)) return false;
     }
-    const double thickness = twice_areas_[idx(face)].norm() / longest_[idx(face)];
-    if (!(thickness > tolerance_)) return true;
+    if (is_sliver(face)) return true;
     const double turn = (unit_or_zero(twice_areas_[idx(face)]) - normal).norm();
-    return turn <= least_turn || (turn < 1 && thickness * turn <= tolerance_);
+    return turn <= least_turn || (turn < 1 && thickness(face) * turn <= tolerance_);
   }
 
+  double thickness(int face) const { return twice_areas_[idx(face)].norm() / longest_[idx(face)]; }
+  bool is_sliver(int face) const { return !(thickness(face) > tolerance_); }
+
+  // Whether the surface goes on smoothly from one piece to the next. At a sliver the mesh cannot
+  // tell, but the pieces can.
   bool is_smooth(int corner) const {
-    return !mesh_.is_sharp(corner) && !is_hole(mesh_.face(mesh_.mate(corner)));
+    const int face = mesh_.face(corner), mate = mesh_.mate(corner);
+    if (mesh_.is_sharp(corner) || is_hole(mesh_.face(mate))) return false;
+    const int other = mesh_.face(mate);
+    if (!is_sliver(face) && !is_sliver(other)) return true;
+    const auto normal = [&](int f) {
+      return unit_or_zero(pieces_[idx(pieces_of_[idx(f)])].twice_area);
+    };
+    return !(normal(face).dot(normal(other)) < sharp_cosine);
   }
 
   // visit(corner, piece beyond or none, length) for each edge that ends a piece.
