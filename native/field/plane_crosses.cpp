@@ -6,31 +6,24 @@
 
 #include "core/tolerances.h"
 #include "field/coplanar.h"
+#include "surface/plane_rim.h"
 
 namespace illustrate {
 namespace {
 
-// Share of the rim that has to run along or across a direction. A circle of chords has .1, a regular
-// pentagon .2; where a face goes on smoothly its rim has to be clearer than what is beyond.
-constexpr double clear_sharp = 0.19, clear_smooth = 0.5;
-
 // Of four times the angle between a rim and the cross, about 5 degrees.
 constexpr double least_rim_cosine = 0.94;
-
-bool is_clear(const PlaneFace& plane) {
-  return plane.agreement >= (plane.ends_sharply ? clear_sharp : clear_smooth);
-}
 
 // What decides between faces: how much rim asks for the direction.
 double strength(const PlaneFace& plane) { return plane.agreement * plane.rim_length; }
 
-// Of those of each group (planes) the strongest clear one; none where none is clear.
+// Of the faces of each group the strongest that has a direction; none where none has.
 template <class Group>
 std::vector<int> strongest(const std::vector<PlaneFace>& planes, std::size_t groups,
                            const Group& group_of) {
   std::vector<int> result(groups, none);
   for (int p = 0; p < static_cast<int>(planes.size()); ++p) {
-    if (!is_clear(planes[idx(p)])) continue;
+    if (!has_direction(planes[idx(p)])) continue;
     int& best = result[idx(group_of(p))];
     if (best == none || strength(planes[idx(p)]) > strength(planes[idx(best)])) best = p;
   }
@@ -130,8 +123,7 @@ PlaneCrosses plane_crosses(const Surface& surface, const TangentFrames& frames,
     if (!around[i].is_inside() && !around[i].is_on_smooth_rim()) continue;
     const int plane = around[i].most;
     if (plane == none) continue;
-    const PlaneFace& face = surface.planes[idx(plane)];
-    if (!face.ends_sharply && !is_clear(face)) continue;
+    if (!stands_alone(surface.planes[idx(plane)])) continue;
     const Vec3& direction = directions[idx(plane)];
     const bool is_default = direction.isZero();
     const CrossNumber z =

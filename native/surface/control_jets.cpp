@@ -26,12 +26,11 @@ constexpr double falloff = .9;
 // On boundaries, creases and the rims of flat faces.
 std::vector<std::uint8_t> border_vertices(const Surface& surface) {
   std::vector<std::uint8_t> result(surface.positions.size(), 0);
-  const std::vector<int>& planes = surface.triangle_planes;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     for (int k = 0; k < 3; ++k) {
       const int other = surface.neighbours[t][idx(k)];
-      const bool ends_plane =
-          other != none && !surface.planes.empty() && planes[idx(other)] != planes[t];
+      const bool ends_plane = other != none && lies_on_plane(surface, other) !=
+                                                   lies_on_plane(surface, static_cast<int>(t));
       const bool is_crease = surface.edge_kinds[t][idx(k)] == EdgeKind::crease;
       if (other != none && !is_crease && !ends_plane) continue;
       result[idx(surface.triangles[t][idx(k)])] = 1;

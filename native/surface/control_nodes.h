@@ -7,6 +7,9 @@
 
 namespace illustrate {
 
+// Whether a triangle is of a flat face that stands alone.
+bool lies_on_plane(const Surface& surface, int triangle);
+
 // Nodes are the vertices of the surface that stand at the vertices of level 1 of their control mesh
 // (level 2 of coarse meshes), for all meshes that are refined at least so far. Level 1 is the first
 // that has a vertex in the middle of faces of more than four corners. A point of a crease has a

@@ -14,6 +14,10 @@ namespace {
 // Edges that turn less from each other run the same way: an edge with a slight bow is one.
 constexpr double same_way = 0.07;  // radians
 
+// Share of the rim that has to run along or across a direction. A circle of chords has .1, a regular
+// pentagon .2.
+constexpr double clear_sharp = 0.19, clear_smooth = 0.5;
+
 constexpr double quarter = 1.5707963267948966;
 
 // Edges by their angle modulo a quarter of a circle, three times round, so that there is no end.
@@ -113,6 +117,10 @@ void measure_rim(const std::vector<RimEdge>& edges, PlaneFace& plane) {
   plane.rim_length = rim.length();
   plane.agreement = plane.rim_length > 0 ? rim.length_along(way) / plane.rim_length : 0;
   surround(edges, plane);
+}
+
+bool has_direction(const PlaneFace& plane) {
+  return plane.agreement >= (plane.ends_sharply ? clear_sharp : clear_smooth);
 }
 
 }  // namespace illustrate

@@ -14,4 +14,13 @@ struct RimEdge {
 // edge, the first of these.
 void measure_rim(const std::vector<RimEdge>& edges, PlaneFace& plane);
 
+// Whether enough of the rim runs along or across its direction: a fifth, more than of a circle;
+// where the face goes on smoothly half of it, since what is beyond speaks as well.
+bool has_direction(const PlaneFace& plane);
+
+// Whether its form is its own; else it is part of the form that it goes on into.
+inline bool stands_alone(const PlaneFace& plane) {
+  return plane.ends_sharply || has_direction(plane);
+}
+
 }  // namespace illustrate
