@@ -276,8 +276,7 @@ CrossField solve_cross_field(const Surface& surface, const Curvature& curvature,
                              const Progress& progress) {
   validate(options);
   progress.report(0);
-  const FieldProblem p =
-      state_problem(surface, curvature, options, aids, progress.part(0, 0.15));
+  const FieldProblem p = state_problem(surface, curvature, options, aids, progress.part(0, 0.15));
   const CrossNumbers nearby = start_of(surface, p, options, aids, progress.part(0.15, 0.2));
   const std::vector<std::uint8_t> is_settled = settled_vertices(p);
   CrossNumbers z = p.initial;

@@ -32,8 +32,8 @@ std::vector<int> strongest(const std::vector<PlaneFace>& planes, std::size_t gro
 
 // Of the axes of an object, which its strongest face has, the one that lies most in a plane.
 Vec3 own_axis(const PlaneFace& strongest, const Vec3& normal) {
-  const std::array<Vec3, 3> axes{strongest.direction,
-                                 strongest.normal.cross(strongest.direction), strongest.normal};
+  const std::array<Vec3, 3> axes{strongest.direction, strongest.normal.cross(strongest.direction),
+                                 strongest.normal};
   return *std::min_element(axes.begin(), axes.end(), [&](const Vec3& a, const Vec3& b) {
     return std::abs(a.dot(normal)) < std::abs(b.dot(normal)) - tolerance::flat_rad;
   });

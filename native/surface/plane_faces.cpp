@@ -207,8 +207,8 @@ class PlaneFinder {
       const Piece& piece = pieces_[p];
       const double size = piece.twice_area.norm();
       if (!(size > 0) || !std::isfinite(size)) continue;
-      const bool is_large = size >= least_area * whole &&
-                            thin_rim[p] >= thin_share * piece.smooth_rim;
+      const bool is_large =
+          size >= least_area * whole && thin_rim[p] >= thin_share * piece.smooth_rim;
       result[p] = is_sharp(piece) || is_large;
     }
     return result;
@@ -219,8 +219,7 @@ class PlaneFinder {
     for_each_rim_edge([&](int corner, int, double) {
       const int number = numbers[idx(mesh_.face(corner))];
       if (number == none) return;
-      rims[idx(number - first)].push_back(
-          {mesh_.point(corner), mesh_.point(mesh_.next(corner))});
+      rims[idx(number - first)].push_back({mesh_.point(corner), mesh_.point(mesh_.next(corner))});
     });
     for (std::size_t p = 0; p < planes.size(); ++p) measure_rim(rims[p], planes[p]);
   }

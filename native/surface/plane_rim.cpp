@@ -14,8 +14,8 @@ namespace {
 // Edges that turn less from each other run the same way: an edge with a slight bow is one.
 constexpr double same_way = 0.07;  // radians
 
-// Share of the rim that has to run along or across a direction. A circle of chords has .1, a regular
-// pentagon .2.
+// Share of the rim that has to run along or across a direction. A circle of chords has .1, a
+// regular pentagon .2.
 constexpr double clear_sharp = 0.19, clear_smooth = 0.5;
 
 constexpr double quarter = 1.5707963267948966;

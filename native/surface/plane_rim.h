@@ -9,9 +9,9 @@ struct RimEdge {
   Vec3 from, to;
 };
 
-// Sets what a plane face with a normal has of its rim. The direction is that of the cross which most
-// of the rim's length runs along or across within a few degrees; of equals the one of the longest
-// edge, the first of these.
+// Sets what a plane face with a normal has of its rim. The direction is that of the cross which
+// most of the rim's length runs along or across within a few degrees; of equals the one of the
+// longest edge, the first of these.
 void measure_rim(const std::vector<RimEdge>& edges, PlaneFace& plane);
 
 // Whether enough of the rim runs along or across its direction: a fifth, more than of a circle;

@@ -97,8 +97,8 @@ TEST(PlaneFaces, SidesOfACubeAreSix) {
 
 TEST(PlaneFaces, SliversBelongToTheirPlane) {
   // A corner split in two, a millionth of the side apart, and a point on a side.
-  const Found found = found_in(
-      prism_of_triangles({{0, 0}, {1, 0}, {2, 0}, {2, 1 - 2e-6}, {2, 1}, {0, 1}}, 3));
+  const Found found =
+      found_in(prism_of_triangles({{0, 0}, {1, 0}, {2, 0}, {2, 1 - 2e-6}, {2, 1}, {0, 1}}, 3));
   EXPECT_EQ(found.planes.size(), 6u);
   EXPECT_EQ(std::count(found.mesh.face_planes.begin(), found.mesh.face_planes.end(), none), 0);
 }
@@ -153,9 +153,9 @@ PlaneFace rectangle(const Vec3& centre, const Vec2& half, int object) {
 
 TEST(PlaneFaces, NeighboursInOnePlaneAreAGroup) {
   std::vector<PlaneFace> planes{
-      rectangle({0, 0, 0}, {1, 1}, 0), rectangle({2.02, 0, 0}, {1, .5}, 1),
+      rectangle({0, 0, 0}, {1, 1}, 0),    rectangle({2.02, 0, 0}, {1, .5}, 1),
       rectangle({4, 0, 0}, {.99, .5}, 2), rectangle({0, 4, 0}, {1, 1}, 3),
-      rectangle({0, 0, .1}, {1, 1}, 4), rectangle({0, 0, 0}, {1, 1}, 5)};
+      rectangle({0, 0, .1}, {1, 1}, 4),   rectangle({0, 0, 0}, {1, 1}, 5)};
   planes[5].normal = -planes[5].normal;
   EXPECT_EQ(coplanar_groups(planes, true), (std::vector<int>{0, 0, 0, 3, 4, 5}));
   EXPECT_EQ(coplanar_groups(planes, false), (std::vector<int>{0, 1, 2, 3, 4, 5}));
@@ -205,9 +205,8 @@ TEST(PlaneFaces, CoplanarNeighboursFollowTheLongestRimThatAgrees) {
 }
 
 TEST(PlaneFaces, ADiscTakesAnAxisOfItsObject) {
-  PolygonMesh mesh = shapes::joined(
-      prism_of_triangles({{0, 0}, {2, 1}, {1.5, 2}, {-.5, 1}}, 1),
-      shapes::moved(prism_of_triangles(circle(64), 1), {5, 0, .5}));
+  PolygonMesh mesh = shapes::joined(prism_of_triangles({{0, 0}, {2, 1}, {1.5, 2}, {-.5, 1}}, 1),
+                                    shapes::moved(prism_of_triangles(circle(64), 1), {5, 0, .5}));
   const Vec3 edge = Vec3(2, 1, 0).normalized();
   const Solved solved = solve({mesh});
   for (std::size_t v = 0; v < solved.surface.positions.size(); ++v) {
