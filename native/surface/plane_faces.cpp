@@ -53,12 +53,27 @@ class PlaneFinder {
     pieces_of_.assign(mesh_.face_count(), none);
     std::vector<int> seeds(mesh_.face_count());
     std::iota(seeds.begin(), seeds.end(), 0);
-    std::stable_sort(seeds.begin(), seeds.end(), [&](int a, int b) {
-      return twice_areas_[idx(a)].squaredNorm() > twice_areas_[idx(b)].squaredNorm();
-    });
+    std::stable_sort(seeds.begin(), seeds.end(),
+                     [&](int a, int b) { return sizes_[idx(a)] > sizes_[idx(b)]; });
     for (const int seed : seeds) {
       if (pieces_of_[idx(seed)] == none && !is_hole(seed)) grow(seed);
     }
+  }
+
+  // Whether to go on: a scan without sharp edges, all of whose pieces are small, has no flat face.
+  bool may_have_flat_faces() const {
+    for (int c = 0; c < static_cast<int>(mesh_.corner_count()); ++c) {
+      if (mesh_.is_sharp(c)) return true;
+    }
+    double whole = 0, largest = 0;
+    for (const Piece& piece : pieces_) {
+      whole += piece.twice_area.norm();
+      largest = std::max(largest, piece.twice_area.norm());
+    }
+    return largest >= least_area * whole;
+  }
+
+  void measure_rims() {
     for_each_rim_edge([&](int corner, int, double length) {
       Piece& piece = pieces_[idx(pieces_of_[idx(mesh_.face(corner))])];
       piece.rim += length;
@@ -94,7 +109,9 @@ class PlaneFinder {
 
   void measure_faces(int threads) {
     twice_areas_.resize(mesh_.face_count());
-    longest_.resize(mesh_.face_count());
+    normals_.resize(mesh_.face_count());
+    sizes_.resize(mesh_.face_count());
+    thicknesses_.resize(mesh_.face_count());
     parallel_for(mesh_.face_count(), threads, [&](std::size_t begin, std::size_t end) {
       for (int f = static_cast<int>(begin); f < static_cast<int>(end); ++f) {
         const Vec3& origin = mesh_.point(mesh_.first(f));
@@ -106,7 +123,9 @@ class PlaneFinder {
           longest = std::max(longest, edge.norm());
         }
         twice_areas_[idx(f)] = sum;
-        longest_[idx(f)] = longest;
+        normals_[idx(f)] = unit_or_zero(sum);
+        sizes_[idx(f)] = sum.norm();
+        thicknesses_[idx(f)] = longest > 0 ? sizes_[idx(f)] / longest : 0;
       }
     });
   }
@@ -114,35 +133,44 @@ class PlaneFinder {
   void grow(int seed) {
     const int number = static_cast<int>(pieces_.size());
     Piece piece;
-    std::vector<int> members{seed};
-    pieces_of_[idx(seed)] = number;
     piece.twice_area = twice_areas_[idx(seed)];
-    for (int fit = 0; fit < most_fits; ++fit) {
-      const std::size_t before = members.size();
-      const Vec3 normal = unit_or_zero(piece.twice_area);
-      if (normal.isZero()) break;
-      const double height = mean_height(members, normal);
-      for (std::size_t i = 0; i < members.size(); ++i) {
-        for (int c = mesh_.first(members[i]); c < mesh_.first(members[i] + 1); ++c) {
-          const int other = mesh_.mate(c) == none ? none : mesh_.face(mesh_.mate(c));
-          if (other == none || pieces_of_[idx(other)] != none || is_hole(other)) continue;
-          if (!lies_in_plane(other, normal, height)) continue;
-          pieces_of_[idx(other)] = number;
-          piece.twice_area += twice_areas_[idx(other)];
-          members.push_back(other);
-        }
-      }
-      if (members.size() == before) break;
+    pieces_of_[idx(seed)] = number;
+    members_.assign(1, seed);
+    Vec3 normal = normals_[idx(seed)];
+    double height = height_of(mesh_.point(mesh_.first(seed)), normal);
+    for (int fit = 0; fit < most_fits && !normal.isZero(); ++fit) {
+      const std::size_t before = members_.size();
+      add_neighbours(normal, height, number, piece);
+      if (members_.size() == before) break;
+      normal = unit_or_zero(piece.twice_area);
+      height = mean_height(normal);
     }
     pieces_.push_back(piece);
   }
 
-  double mean_height(const std::vector<int>& faces, const Vec3& normal) const {
+  void add_neighbours(const Vec3& normal, double height, int number, Piece& piece) {
+    for (std::size_t i = 0; i < members_.size(); ++i) {
+      for (int c = mesh_.first(members_[i]); c < mesh_.first(members_[i] + 1); ++c) {
+        const int other = mesh_.mate(c) == none ? none : mesh_.face(mesh_.mate(c));
+        if (other == none || pieces_of_[idx(other)] != none || is_hole(other)) continue;
+        if (!lies_in_plane(other, normal, height)) continue;
+        pieces_of_[idx(other)] = number;
+        piece.twice_area += twice_areas_[idx(other)];
+        members_.push_back(other);
+      }
+    }
+  }
+
+  double height_of(const Vec3& point, const Vec3& normal) const {
+    return normal.dot(point - base_.positions[0]);
+  }
+
+  double mean_height(const Vec3& normal) const {
     double sum = 0;
     int count = 0;
-    for (const int f : faces) {
+    for (const int f : members_) {
       for (int c = mesh_.first(f); c < mesh_.first(f + 1); ++c, ++count) {
-        sum += normal.dot(mesh_.point(c) - base_.positions[0]);
+        sum += height_of(mesh_.point(c), normal);
       }
     }
     return sum / count;
@@ -150,17 +178,19 @@ class PlaneFinder {
 
   // The normal of a sliver is rounding, the more the thinner it is.
   bool lies_in_plane(int face, const Vec3& normal, double height) const {
-    for (int c = mesh_.first(face); c < mesh_.first(face + 1); ++c) {
-      const double off = normal.dot(mesh_.point(c) - base_.positions[0]) - height;
-      if (!(std::abs(off) <= tolerance_)) return false;
+    if (!is_sliver(face)) {
+      const double turn = (normals_[idx(face)] - normal).norm();
+      if (!(turn <= least_turn || (turn < 1 && thicknesses_[idx(face)] * turn <= tolerance_))) {
+        return false;
+      }
     }
-    if (is_sliver(face)) return true;
-    const double turn = (unit_or_zero(twice_areas_[idx(face)]) - normal).norm();
-    return turn <= least_turn || (turn < 1 && thickness(face) * turn <= tolerance_);
+    for (int c = mesh_.first(face); c < mesh_.first(face + 1); ++c) {
+      if (!(std::abs(height_of(mesh_.point(c), normal) - height) <= tolerance_)) return false;
+    }
+    return true;
   }
 
-  double thickness(int face) const { return twice_areas_[idx(face)].norm() / longest_[idx(face)]; }
-  bool is_sliver(int face) const { return !(thickness(face) > tolerance_); }
+  bool is_sliver(int face) const { return !(thicknesses_[idx(face)] > tolerance_); }
 
   // Whether the surface goes on smoothly from one piece to the next. At a sliver the mesh cannot
   // tell, but the pieces can.
@@ -228,8 +258,10 @@ class PlaneFinder {
   const RefinedMesh mesh_;
   double tolerance_;
   std::vector<Vec3> twice_areas_;  // (f) along the normals
-  std::vector<double> longest_;    // (f) edges
-  std::vector<int> pieces_of_;     // (f)
+  std::vector<Vec3> normals_;
+  std::vector<double> sizes_, thicknesses_;  // (f) twice the area, and that by the longest edge
+  std::vector<int> pieces_of_;               // (f)
+  std::vector<int> members_;                 // faces of the piece that grows
   std::vector<Piece> pieces_;
 };
 
@@ -240,6 +272,8 @@ std::vector<PlaneFace> find_plane_faces(SoundMesh& mesh, int object, int first, 
   if (mesh.face_sizes.empty() || has_double_cover(mesh)) return {};
   PlaneFinder finder(mesh, threads);
   finder.divide();
+  if (!finder.may_have_flat_faces()) return {};
+  finder.measure_rims();
   return finder.flat_faces(object, first, mesh.face_planes);
 }
 
