@@ -104,6 +104,7 @@ class Splitter {
     child_.corner_vertices.insert(child_.corner_vertices.end(), corners);
     repeat(parent_.source_faces, parent, child_.source_faces);
     repeat(parent_.face_materials, parent, child_.face_materials);
+    repeat(parent_.face_planes, parent, child_.face_planes);
     repeat(parent_.holes, parent, child_.holes);
     repeat(parent_.kept, parent, child_.kept);
   }

@@ -28,10 +28,10 @@ enum class Pulls { all, guides, none };  // all: of features, too
 // (n) 1: held, or nothing is to be gained, since the part is parallel and follows its guides.
 std::vector<std::uint8_t> settled_vertices(const FieldProblem& p) {
   const std::vector<double> energies = part_energies(p, p.initial), least = least_energies(p);
-  std::vector<std::uint8_t> is_settled = p.reliable;
+  std::vector<std::uint8_t> is_settled(p.reliable.size());
   for (std::size_t i = 0; i < is_settled.size(); ++i) {
     const std::size_t part = idx(p.parts.of_vertex[i]);
-    if (energies[part] <= least[part] * (1 - least_gain)) is_settled[i] = 1;
+    is_settled[i] = p.is_held(i) || energies[part] <= least[part] * (1 - least_gain);
   }
   return is_settled;
 }
@@ -276,8 +276,7 @@ CrossField solve_cross_field(const Surface& surface, const Curvature& curvature,
                              const Progress& progress) {
   validate(options);
   progress.report(0);
-  const FieldProblem p =
-      state_problem(surface, curvature, options, aids.bvh, progress.part(0, 0.15));
+  const FieldProblem p = state_problem(surface, curvature, options, aids, progress.part(0, 0.15));
   const CrossNumbers nearby = start_of(surface, p, options, aids, progress.part(0.15, 0.2));
   const std::vector<std::uint8_t> is_settled = settled_vertices(p);
   CrossNumbers z = p.initial;

@@ -74,6 +74,8 @@ struct FieldAids {
   // and ends near this field, moved along with the surface.
   const Surface* last_surface = nullptr;
   const CrossField* last_field = nullptr;
+  // False: each object stands in a space of its own, and has no neighbours.
+  bool objects_share_space = true;
 };
 
 // Never NaN, and an error for prescribed singularities only: InvalidInput where they do not sum to

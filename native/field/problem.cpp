@@ -24,18 +24,33 @@ bool is_prescribed(const FieldProblem& p, std::size_t vertex) {
   return !p.turns.empty() && p.prescribed.has_parts[idx(p.parts.of_vertex[vertex])];
 }
 
-// Guides and prescribed singularities overrule curvature.
+void release(const std::vector<std::uint8_t>& released, FieldProblem& p) {
+  release_planes(released, p.planes.planes);
+  for (std::size_t i = 0; i < released.size(); ++i) {
+    if (released[i]) p.reliable[i] = 0;
+  }
+}
+
+// Guides and prescribed singularities overrule curvature and flat faces.
 void withdraw_reliability(const Surface& surface, const std::vector<double>& diagonals,
                           const FieldOptions& options, FieldProblem& p) {
-  for (std::size_t i = 0; i < p.reliable.size(); ++i) {
-    if (is_prescribed(p, i)) p.reliable[i] = 0;
+  if (!p.turns.empty()) {
+    std::vector<std::uint8_t> released(p.reliable.size());
+    for (std::size_t i = 0; i < released.size(); ++i) released[i] = is_prescribed(p, i);
+    release(released, p);
   }
-  const bool any = std::find(p.reliable.begin(), p.reliable.end(), 1) != p.reliable.end();
-  if (options.guides.empty() || !any) return;
-  const std::vector<std::uint8_t> is_near =
-      near_pulls(surface, p.guide_pulls, diagonals, options.guide_radius);
+  if (options.guides.empty()) return;
+  release(near_pulls(surface, p.guide_pulls, diagonals, options.guide_radius), p);
+}
+
+// Flat faces overrule curvature: that of a flat face is what its rim has of the form beyond.
+void hold_flat_faces(const Surface& surface, const FieldOptions& options, const FieldAids& aids,
+                     FieldProblem& p) {
+  p.planes = {std::vector<int>(p.frames.size(), none), p.by_default};
+  if (!(options.alignment_weight > 0)) return;
+  p.planes = plane_crosses(surface, p.frames, p.by_default, aids.objects_share_space);
   for (std::size_t i = 0; i < p.reliable.size(); ++i) {
-    if (is_near[i]) p.reliable[i] = 0;
+    if (p.planes.planes[i] != none) p.reliable[i] = 0;
   }
 }
 
@@ -49,6 +64,9 @@ CrossNumbers initial_field(const FieldProblem& p) {
   CrossNumbers z = p.principal.z;
   for (std::size_t i = 0; i < z.size(); ++i) {
     if (!has_reliable[idx(p.parts.of_vertex[i])]) z[i] = p.by_default[i];
+  }
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    if (p.planes.planes[i] != none) z[i] = p.planes.z[i];
   }
   if (!p.turns.empty()) comb_along_tree(p.edges, p.parts, p.prescribed.has_parts, z);
   CrossNumbers wanted = p.alignment.pulls;
@@ -81,8 +99,10 @@ std::vector<double> inverse_lengths(const Surface& surface, const TriangleEdges&
 }  // namespace
 
 FieldProblem state_problem(const Surface& surface, const Curvature& curvature,
-                           const FieldOptions& options, const Bvh* bvh, const Progress& progress) {
+                           const FieldOptions& options, const FieldAids& aids,
+                           const Progress& progress) {
   FieldProblem p;
+  const Bvh* bvh = aids.bvh;
   const int threads = options.threads;
   p.frames = tangent_frames(surface.normals, threads, progress.part(0, 0.05));
   p.triangle_edges = triangle_edges(surface, progress.part(0.05, 0.3));
@@ -111,6 +131,7 @@ FieldProblem state_problem(const Surface& surface, const Curvature& curvature,
     p.guide_pulls = guide_pulls(surface, p.frames, *bvh, options.guides, progress.part(0.95, 0.97));
   }
   if (!options.singularities.empty()) prescribe(surface, options.singularities, *bvh, p);
+  hold_flat_faces(surface, options, aids, p);
   withdraw_reliability(surface, diagonals, options, p);
   progress.report(0.98);
   p.initial = initial_field(p);
@@ -140,7 +161,7 @@ std::vector<double> least_energies(const FieldProblem& p) {
 std::vector<std::uint8_t> parts_that_may_turn(const FieldProblem& p) {
   std::vector<std::uint8_t> may_turn(idx(p.parts.count), 1);
   for (std::size_t i = 0; i < p.reliable.size(); ++i) {
-    if (p.reliable[i]) may_turn[idx(p.parts.of_vertex[i])] = 0;
+    if (p.is_held(i)) may_turn[idx(p.parts.of_vertex[i])] = 0;
   }
   for (const FieldEdge& edge : p.edges) {
     if (edge.mirrored) may_turn[idx(p.parts.of_vertex[idx(edge.from)])] = 0;

@@ -1,6 +1,7 @@
 // Everything that is known before the search for a field.
 #pragma once
 
+#include "field/plane_crosses.h"
 #include "field/prescribed.h"
 #include "field/starts.h"
 
@@ -19,11 +20,18 @@ struct FieldProblem {
   CrossNumbers by_default;
   PrincipalCrosses principal;
   std::vector<std::uint8_t> reliable;  // (n)
+  PlaneCrosses planes;
   CrossNumbers initial;
+
+  // Whether the vertex keeps its cross.
+  bool is_held(std::size_t vertex) const {
+    return reliable[vertex] || planes.planes[vertex] != none;
+  }
 };
 
 FieldProblem state_problem(const Surface& surface, const Curvature& curvature,
-                           const FieldOptions& options, const Bvh* bvh, const Progress& progress);
+                           const FieldOptions& options, const FieldAids& aids,
+                           const Progress& progress);
 
 // (parts) what is minimised, and the least that it could be: all edges parallel, all guides
 // followed.

@@ -38,6 +38,8 @@ constexpr double most_overshoot = 1.3;
 // Angles of streamlines to the cross grow no further than this: what is beyond weighs more.
 constexpr double most_drift = 0.055;  // radians
 constexpr double most_stiffening = 30;
+// On flat faces any drift shows: there they move as they are.
+constexpr double flat_stiffening = 1e4;
 
 // How far ahead the surface is asked for.
 constexpr std::size_t nodes_ahead = 3;
@@ -70,7 +72,9 @@ class Relaxer {
       const bool is_drawn = (i + sweep_) % 2 == 0 || count == 2;
       pulls.push_back(is_drawn ? pull_at(streamline, number, i) : Pull{});
     }
-    return moved(streamline, pulls);
+    std::vector<StreamlineNode> nodes = moved(streamline, pulls);
+    drop_stuck_ends(streamline.nodes, nodes);
+    return nodes;
   }
 
   // The nodes drawn to where they are, if none comes too near to another streamline by that.
@@ -106,6 +110,21 @@ class Relaxer {
           shifted(streamline.nodes[i], std::clamp(share_moved * shift[i], -most, most)));
     }
     return nodes;
+  }
+
+  // On flat faces ends that could not go with the others, since an edge is there, would be hooks:
+  // ends are extended again.
+  void drop_stuck_ends(const std::vector<StreamlineNode>& from,
+                       std::vector<StreamlineNode>& to) const {
+    const auto is_stuck = [&](std::size_t i) {
+      return is_flat(from[i]) && from[i].image == to[i].image;
+    };
+    std::size_t begin = 0, end = to.size();
+    while (begin < end && is_stuck(begin)) ++begin;
+    while (end > begin && is_stuck(end - 1)) --end;
+    if (end - begin < 2) return;
+    to.erase(to.begin() + static_cast<std::ptrdiff_t>(end), to.end());
+    to.erase(to.begin(), to.begin() + static_cast<std::ptrdiff_t>(begin));
   }
 
   // Distances to the nearest parallel streamlines to the left and the right, infinite beyond
@@ -171,7 +190,12 @@ class Relaxer {
     return pull;
   }
 
-  static std::vector<Segment> segments_of(const Streamline& streamline) {
+  bool is_flat(const StreamlineNode& node) const {
+    const std::vector<int>& planes = view_.walker.on_surface().surface().triangle_planes;
+    return !planes.empty() && planes[idx(node.on.triangle)] != none;
+  }
+
+  std::vector<Segment> segments_of(const Streamline& streamline) const {
     const double length = stiffness * streamline.spacing, least_px = 1e-3 * streamline.spacing;
     std::vector<Segment> segments;
     segments.reserve(streamline.nodes.size());
@@ -179,9 +203,10 @@ class Relaxer {
       const StreamlineNode &a = streamline.nodes[i], &b = streamline.nodes[i + 1];
       const Vec2 field = a.heading + b.heading, chord = b.image - a.image;
       const double lever = (a.lever + b.lever) / 2;
+      const double stiffening = is_flat(a) && is_flat(b) ? flat_stiffening : 1;
       segments.push_back({std::max(chord.norm(), least_px),
                           std::atan2(cross(field, chord), field.dot(chord)), lever,
-                          length * length * std::clamp(lever * lever, 0.1, 9.0)});
+                          stiffening * length * length * std::clamp(lever * lever, 0.1, 9.0)});
     }
     return segments;
   }

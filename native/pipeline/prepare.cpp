@@ -197,6 +197,7 @@ CrossField Prepared::solve_field(const Progress& progress) const {
   const Progress before = progress.part(0, 0.2);
   const Curvature& curvature = is_shared ? curvature_of_originals(before) : hatch_curvature(before);
   FieldAids aids;
+  aids.objects_share_space = !is_shared;
   if (needs_tree(options_.cross_field)) aids.bvh = &bvh();
   if (last_field_.field) {
     aids.last_surface = last_field_.surface.get();

@@ -71,6 +71,11 @@ class Assembler {
     return !is_hole(face) && (kept.empty() || kept[idx(mesh_.base_faces[idx(face)])]);
   }
 
+  int plane_of(int face) const {
+    const std::vector<int>& planes = object_.base.face_planes;
+    return planes.empty() ? none : planes[idx(mesh_.base_faces[idx(face)])];
+  }
+
   void find_drawn_corners() {
     for (int f = 0; f < faces(); ++f) {
       if (!is_drawn(f)) continue;
@@ -97,6 +102,7 @@ class Assembler {
     surface_.neighbours.resize(count, {none, none, none});
     surface_.edge_kinds.resize(count);
     surface_.patches.resize(count);
+    surface_.triangle_planes.resize(count, none);
   }
 
   // The sector that stands for this corner's on both sheets.
@@ -143,6 +149,7 @@ class Assembler {
     work.diagonals.clear();
     for (const Triangle& local : split(face, work)) {
       for (int k = 0; k < 3; ++k) add_corner(face, local, 3 * number + k, work);
+      surface_.triangle_planes[idx(number)] = plane_of(face);
       surface_.patches[idx(number++)] = patch_triangle(face, local);
     }
     connect_diagonals(work.diagonals);

@@ -23,12 +23,16 @@ constexpr double least_cosine = .5;
 // Points at the rim come and go from one node to the next: they weigh little.
 constexpr double falloff = .9;
 
+// On boundaries, creases and the rims of flat faces.
 std::vector<std::uint8_t> border_vertices(const Surface& surface) {
   std::vector<std::uint8_t> result(surface.positions.size(), 0);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     for (int k = 0; k < 3; ++k) {
-      const bool is_open = surface.neighbours[t][idx(k)] == none;
-      if (!is_open && surface.edge_kinds[t][idx(k)] != EdgeKind::crease) continue;
+      const int other = surface.neighbours[t][idx(k)];
+      const bool ends_plane = other != none && lies_on_plane(surface, other) !=
+                                                   lies_on_plane(surface, static_cast<int>(t));
+      const bool is_crease = surface.edge_kinds[t][idx(k)] == EdgeKind::crease;
+      if (other != none && !is_crease && !ends_plane) continue;
       result[idx(surface.triangles[t][idx(k)])] = 1;
       result[idx(surface.triangles[t][idx(next_corner(k))])] = 1;
     }
@@ -69,7 +73,7 @@ class Gatherer {
     return vertices_;
   }
 
-  // Less than a control edge away from a boundary or crease of the last node: what bends there
+  // Less than a control edge away from a border of the last node: what bends there
   // belongs to the strip along it, and a higher degree follows it.
   bool is_near_border() const { return is_near_border_; }
 
@@ -94,7 +98,7 @@ class Gatherer {
 
   const Surface& surface_;
   const ControlNodes& nodes_;
-  const std::vector<std::uint8_t>& border_vertices_;  // (n) 1: on a boundary or crease
+  const std::vector<std::uint8_t>& border_vertices_;  // (n)
   bool is_near_border_ = false;
   std::vector<int> visited_;               // (nodes) last node that came by here
   std::vector<ControlNodes::Link> found_;  // with the sign against the node in the middle

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "surface/plane_rim.h"
+
 namespace illustrate {
 namespace {
 
@@ -18,6 +20,12 @@ int size_in_steps(const PatchTriangle& patch) {
 }
 
 }  // namespace
+
+bool lies_on_plane(const Surface& surface, int triangle) {
+  if (surface.planes.empty()) return false;
+  const int plane = surface.triangle_planes[idx(triangle)];
+  return plane != none && stands_alone(surface.planes[idx(plane)]);
+}
 
 ControlNodes::ControlNodes(const Surface& surface) : surface_(surface) {
   choose_levels();
@@ -47,6 +55,7 @@ void ControlNodes::lay_grids() {
     // A quarter of a pentagon is a ptex face as well: it has fewer cells than a quad.
     grid.cells = std::max(1, whole_face / (size_in_steps(patch) << (control.level - level)));
     grid.is_triangle = control.scheme == Scheme::loop;
+    grid.is_plane = lies_on_plane(surface_, static_cast<int>(t));
   }
   int slots = 0;
   for (Grid& grid : grids_) {
@@ -101,6 +110,7 @@ void ControlNodes::for_each_edge(const Grid& grid, Visit&& visit) {
 void ControlNodes::link_nodes() {
   std::vector<std::array<int, 3>> ways;  // from, to, sign
   for (const Grid& grid : grids_) {
+    if (grid.is_plane) continue;
     for_each_edge(grid, [&](int s0, int s1) {
       const int c0 = slots_[idx(s0)], c1 = slots_[idx(s1)];
       if (c0 == none || c1 == none) return;

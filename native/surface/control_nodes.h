@@ -7,6 +7,9 @@
 
 namespace illustrate {
 
+// Whether a triangle is of a flat face that stands alone.
+bool lies_on_plane(const Surface& surface, int triangle);
+
 // Nodes are the vertices of the surface that stand at the vertices of level 1 of their control mesh
 // (level 2 of coarse meshes), for all meshes that are refined at least so far. Level 1 is the first
 // that has a vertex in the middle of faces of more than four corners. A point of a crease has a
@@ -30,6 +33,8 @@ class ControlNodes {
 
   // Vertices of the surface, ascending.
   const std::vector<int>& vertices() const { return vertices_; }
+  // Not within flat faces: those say nothing of how the surface bends beside them, and are so much
+  // larger than the strips of a rounding that nothing else would count.
   Span<const Link> links(int node) const { return links_[idx(node)]; }
   // Edges between nodes that one edge of the control mesh has at this node.
   int links_per_edge(int node) const;
@@ -43,6 +48,7 @@ class ControlNodes {
     int first_slot = 0;
     int cells = 0;  // along a side; 0: nothing is there
     bool is_triangle = false;
+    bool is_plane = false;  // of a flat face
 
     int side() const { return cells + 1; }
     int slot(int i, int j) const { return first_slot + j * side() + i; }

@@ -36,6 +36,7 @@ class Placer {
     triangle_shift_ = static_cast<int>(to_.triangles.size()) - first_triangles_[idx(original)];
     const PlacedControl& control = from_.controls[idx(original)];
     ptex_shift_ = next_ptex_face_ - control.first_ptex_face;
+    plane_shift_ = static_cast<int>(to_.planes.size()) - first_plane(original);
     for (int v = first_vertices_[idx(original)]; v < first_vertices_[idx(original) + 1]; ++v) {
       add_vertex(idx(v), place);
     }
@@ -43,6 +44,7 @@ class Placer {
       add_triangle(idx(t));
     }
     for (const int e : features_[idx(original)]) add_feature(idx(e));
+    add_planes(original, place);
     to_.object_is_smooth.push_back(from_.object_is_smooth[idx(original)]);
     to_.controls.push_back({control.mesh, next_ptex_face_, original, place});
     next_ptex_face_ += control.mesh->ptex_faces;
@@ -81,7 +83,32 @@ class Placer {
     to_.patches.push_back(patch);
     to_.flips.push_back(from_.flips[t]);
     to_.edge_kinds.push_back(from_.edge_kinds[t]);
+    const int plane = from_.planes.empty() ? none : from_.triangle_planes[t];
+    to_.triangle_planes.push_back(plane == none ? none : plane + plane_shift_);
     to_.triangle_objects.push_back(object_);
+  }
+
+  void add_planes(int original, const Similarity& place) {
+    for (std::size_t p = idx(first_plane(original)); p < idx(first_plane(original + 1)); ++p) {
+      PlaneFace plane = from_.planes[p];
+      plane.object = object_;
+      plane.normal = place.direction(plane.normal);
+      plane.direction = place.direction(plane.direction);
+      plane.centre = place.point(plane.centre);
+      plane.half *= place.scale;
+      plane.rim_length *= place.scale;
+      to_.planes.push_back(plane);
+    }
+  }
+
+  // Of the first flat face of an original among all.
+  int first_plane(int original) const {
+    const auto is_earlier = [](const PlaneFace& plane, int object) {
+      return plane.object < object;
+    };
+    const auto first =
+        std::lower_bound(from_.planes.begin(), from_.planes.end(), original, is_earlier);
+    return static_cast<int>(first - from_.planes.begin());
   }
 
   void add_feature(std::size_t e) {
@@ -94,7 +121,8 @@ class Placer {
   Surface& to_;
   std::vector<int> first_vertices_, first_triangles_;
   std::vector<std::vector<int>> features_;  // (originals)
-  int object_ = 0, vertex_shift_ = 0, triangle_shift_ = 0, ptex_shift_ = 0, next_ptex_face_ = 0;
+  int object_ = 0, vertex_shift_ = 0, triangle_shift_ = 0, ptex_shift_ = 0, plane_shift_ = 0,
+      next_ptex_face_ = 0;
 };
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "surface/flat_faces.h"
 #include "surface/jet.h"
 #include "surface/levels.h"
+#include "surface/plane_faces.h"
 
 namespace illustrate {
 namespace {
@@ -142,6 +143,9 @@ Surface refine(std::vector<SoundMesh> meshes, const SurfaceOptions& options, Cou
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const auto done = static_cast<double>(i);
     const Progress part = progress.part(.9 * done / count, .9 * (done + 1) / count);
+    const std::vector<PlaneFace> planes = find_plane_faces(
+        meshes[i], static_cast<int>(i), static_cast<int>(surface.planes.size()), options.threads);
+    surface.planes.insert(surface.planes.end(), planes.begin(), planes.end());
     const bool is_split = keep_if_no_cage(meshes[i], schemes[i], levels[i], part.part(0, .2));
     report["level_" + std::to_string(i)] =
         refiner.add(std::move(meshes[i]), schemes[i], levels[i], part.part(.2, 1)) + is_split;

@@ -38,6 +38,18 @@ struct PatchTriangle {
   }
 };
 
+// A flat face of a mesh, of many polygons perhaps (surface/plane_faces.h).
+struct PlaneFace {
+  int object = 0;
+  Vec3 normal = Vec3::UnitZ();
+  bool ends_sharply = true;  // at creases and boundaries, all round
+  double rim_length = 0;
+  Vec3 direction = Vec3::UnitX();  // unit, in the plane: one of the cross that the rim asks for
+  double agreement = 0;            // share of the rim that runs along or across it
+  Vec3 centre = Vec3::Zero();      // of the rectangle round it, along the direction
+  Vec2 half = Vec2::Zero();        // sides, along and across
+};
+
 // What a mesh was subdivided from.
 struct ControlMesh {
   SoundMesh mesh;  // for Loop's scheme split into triangles
@@ -71,6 +83,8 @@ struct Surface {
   // double cover meet; none at boundaries and seams.
   std::vector<std::array<int, 3>> neighbours;
   std::vector<std::array<EdgeKind, 3>> edge_kinds;  // (t)
+  std::vector<int> triangle_planes;  // (t) flat face of the mesh that it belongs to, or none
+  std::vector<PlaneFace> planes;
 
   // (n) Ptex face of the base meshes, one mesh after another, and where on it; none for polygons.
   std::vector<int> base_faces;

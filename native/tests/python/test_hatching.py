@@ -1,5 +1,7 @@
 """Hatches through the module: seeding, curves on the surface, drawings that follow another."""
 
+from dataclasses import replace
+
 import illustrate_native as ill
 import numpy as np
 import pytest
@@ -144,3 +146,29 @@ def test_lengths_on_paper_alone_decide_where_hatches_are() -> None:
         points = [400 / d.tone.level.shape[1] / d.tone.cell_px * hatch_points(d, parts, True)
                   for d, parts in ((one, 8), (other, 200))]  # fmt: skip
         assert share_near(points[0], points[1], 0.4) == 1, "less than 0.2 px of the smaller image"
+
+
+def bows(drawing: ill.Drawing, least: float) -> np.ndarray:
+    """Of each hatch of at least this length, px: its greatest distance from its chord, px."""
+    result = []
+    is_hatch = np.isin(drawing.kinds, [int(ill.Kind.HATCH), int(ill.Kind.CROSS_HATCH)])
+    for i in np.flatnonzero(is_hatch):
+        points = drawing.image[drawing.offsets[i] : drawing.offsets[i + 1]]
+        way = points - points[0]
+        length = np.linalg.norm(way[-1])
+        if length < least:
+            continue
+        result.append(np.abs(way[:, 0] * way[-1, 1] - way[:, 1] * way[-1, 0]).max() / length)
+    return np.array(result)
+
+
+@pytest.mark.parametrize("perspective", [True, False])
+def test_hatches_on_flat_faces_are_straight(perspective: bool) -> None:
+    box = replace(cube(), positions=cube().positions * [1, 0.6, 1.4])
+    prepared = ill.prepare([box.mesh(crease_angle_deg=40, cage=False)])
+    camera = look_at((1.0, -2.0, 1.1), 1.9, perspective=perspective, size_px=512)
+    drawing = ill.draw(prepared, camera, ill.DrawOptions(spacing_px=8, **EVERYWHERE))
+    found = bows(drawing, 24)
+    assert len(found) > 50
+    assert np.percentile(found, 95) < 0.05 * 8
+    assert found.max() < 0.25 * 8
