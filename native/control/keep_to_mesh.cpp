@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "control/bent_points.h"
+#include "control/folds.h"
 #include "control/limit_masks.h"
 #include "control/split_once.h"
 
@@ -183,6 +184,38 @@ class Keeper {
   Points cage_;
 };
 
+// (n) of the vertices of a split mesh: the largest of the corners that each lies between.
+std::vector<double> shares_of_children(const SoundMesh& mesh, const std::vector<double>& shares,
+                                       std::size_t count) {
+  const HalfEdges edges(mesh);
+  const Faces& faces = edges.faces;
+  std::vector<double> result = shares;
+  for (const int h : edges.first)
+    result.push_back(std::max(shares[idx(faces.corners[idx(h)])], shares[idx(faces.head(h))]));
+  for (int f = 0; result.size() < count; ++f) {
+    double largest = 0;
+    for (const int v : faces[f]) largest = std::max(largest, shares[idx(v)]);
+    result.push_back(largest);
+  }
+  return result;
+}
+
+// Beside folds the points of the mesh that has them as creases.
+SoundMesh keep_folded(const FoldedMesh& folded, Scheme scheme,
+                      const std::optional<std::vector<double>>& weights, const Progress& progress) {
+  const auto keep = [&](const SoundMesh& mesh) {
+    Keeper keeper(mesh, scheme);
+    return keeper.keep(weights ? *weights : keeper.weights());
+  };
+  SoundMesh kept = keep(folded.soft);
+  progress.report(.5);
+  const Points hard = keep(folded.hard).positions;
+  const std::vector<double> shares = shares_of_children(folded.soft, folded.shares, hard.size());
+  for (std::size_t v = 0; v < hard.size(); ++v)
+    kept.positions[v] += shares[v] * (hard[v] - kept.positions[v]);
+  return kept;
+}
+
 }  // namespace
 
 std::vector<double> kept_weights(const SoundMesh& mesh, Scheme scheme) {
@@ -195,6 +228,7 @@ std::optional<SoundMesh> keep_to_mesh(const SoundMesh& mesh, Scheme scheme,
                                       const Progress& progress) {
   if (!is_usable(mesh)) return {};
   progress.report(0);
+  if (const auto folded = fold(mesh)) return keep_folded(*folded, scheme, weights, progress);
   Keeper keeper(mesh, scheme);
   progress.report(.5);
   const std::vector<double> shares = weights ? *weights : keeper.weights();
