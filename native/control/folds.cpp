@@ -20,6 +20,10 @@ constexpr double curve_deg = 64, fold_deg = 76;
 // Shading turns 72 degrees over a face of a pentagonal prism, 90 across a chamfer.
 constexpr double bent_face_deg = 72, folded_face_deg = 84;
 
+// What is missed by less is near enough, and what turns by less makes no corner.
+constexpr double near_px = 2, missed_px = 5;
+constexpr double flat_deg = 20, missed_fold_deg = 40;
+
 double smoothstep(double from, double to, double x) {
   const double t = std::clamp((x - from) / (to - from), 0., 1.);
   return t * t * (3 - 2 * t);
@@ -31,8 +35,8 @@ double degrees_between(const Vec3& a, const Vec3& b) {
 
 class FoldFinder {
  public:
-  FoldFinder(const SoundMesh& mesh, const HalfEdges& edges)
-      : mesh_(mesh), edges_(edges), faces_(edges.faces) {}
+  FoldFinder(const SoundMesh& mesh, const HalfEdges& edges, const std::vector<double>& distances)
+      : mesh_(mesh), edges_(edges), faces_(edges.faces), distances_(distances) {}
 
   std::vector<double> run() {
     Eigen::AlignedBox3d box;
@@ -56,13 +60,21 @@ class FoldFinder {
     return smoothstep(bent_face_deg, folded_face_deg, degrees_between(near, far));
   }
 
+  // The same of an edge that turns by so many degrees and whose ends the smooth surface misses.
+  double missed_share(int h, double turn) const {
+    if (distances_.empty()) return 0;
+    const double missed =
+        std::min(distances_[idx(faces_.corners[idx(h)])], distances_[idx(faces_.head(h))]);
+    return smoothstep(near_px, missed_px, missed) * smoothstep(flat_deg, missed_fold_deg, turn);
+  }
+
   double sharpness_of(int h) const {
     const int mate = edges_.mates[idx(h)];
     if (mate == none || edges_.is_sharp(h)) return 0;
     const int face = faces_.corner_faces[idx(h)], other = faces_.corner_faces[idx(mate)];
     const double turn = degrees_between(normals_[idx(face)], normals_[idx(other)]);
-    const double share =
-        std::max({smoothstep(curve_deg, fold_deg, turn), folded_share(h), folded_share(mate)});
+    const double share = std::max({smoothstep(curve_deg, fold_deg, turn), missed_share(h, turn),
+                                   folded_share(h), folded_share(mate)});
     if (share == 0) return 0;
     // A cubic spline's limit is a sixth of its control polygon's second difference inside it.
     const double height = std::min(height_over(h), height_over(mate));
@@ -108,6 +120,7 @@ class FoldFinder {
   const SoundMesh& mesh_;
   const HalfEdges& edges_;
   const Faces& faces_;
+  const std::vector<double>& distances_;
   double px_ = 0;
   Points normals_;  // (f)
 };
@@ -209,9 +222,9 @@ class FoldedMeshMaker {
 
 }  // namespace
 
-std::optional<FoldedMesh> fold(const SoundMesh& mesh) {
+std::optional<FoldedMesh> fold(const SoundMesh& mesh, const std::vector<double>& distances) {
   const HalfEdges edges(mesh);
-  std::vector<double> sharpness = FoldFinder(mesh, edges).run();
+  std::vector<double> sharpness = FoldFinder(mesh, edges, distances).run();
   const auto is_none = [](double s) { return s == 0; };
   if (std::all_of(sharpness.begin(), sharpness.end(), is_none)) return {};
   return FoldedMeshMaker(mesh, edges, std::move(sharpness)).run();

@@ -66,6 +66,21 @@ PolygonMesh chamfered_tube(double w) {
   return mesh;
 }
 
+// Shaded smooth: at each vertex the mean of the normals of the faces around.
+PolygonMesh with_mean_normals(PolygonMesh mesh) {
+  Points sums(mesh.positions.size(), Vec3::Zero());
+  const int* corner = mesh.corner_vertices.data();
+  for (const int size : mesh.face_sizes) {
+    Vec3 area = Vec3::Zero();
+    for (int k = 0; k < size; ++k)
+      area += mesh.positions[idx(corner[k])].cross(mesh.positions[idx(corner[(k + 1) % size])]);
+    for (int k = 0; k < size; ++k) sums[idx(corner[k])] += area.normalized();
+    corner += size;
+  }
+  for (const int v : mesh.corner_vertices) mesh.corner_normals.push_back(sums[idx(v)]);
+  return mesh;
+}
+
 int fold_count(const PolygonMesh& mesh) {
   const auto folded = fold(sound(mesh));
   return folded ? static_cast<int>(folded->soft.edge_vertices.size()) : 0;
@@ -78,6 +93,29 @@ TEST(Folds, AreWhatTurnsTooFarForACurve) {
   for (const int n : {6, 8, 12}) EXPECT_EQ(fold_count(tube(n)), 0) << n;
   EXPECT_EQ(fold_count(shapes::icosahedron()), 0);
   EXPECT_EQ(fold_count(shapes::uv_sphere_mesh(1, 8, 4)), 0);
+}
+
+// Stairs below a roof, all of it shaded smooth. Where the roof meets the first riser it turns by 55
+// degrees, less than a fold: it is one since the smooth surface would miss its ends.
+TEST(Folds, AreWhatTheSmoothSurfaceMisses) {
+  const std::vector<Vec2> profile{{0, 0},   {4, 0},   {4, .7},  {3, .7}, {3, 1.4},
+                                  {2, 1.4}, {2, 2.1}, {1, 2.8}, {0, 2.1}};
+  const int n = 9;
+  PolygonMesh mesh;
+  std::vector<int> front, back;
+  for (const double y : {-1., 1.})
+    for (const Vec2& p : profile) mesh.positions.emplace_back(p.x(), y, p.y());
+  for (int i = 0; i < n; ++i) {
+    shapes::add_face(mesh, {(i + 1) % n, i, i + n, (i + 1) % n + n});
+    front.push_back(i);
+    back.insert(back.begin(), i + n);
+  }
+  shapes::add_face(mesh, front);
+  shapes::add_face(mesh, back);
+  double nearest = 1e300;
+  for (const Vec3& p : surface_of(sound(with_mean_normals(mesh))).positions)
+    nearest = std::min(nearest, (p - Vec3(2, 0, 2.1)).norm());
+  EXPECT_LT(nearest, .05);
 }
 
 // Far below a pixel rounding is as good as none.
