@@ -85,13 +85,13 @@ class Keeper {
     return kept;
   }
 
-  // (n) how far the limit would be from the mesh's vertices if nothing faded, in pixels: along the
-  // normal, or across the crease. Within the surface vertices slide to longer edges. As far as the
-  // faces have weight: what is off where most of a patch is not is noise.
+  // (n) how far the limit is from the mesh's vertices with the patches' own weights, in pixels:
+  // along the normal, or across the crease. Within the surface vertices slide to longer edges. As
+  // far as the faces have weight: what is off where most of a patch is not is noise.
   std::vector<double> distances(const std::vector<double>& weights) const {
     if (std::all_of(weights.begin(), weights.end(), [](double w) { return w == 0; }))
       return std::vector<double>(mesh_.positions.size(), 0);
-    const Points whole = points(std::vector<double>(weights.size(), 1));
+    const Points whole = points(this->weights());
     const LimitPlaces limits = limit_places(child_, child_edges_, child_sectors_, whole, scheme_);
     const std::vector<double> shares = vertex_weights(weights);
     const double px = diagonal_px / diagonal(mesh_);
