@@ -29,10 +29,13 @@ class ContourFunctions {
 
   const Camera& camera() const { return camera_; }
 
-  // g at a vertex, on its own sheet; rounding noise is 0.
+  // g at a vertex, on its own sheet; rounding noise is 0. At a tip only its sign is known; it is so
+  // small that contours pass there.
   double g(int vertex) const {
+    constexpr double at_tip = 1e-9;
     const Vec3 view = camera_.to_eye(surface_.positions[idx(vertex)]);
-    return without_facing_noise(surface_.normals[idx(vertex)].dot(view), view);
+    const double g = without_facing_noise(surface_.normals[idx(vertex)].dot(view), view);
+    return surface_.is_tip(vertex) ? at_tip * g : g;
   }
 
   // g = 0 is front, decided once per vertex, so that both sheets of a double cover agree.

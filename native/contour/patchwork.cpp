@@ -78,6 +78,7 @@ int Patchwork::add_vertex_of(int whole_vertex) {
   const std::size_t v = idx(whole_vertex);
   int& place = places_.at(whole_.places[v]);
   if (place == none) place = number;
+  if (whole_.is_tip(whole_vertex)) surface_.tips.push_back(number);
   surface_.positions.push_back(whole_.positions[v]);
   surface_.normals.push_back(whole_.normals[v]);
   surface_.places.push_back(place);

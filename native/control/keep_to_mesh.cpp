@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "control/bent_points.h"
+#include "control/folds.h"
 #include "control/limit_masks.h"
 #include "control/split_once.h"
 
@@ -70,15 +71,43 @@ class Keeper {
     return weights;
   }
 
-  SoundMesh keep(const std::vector<double>& weights) {
+  // Of the split mesh, with the weights of the faces.
+  Points points(const std::vector<double>& weights) const {
+    if (std::all_of(weights.begin(), weights.end(), [](double w) { return w == 0; })) return cage_;
     const Points targets =
         bent_points(mesh_, edges_, find_sectors(edges_, mesh_.positions.size()), scheme_);
-    const Points kept = stepped(targets);
+    Points kept = stepped(targets);
     const std::vector<double> shares = vertex_weights(weights);
     for (std::size_t v = 0; v < kept.size(); ++v) {
       const Vec3 point = cage_[v] + shares[v] * (kept[v] - cage_[v]);
-      child_.positions[v] = point.allFinite() ? point : cage_[v];
+      kept[v] = point.allFinite() ? point : cage_[v];
     }
+    return kept;
+  }
+
+  // (n) how far the limit is from the mesh's vertices with the patches' own weights, in pixels:
+  // along the normal, or across the crease. Within the surface vertices slide to longer edges. As
+  // far as the faces have weight: what is off where most of a patch is not is noise.
+  std::vector<double> distances(const std::vector<double>& weights) const {
+    if (std::all_of(weights.begin(), weights.end(), [](double w) { return w == 0; }))
+      return std::vector<double>(mesh_.positions.size(), 0);
+    const Points whole = points(this->weights());
+    const LimitPlaces limits = limit_places(child_, child_edges_, child_sectors_, whole, scheme_);
+    const std::vector<double> shares = vertex_weights(weights);
+    const double px = diagonal_px / diagonal(mesh_);
+    std::vector<double> distances;
+    for (std::size_t v = 0; v < mesh_.positions.size(); ++v) {
+      const Vec3 off = limits.positions[v] - mesh_.positions[v];
+      const double along = off.dot(limits.directions[v]);
+      const bool smooth = limits.rules[v] == LimitPlaces::Rule::smooth;
+      distances.push_back(shares[v] * px *
+                          (smooth ? std::abs(along) : (off - along * limits.directions[v]).norm()));
+    }
+    return distances;
+  }
+
+  SoundMesh take(Points points) {
+    child_.positions = std::move(points);
     join_twins();
     return std::move(child_);
   }
@@ -183,6 +212,61 @@ class Keeper {
   Points cage_;
 };
 
+// (n) of the vertices of a split mesh: the largest of the corners that each lies between.
+std::vector<double> shares_of_children(const SoundMesh& mesh, const std::vector<double>& shares,
+                                       std::size_t count) {
+  const HalfEdges edges(mesh);
+  const Faces& faces = edges.faces;
+  std::vector<double> result = shares;
+  for (const int h : edges.first)
+    result.push_back(std::max(shares[idx(faces.corners[idx(h)])], shares[idx(faces.head(h))]));
+  for (int f = 0; result.size() < count; ++f) {
+    double largest = 0;
+    for (const int v : faces[f]) largest = std::max(largest, shares[idx(v)]);
+    result.push_back(largest);
+  }
+  return result;
+}
+
+struct Kept {
+  std::optional<SoundMesh> mesh;  // none: its own cage
+  std::vector<double> distances;  // Keeper's
+};
+
+using Weights = std::optional<std::vector<double>>;
+
+Kept keep_smooth(const SoundMesh& mesh, Scheme scheme, const Weights& weights) {
+  Keeper keeper(mesh, scheme);
+  const std::vector<double> own = weights ? *weights : keeper.weights();
+  Points points = keeper.points(own);
+  Kept kept{{}, keeper.distances(own)};
+  const bool is_cage = std::all_of(own.begin(), own.end(), [](double w) { return w == 0; });
+  if (!is_cage) kept.mesh = keeper.take(std::move(points));
+  return kept;
+}
+
+// Beside folds the points of the mesh that has them as creases.
+Kept keep_folded(const FoldedMesh& folded, Scheme scheme, const Weights& weights) {
+  Keeper soft(folded.soft, scheme), hard(folded.hard, scheme);
+  const std::vector<double> soft_weights = weights ? *weights : soft.weights();
+  const std::vector<double> hard_weights = weights ? *weights : hard.weights();
+  Points points = soft.points(soft_weights);
+  const Points beside = hard.points(hard_weights);
+  Kept kept{{}, soft.distances(soft_weights)};
+  const std::vector<double> distances = hard.distances(soft_weights);
+  const std::vector<double> shares = shares_of_children(folded.soft, folded.shares, points.size());
+  for (std::size_t v = 0; v < points.size(); ++v) points[v] += shares[v] * (beside[v] - points[v]);
+  for (std::size_t v = 0; v < distances.size(); ++v)
+    kept.distances[v] += shares[v] * (distances[v] - kept.distances[v]);
+  kept.mesh = soft.take(std::move(points));
+  return kept;
+}
+
+Kept keep(const SoundMesh& mesh, const std::optional<FoldedMesh>& folded, Scheme scheme,
+          const Weights& weights) {
+  return folded ? keep_folded(*folded, scheme, weights) : keep_smooth(mesh, scheme, weights);
+}
+
 }  // namespace
 
 std::vector<double> kept_weights(const SoundMesh& mesh, Scheme scheme) {
@@ -195,13 +279,14 @@ std::optional<SoundMesh> keep_to_mesh(const SoundMesh& mesh, Scheme scheme,
                                       const Progress& progress) {
   if (!is_usable(mesh)) return {};
   progress.report(0);
-  Keeper keeper(mesh, scheme);
+  const std::optional<FoldedMesh> folded = fold(mesh);
+  Kept kept = keep(mesh, folded, scheme, weights);
   progress.report(.5);
-  const std::vector<double> shares = weights ? *weights : keeper.weights();
-  progress.report(.7);
-  const bool is_cage = std::all_of(shares.begin(), shares.end(), [](double w) { return w == 0; });
-  if (is_cage) return {};
-  return keeper.keep(shares);
+  const std::optional<FoldedMesh> again = fold(mesh, kept.distances);
+  const bool has_more =
+      again && (!folded || again->soft.edge_sharpness != folded->soft.edge_sharpness);
+  if (has_more) kept = keep(mesh, again, scheme, weights);
+  return std::move(kept.mesh);
 }
 
 }  // namespace illustrate

@@ -4,6 +4,7 @@
 // A mesh without a Subdivision modifier is seen with its vertices where they are, and shaded by its
 // normals. Taken as a cage its limit shrinks: wheels become eggs. Its creases are repaired before
 // (mesh/creases.h), which is most of it. Here the rest:
+// 0. Edges shaded smooth that turn too far to be curves become semi-sharp (control/folds.h).
 // 1. The mesh is split once (control/split_once.h). The vertices stay, the new points lie on arcs
 //    through them (control/bent_points.h).
 // 2. The limit of that is still inside. So each point takes one step by how far its limit is off,
@@ -36,8 +37,9 @@ namespace illustrate {
 // scheme: catmull_clark, or loop for triangles.
 std::vector<double> kept_weights(const SoundMesh& mesh, Scheme scheme);
 
-// `mesh` split once, a cage. None where all weights are 0: the mesh is its own cage. Weights not
-// given are kept_weights'. Twins of a double cover stay at the same place, to the bit.
+// `mesh` split once, a cage. None where all weights are 0 and nothing folds: the mesh is its own
+// cage. Weights not given are kept_weights'. Twins of a double cover stay at the same place, to the
+// bit.
 // Throws Cancelled through `progress`.
 std::optional<SoundMesh> keep_to_mesh(const SoundMesh& mesh, Scheme scheme,
                                       const std::optional<std::vector<double>>& weights = {},

@@ -41,6 +41,7 @@ class Assembler {
     number_vertices();
     add_vertices();
     find_places(needs_jet);
+    find_tips();
     for_each(slots_.size(), [&](int begin, int end) {
       for (int c = begin; c < end; ++c) {
         if (slots_[idx(c)] != none) connect_edge(c);
@@ -246,6 +247,22 @@ class Assembler {
       if (first == none) first = added;
       surface_.places.push_back(first);
       if (object_.limits.needs_jet[idx(vertex_sectors_[idx(i)])]) needs_jet.push_back(added);
+    }
+  }
+
+  void find_tips() {
+    if (mesh_.domains.empty()) return;
+    std::vector<std::uint8_t> is_tip = mesh_.sharp_vertices;
+    if (std::none_of(is_tip.begin(), is_tip.end(), [](std::uint8_t sharp) { return sharp; }))
+      return;
+    for (int c = 0; c < static_cast<int>(mesh_.corner_count()); ++c) {
+      if (!mesh_.is_sharp(c)) continue;
+      is_tip[idx(mesh_.vertex(c))] = 0;
+      is_tip[idx(mesh_.vertex(mesh_.next(c)))] = 0;
+    }
+    for (int i = 0; i < static_cast<int>(vertex_sectors_.size()); ++i) {
+      if (is_tip[idx(mesh_.vertex(corner_of(i)))])
+        surface_.tips.push_back(static_cast<int>(first_vertex_) + i);
     }
   }
 

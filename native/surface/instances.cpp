@@ -61,6 +61,8 @@ class Placer {
   }
 
   void add_vertex(std::size_t v, const Similarity& place) {
+    if (from_.is_tip(static_cast<int>(v)))
+      to_.tips.push_back(static_cast<int>(to_.positions.size()));
     to_.positions.push_back(place.point(from_.positions[v]));
     to_.normals.push_back(place.direction(from_.normals[v]));
     to_.objects.push_back(object_);

@@ -2,6 +2,7 @@
 // its normals and curvature (paper section 3).
 #pragma once
 
+#include <algorithm>
 #include <memory>
 
 #include "core/similarity.h"
@@ -96,7 +97,14 @@ struct Surface {
   std::vector<Edge> feature_edges;      // (e) vertices; a crease edge once for each side
   std::vector<EdgeKind> feature_kinds;  // (e)
   Curvature curvature;                  // for silhouettes and cusps
-  double diagonal = 0;                  // of the bounding box of all positions
+  // Ascending: vertices that the surface is held to without an edge, as a cone to its tip. It has
+  // no tangent plane there; their normals are means.
+  std::vector<int> tips;
+  double diagonal = 0;  // of the bounding box of all positions
+
+  bool is_tip(int vertex) const {
+    return !tips.empty() && std::binary_search(tips.begin(), tips.end(), vertex);
+  }
 
   // +1, or -1 where the corner's vertex belongs to the other sheet of a double cover.
   double corner_sign(int triangle, int corner) const {

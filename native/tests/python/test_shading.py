@@ -97,6 +97,37 @@ def test_a_plane_is_a_plane_however_it_is_cut(name: str) -> None:
     assert to_outline(corners, drawing.image.astype(float)) < 0.1
 
 
+def cones(count: int) -> ill.Prepared:
+    """Cones of 32 triangles shaded flat, open below, with tips at (3 i, 0, 1); of linked copies."""
+    sides = 32
+    turns = np.arange(sides) * 2 * np.pi / sides
+    rim = np.c_[np.cos(turns), np.sin(turns), np.full(sides, -1.0)]
+    faces = [[i, (i + 1) % sides, sides] for i in range(sides)]
+    original = ill.PolygonMesh(
+        np.r_[rim, [[0, 0, 1]]],
+        [3] * sides,
+        np.concatenate(faces),
+        cage=False,
+        crease_angle_deg=30,
+    )
+    places = np.tile(np.eye(4), (count, 1, 1))
+    places[:, 0, 3] = 3 * np.arange(count)
+    meshes = [original, *(ill.PolygonMesh.instance(original, place) for place in places[1:])]
+    return ill.prepare(meshes, ill.PrepareOptions(field=False))
+
+
+@pytest.mark.parametrize("direction", [(1.0, -2.0, 0.8), (1.0, -2.0, 0.0), (2.0, -2.0, -1.0)])
+def test_outlines_of_cones_reach_their_tips(direction: tuple[float, float, float]) -> None:
+    prepared = cones(2)
+    camera = look_at(direction, radius=3.5, centre=(1.5, 0, 0))
+    drawing = draw(prepared, camera, ill.DrawOptions(hatching=False))
+    check_drawing(drawing, camera)
+    strokes = np.repeat(drawing.kinds, np.diff(drawing.offsets))
+    outline = drawing.image[strokes == ill.Kind.SILHOUETTE]
+    for tip in image_of(camera, np.array([(0.0, 0, 1), (3.0, 0, 1)])):
+        assert np.linalg.norm(outline - tip, axis=1).min() < 0.1
+
+
 def test_obj_files_are_read_with_their_normals(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
