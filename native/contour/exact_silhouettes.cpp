@@ -98,7 +98,7 @@ class Drawer {
 };
 
 // Points of linear chains that are worth a turn on another thread.
-constexpr std::size_t least_share = 4000;
+constexpr std::size_t least_share = 500;
 
 template <class Value>
 void append(std::vector<Value>& values, std::vector<Value>& more) {

@@ -80,7 +80,7 @@ class FoldFinder {
     const double height = std::min(height_over(h), height_over(mate));
     const double rounding = px_ * height * std::sin(std::min(turn, 90.) * pi / 180) / 6;
     if (!(rounding > rounding_px)) return 0;
-    return share * std::min(sharpest_fold, std::log2(rounding / rounding_px));
+    return share * std::min(sharpest_fold, std::log(rounding / rounding_px) / std::log(2.));
   }
 
   // No edge is sharper than what goes on from either end: folds are lines, and a single edge that
