@@ -57,9 +57,9 @@ CurveNetwork build_network(const ContourScene& scene, const Camera& camera,
       scene, camera, options,
       linear.triangles.size() + features.size() + scene.intersections.curves.values.size());
   counts["unseen_chains"] += unseen ? drop_unseen_chains(*unseen, linear) : 0;
-  const Silhouettes found = exact_silhouettes(surface, scene.limit, functions, camera, linear,
-                                              false, counts, progress.part(0, 0.5),
-                                              options.threads);
+  const Silhouettes found =
+      exact_silhouettes(surface, scene.limit, functions, camera, linear, false, counts,
+                        progress.part(0, 0.5), options.threads);
   const PolygonSilhouettes folds = polygon_silhouettes(surface, camera, scene.dual);
   progress.report(0.5);
   CurvatureCurves lines;

@@ -9,8 +9,8 @@
 
 #include "core/progress.h"
 #include "mesh/bvh.h"
-#include "tone/light.h"
 #include "occlusion/visible_image.h"
+#include "tone/light.h"
 #include "visibility/labelled_graph.h"
 
 namespace illustrate {

@@ -164,6 +164,15 @@ std::vector<int> paths_of_strands(const Arrangement& arrangement) {
   return paths;
 }
 
+std::vector<std::uint8_t> nodes_under_cover(const CurveNetwork& network) {
+  std::vector<std::uint8_t> result(network.nodes.size(), 0);
+  for (const Strand& s : network.strands) {
+    if (!is_under_cover(s.sight) || s.closed()) continue;
+    result[idx(s.start_node)] = result[idx(s.end_node)] = 1;
+  }
+  return result;
+}
+
 int back_change(const Arrangement& arrangement, const Crossing& crossing) {
   const Strand& front = arrangement.network->strands[idx(crossing.front.strand)];
   const int to_left = front.left_layers - front.right_layers;

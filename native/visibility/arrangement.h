@@ -63,6 +63,13 @@ Arrangement arrange_apart(const CurveNetwork& network, const Camera& camera);
 // (strands) the path that each belongs to.
 std::vector<int> paths_of_strands(const Arrangement& arrangement);
 
+inline bool is_under_cover(Sight sight) {
+  return sight == Sight::covered || sight == Sight::buried;
+}
+
+// (nodes) 1 where a strand ends that is under cover: what else ends there is so too.
+std::vector<std::uint8_t> nodes_under_cover(const CurveNetwork& network);
+
 // Change of invisibility of the back strand at a crossing, in its direction.
 int back_change(const Arrangement& arrangement, const Crossing& crossing);
 

@@ -34,18 +34,6 @@ bool is_outline(const Arrangement& arrangement, const PathArc& arc) {
   return std::any_of(places.begin(), places.end(), contains);
 }
 
-bool is_under_cover(Sight sight) { return sight == Sight::covered || sight == Sight::buried; }
-
-// (nodes) Where a strand ends that is under cover: what else ends there is so too.
-std::vector<std::uint8_t> nodes_under_cover(const CurveNetwork& network) {
-  std::vector<std::uint8_t> result(network.nodes.size(), 0);
-  for (const Strand& s : network.strands) {
-    if (!is_under_cover(s.sight) || s.closed()) continue;
-    result[idx(s.start_node)] = result[idx(s.end_node)] = 1;
-  }
-  return result;
-}
-
 bool is_under_cover(const CurveNetwork& network, const std::vector<std::uint8_t>& nodes,
                     const PathArc& arc) {
   const Strand& s = network.strands[idx(arc.strand)];

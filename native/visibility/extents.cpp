@@ -9,18 +9,21 @@ namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
 
-// A place on a path: a crossing with the path `other`, or a cusp.
+// A place on a path: a crossing with the path `other`, or a cusp, or where it goes under cover.
 struct Mark {
   int other;   // `cusps` for a cusp
   double way;  // from the path's start, px
-  int index;   // of the crossing, or of the path's step
+  int index;   // of the crossing, or of the path's step; none under cover
 };
 constexpr int cusps = -2;
 
 class PathExtents {
  public:
   PathExtents(const Arrangement& arrangement, const std::vector<int>& path_of, Extents& result)
-      : arrangement_(arrangement), path_of_(path_of), result_(result) {}
+      : arrangement_(arrangement),
+        path_of_(path_of),
+        covered_nodes_(nodes_under_cover(*arrangement.network)),
+        result_(result) {}
 
   void measure(const Path& path, const std::vector<PathArc>& arcs, std::vector<double>& of_cusps) {
     mark(path, arcs);
@@ -50,6 +53,10 @@ class PathExtents {
   void mark(const Path& path, const std::vector<PathArc>& arcs) {
     marks_.clear();
     length_ = 0;
+    const auto strand = [&](int s) -> const Strand& {
+      return arrangement_.network->strands[idx(s)];
+    };
+    if (!path.cyclic) mark_cover(strand(path.strands.front()).start_node);
     for (const PathArc& arc : arcs) {
       const bool enters = arc.begin == none && (arc.step > 0 || path.cyclic);
       if (enters && path.jumps[idx(arc.step)] != 0) marks_.push_back({cusps, length_, arc.step});
@@ -61,10 +68,17 @@ class PathExtents {
       }
       length_ += arc.length_px;
     }
+    if (!path.cyclic) mark_cover(strand(path.strands.back()).end_node);
+  }
+
+  // An end of the path, which bounds like a cusp.
+  void mark_cover(int node) {
+    if (covered_nodes_[idx(node)]) marks_.push_back({cusps, length_, none});
   }
 
   void shorten(const Mark& a, const Mark& b, double way, std::vector<double>& of_cusps) {
     for (const Mark& m : {a, b}) {
+      if (m.index == none) continue;
       double& extent = m.other == cusps ? of_cusps[idx(m.index)] : result_.crossings[idx(m.index)];
       extent = std::min(extent, way);
     }
@@ -72,6 +86,7 @@ class PathExtents {
 
   const Arrangement& arrangement_;
   const std::vector<int>& path_of_;
+  std::vector<std::uint8_t> covered_nodes_;
   Extents& result_;
   std::vector<Mark> marks_;
   double length_ = 0;

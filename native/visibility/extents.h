@@ -11,7 +11,7 @@ struct Extents {
   // crossing of a path with itself round to itself (a loop).
   std::vector<double> crossings;
   // (paths)(steps) from the cusp between one strand of a path and the one before to the path's next
-  // cusp; infinite where there is no cusp.
+  // cusp, or to where the path goes under cover; infinite where there is none.
   std::vector<std::vector<double>> cusps;
 };
 
