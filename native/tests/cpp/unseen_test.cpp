@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "cameras.h"
 #include "check_graph.h"
 #include "contour/network.h"
@@ -120,47 +122,52 @@ double seen_length(const LabelledGraph& graph, int object) {
   return length;
 }
 
-TEST(Unseen, LeavesTheSameLinesVisible) {
-  const int side = 4;
+class BlockOfBalls : public testing::Test {
+ protected:
+  LabelledGraph label(const CurveNetwork& of, Counts& found) const {
+    LabelledGraph graph = label_network(of, surface, bvh, camera, found);
+    check_graph(graph);
+    return graph;
+  }
+
+  // (objects) px
+  static std::vector<double> seen_lengths(const LabelledGraph& graph) {
+    std::vector<double> lengths;
+    for (int object = 0; object < side * side * side; ++object) {
+      lengths.push_back(seen_length(graph, object));
+    }
+    return lengths;
+  }
+
+  static constexpr int side = 4;
+  Counts counts;
   const Surface surface = block_of_balls(side);
   const Camera camera = cameras::perspective(Vec3(-12, -15, 13), Vec3(3, 3, 3));
-  const Bvh bvh(surface.positions, surface.triangles);
-  Counts counts;
+  const Bvh bvh{surface.positions, surface.triangles};
   const CurveNetwork network =
       build_network({surface, LimitSurface(surface), {}, {}}, camera, {}, counts);
+};
+
+TEST_F(BlockOfBalls, HasTheSameLinesWithoutWhatIsUnseen) {
   const CurveNetwork cut = cut_at_unseen(Unseen(surface, camera, certain, 1), network);
   Counts whole_counts, cut_counts;
-  const LabelledGraph whole = label_network(network, surface, bvh, camera, whole_counts);
-  const LabelledGraph graph = label_network(cut, surface, bvh, camera, cut_counts);
-  check_graph(graph);
+  const std::vector<double> whole = seen_lengths(label(network, whole_counts));
+  const std::vector<double> seen = seen_lengths(label(cut, cut_counts));
   EXPECT_LT(2 * cut_counts["crossings"], whole_counts["crossings"]);
   EXPECT_LE(cut_counts["repairs"], whole_counts["repairs"]);
-  double all = 0;
-  for (int object = 0; object < side * side * side; ++object) {
-    EXPECT_NEAR(seen_length(graph, object), seen_length(whole, object), 0.5) << object;
-    all += seen_length(graph, object);
-  }
-  EXPECT_GT(all, 1000);
+  for (std::size_t i = 0; i < whole.size(); ++i) EXPECT_NEAR(seen[i], whole[i], 0.5) << i;
+  EXPECT_GT(std::accumulate(seen.begin(), seen.end(), 0.), 1000);
 }
 
-TEST(LabelPile, ShowsWhatLabelsShowToAPixelOrTwo) {
-  const int side = 4;
-  const Surface surface = block_of_balls(side);
-  const Camera camera = cameras::perspective(Vec3(-12, -15, 13), Vec3(3, 3, 3));
-  const Bvh bvh(surface.positions, surface.triangles);
-  Counts counts;
-  const CurveNetwork network =
-      build_network({surface, LimitSurface(surface), {}, {}}, camera, {}, counts);
-  const LabelledGraph settled = label_network(network, surface, bvh, camera, counts);
-  const LabelledGraph sampled = label_pile(network, surface, camera, 1);
-  check_graph(sampled);
+TEST_F(BlockOfBalls, HasNearlyTheSameLinesAsAPile) {
+  const LabelledGraph pile = label_pile(network, surface, camera, 1);
+  check_graph(pile);
+  const std::vector<double> sampled = seen_lengths(pile);
+  const std::vector<double> settled = seen_lengths(label(network, counts));
   EXPECT_EQ(counts["sampled_views"], 0);
-  double all = 0, off = 0;
-  for (int object = 0; object < side * side * side; ++object) {
-    all += seen_length(settled, object);
-    off += std::abs(seen_length(sampled, object) - seen_length(settled, object));
-  }
-  EXPECT_LT(off, 0.02 * all);
+  double off = 0;
+  for (std::size_t i = 0; i < settled.size(); ++i) off += std::abs(sampled[i] - settled[i]);
+  EXPECT_LT(off, 0.02 * std::accumulate(settled.begin(), settled.end(), 0.));
 }
 
 TEST(Unseen, ChainsWithinWallsAreDropped) {

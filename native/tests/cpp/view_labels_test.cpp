@@ -89,6 +89,24 @@ TEST(Extents, OfACuspReachToTheNextOne) {
   EXPECT_NEAR(found.cusps[0][1], 30, 1e-3);
 }
 
+TEST(Extents, OfACuspEndWhereThePathGoesUnderCover) {
+  CurveNetwork network;
+  const double ways[]{0, 30, 42, 90};
+  for (const double x : ways) network.nodes.push_back({NodeKind::joint, {x, 0, 0}});
+  network.nodes[1].kind = NodeKind::cusp;
+  for (int s = 0; s < 3; ++s) {
+    network.points.push({network.nodes[idx(s)].position, {}});
+    network.points.push({network.nodes[idx(s) + 1].position, {}});
+    network.points.close_list();
+    network.strands.push_back({Kind::silhouette, 0, s, s + 1});
+  }
+  network.strands[2].sight = Sight::buried;
+  network.ties = {{1, 0, 1, 1}};
+  const Arrangement arrangement = arrange(network, one_px);
+  const Extents found = extents(arrangement, arcs_of_paths(arrangement));
+  EXPECT_NEAR(found.cusps[0][1], 12, 1e-3);
+}
+
 TEST(ViewLabels, FollowRaysThatObeyTheRules) {
   Scene scene(2);
   std::int64_t repairs = 0;
