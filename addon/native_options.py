@@ -32,10 +32,6 @@ SCHEMES = [
     ("loop", "Loop", "The surface of triangle meshes", 2),
     ("none", "None", "Draw the faces as they are", 3),
 ]
-VISIBILITIES = [
-    ("labels", "Labels", "Labels that cannot contradict each other", 0),
-    ("vote", "Vote", "The vote of the paper, for comparison", 1),
-]
 SEEDINGS = [
     ("surface-curves", "Surface", "Ranked curves of the surface, alike from all sides", 0),
     ("critical-curves", "Picture", "The lines of the picture, as in the paper", 1),
@@ -120,10 +116,6 @@ LINES = (
     threshold("ridge_threshold", "ridges", 15.0),
     switch("valleys", "lines", "Valleys", False, "Draw where a smooth surface caves in most"),
     threshold("valley_threshold", "valleys", 15.0),
-    choice("visibility", "surface", "Visibility", VISIBILITIES, "labels",
-           "How it is found out which lines are hidden"),
-    switch("scan_silhouettes", "surface", "Scan All", False,
-            "Look at every triangle for silhouettes instead of searching: slower, for checks"),
 )  # fmt: skip
 
 HATCHING = (
@@ -201,6 +193,8 @@ FROM_ELSEWHERE = {
     "highlight_share": "tones, highlight_share",
     "shadow_share": "tones, shadow_share",
     "styles": "the styles of objects and collections",
+    "visibility": "nothing: the vote of the paper is there for comparison",
+    "scan_silhouettes": "nothing: what the search finds is compared with it",
 }
 
 
