@@ -27,7 +27,8 @@ struct FoldedMesh {
 // each vertex, in pixels of such a drawing; empty: not known. Where both ends of an edge are missed
 // by more than two pixels and it turns more than 20 degrees, it folds too, up to wholly at 5 pixels
 // and 40 degrees.
-// None without folds. Sharpness and shares are continuous in positions, normals and distances.
+// None without folds, nor with more than 20,000: a crumpled mesh, which is rounded as others are.
+// Sharpness and shares are continuous in positions, normals and distances.
 std::optional<FoldedMesh> fold(const SoundMesh& mesh, const std::vector<double>& distances = {});
 
 }  // namespace illustrate

@@ -86,6 +86,29 @@ int fold_count(const PolygonMesh& mesh) {
   return folded ? static_cast<int>(folded->soft.edge_vertices.size()) : 0;
 }
 
+// So many smooth cubes in a block; twelve folds each.
+SoundMesh cubes(int count) {
+  PolygonMesh all = smooth_cube();
+  all.corner_normals.clear();
+  for (int i = 1; i < count; ++i) {
+    const PolygonMesh one = shapes::moved(smooth_cube(), 3. * Vec3(i % 12, i / 12 % 12, i / 144));
+    const int first = static_cast<int>(all.positions.size());
+    all.positions.insert(all.positions.end(), one.positions.begin(), one.positions.end());
+    shapes::append(all.face_sizes, one.face_sizes);
+    for (const int v : one.corner_vertices) all.corner_vertices.push_back(first + v);
+  }
+  while (all.corner_normals.size() < all.corner_vertices.size()) {
+    const Points normals = smooth_cube().corner_normals;
+    all.corner_normals.insert(all.corner_normals.end(), normals.begin(), normals.end());
+  }
+  return sound(all);
+}
+
+TEST(Folds, AreNoneWhereThereAreTooMany) {
+  EXPECT_TRUE(fold(cubes(1600)).has_value());
+  EXPECT_FALSE(fold(cubes(1700)).has_value());
+}
+
 TEST(Folds, AreWhatTurnsTooFarForACurve) {
   EXPECT_EQ(fold_count(smooth_cube()), 12);
   EXPECT_EQ(fold_count(tube(4)), 4);
