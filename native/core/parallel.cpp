@@ -91,6 +91,7 @@ void parallel_for(std::size_t count, int threads, const Progress& progress,
 
 void parallel_each(std::size_t count, int threads, const Progress& progress,
                    const std::function<void(std::size_t)>& body) {
+  if (count > 0) progress.report(0);  // the others may leave the calling thread nothing to do
   Queue queue(count);
   std::vector<std::exception_ptr> failures(
       std::max<std::size_t>(1, std::min(asked_threads(threads), count)));

@@ -23,7 +23,8 @@ void parallel_for(std::size_t count, int threads, const Progress& progress,
                   const std::function<void(std::size_t begin, std::size_t end)>& body);
 
 // Calls body(i) for every i in [0, count), each on the thread that is free first: for elements of a
-// millisecond of work or more. The body writes only to what belongs to i.
+// millisecond of work or more. The body writes only to what belongs to i. Reports at the start, and
+// before each element of the calling thread.
 void parallel_each(std::size_t count, int threads, const Progress& progress,
                    const std::function<void(std::size_t i)>& body);
 
