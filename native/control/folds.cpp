@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "control/smoothstep.h"
 #include "mesh/edge_table.h"
 #include "mesh/polygons.h"
 
@@ -14,7 +15,6 @@ namespace {
 constexpr std::ptrdiff_t most_folds = 20'000;
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double diagonal_px = 1400;
 constexpr double rounding_px = 0.5;
 // Sharpness that the last of eight levels still shows.
 constexpr double sharpest_fold = 8;
@@ -27,11 +27,6 @@ constexpr double bent_face_deg = 72, folded_face_deg = 84;
 // What is missed by less is near enough, and what turns by less makes no corner.
 constexpr double near_px = 2, missed_px = 5;
 constexpr double flat_deg = 20, missed_fold_deg = 40;
-
-double smoothstep(double from, double to, double x) {
-  const double t = std::clamp((x - from) / (to - from), 0., 1.);
-  return t * t * (3 - 2 * t);
-}
 
 double degrees_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / pi;

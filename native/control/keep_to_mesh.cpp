@@ -6,22 +6,17 @@
 #include "control/bent_points.h"
 #include "control/folds.h"
 #include "control/limit_masks.h"
+#include "control/smoothstep.h"
 #include "control/split_once.h"
 
 namespace illustrate {
 namespace {
 
-constexpr double diagonal_px = 1400;
 constexpr double invisible_px = 0.75;
 constexpr double visible_px = 2.25;
 constexpr double longest_step = 0.2;  // of the shortest edge at the point
 // Lengths outside of this are not squared without loss; such a mesh stays a cage.
 constexpr double least_extent = 1e-100, largest_extent = 1e100;
-
-double smoothstep(double from, double to, double x) {
-  const double t = std::clamp((x - from) / (to - from), 0., 1.);
-  return t * t * (3 - 2 * t);
-}
 
 double median(std::vector<double>& values) {
   if (values.empty()) return 0;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "surface/locate.h"
+
 namespace illustrate {
 namespace {
 
@@ -37,16 +39,6 @@ std::vector<float> greatest_within(const std::vector<float>& values, int width, 
     take_greater(result.data(), in_rows.data(), count, static_cast<std::ptrdiff_t>(shift) * width);
   }
   return result;
-}
-
-double longest_edge(const Surface& surface, int triangle) {
-  const Triangle& v = surface.triangles[idx(triangle)];
-  double longest = 0;
-  for (int k = 0; k < 3; ++k) {
-    const Vec3& a = surface.positions[idx(v[idx(k)])];
-    longest = std::max(longest, (surface.positions[idx(v[idx(next_corner(k))])] - a).norm());
-  }
-  return longest;
 }
 
 // Depths from which on each cell's triangle hides, so much behind it; rounded up.

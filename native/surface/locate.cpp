@@ -35,4 +35,14 @@ bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, 
   return f >= 0 && f < 1 && h >= 0 && h < 1;
 }
 
+double longest_edge(const Surface& surface, int triangle) {
+  const Triangle& v = surface.triangles[idx(triangle)];
+  double longest = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3& a = surface.positions[idx(v[idx(k)])];
+    longest = std::max(longest, (surface.positions[idx(v[idx(next_corner(k))])] - a).norm());
+  }
+  return longest;
+}
+
 }  // namespace illustrate

@@ -31,4 +31,7 @@ SurfacePoint locate(const Surface& surface, int triangle, const Vec3& p);
 // Likewise, but no farther than the triangle's edges.
 SurfacePoint nearest_on(const Surface& surface, int triangle, const Vec3& p);
 
+// The length of the longest of the triangle's edges.
+double longest_edge(const Surface& surface, int triangle);
+
 }  // namespace illustrate

@@ -14,8 +14,10 @@ constexpr double usual_missed_share = 0.75;
 constexpr double asked_thrice_px = 30;      // longer arcs are asked at three places
 constexpr double beside_nothing_px = 100;   // an arc next to the empty background is nearly certain
 constexpr double beside_nothing_share = 3;  // of its length: a sliver may hide a short one
-constexpr std::size_t least_share = 500;    // arcs that are worth a turn on another thread
-constexpr double least_weight = 1e-6;       // an arc without length still prefers its ray
+// Of a path: they tell the others, by the rules.
+constexpr std::size_t most_asked = 5;
+constexpr std::size_t least_share = 500;  // arcs that are worth a turn on another thread
+constexpr double least_weight = 1e-6;     // an arc without length still prefers its ray
 
 bool is_before(const StrandPlace& a, const StrandPlace& b) {
   return std::tie(a.segment, a.fraction) < std::tie(b.segment, b.fraction);
@@ -55,12 +57,12 @@ Evidence known(const Arrangement& arrangement, const std::vector<std::uint8_t>& 
 
 // The arcs of a path that are asked.
 std::vector<std::size_t> longest_arcs(const std::vector<PathArc>& arcs,
-                                      const std::vector<Evidence>& evidence, const Asking& asking) {
+                                      const std::vector<Evidence>& evidence) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     if (evidence[i].weight == 0) order.push_back(i);
   }
-  const auto count = static_cast<std::ptrdiff_t>(std::min(asking.most_arcs, order.size()));
+  const auto count = static_cast<std::ptrdiff_t>(std::min(most_asked, order.size()));
   std::partial_sort(
       order.begin(), order.begin() + count, order.end(), [&](std::size_t i, std::size_t j) {
         return arcs[i].length_px != arcs[j].length_px ? arcs[i].length_px > arcs[j].length_px
@@ -95,7 +97,7 @@ double missed_share(const Evidence& evidence) {
 
 std::vector<std::vector<Evidence>> gather_evidence(const Arrangement& arrangement,
                                                    const std::vector<std::vector<PathArc>>& arcs,
-                                                   LayerRays& rays, const Asking& asking,
+                                                   LayerRays& rays, int threads,
                                                    const Progress& progress) {
   const CurveNetwork& network = *arrangement.network;
   const std::vector<std::uint8_t> covered_nodes = nodes_under_cover(network);
@@ -104,14 +106,14 @@ std::vector<std::vector<Evidence>> gather_evidence(const Arrangement& arrangemen
   const std::vector<std::size_t> starts = shares_of(sizes, least_share);
   std::vector<LayerRays> shares(starts.size() - 1, rays);
   std::vector<std::vector<Evidence>> evidence(arcs.size());
-  parallel_each(shares.size(), asking.threads, progress, [&](std::size_t s) {
+  parallel_each(shares.size(), threads, progress, [&](std::size_t s) {
     for (std::size_t p = starts[s]; p < starts[s + 1]; ++p) {
       std::vector<Evidence>& of_arcs = evidence[p];
       of_arcs.resize(arcs[p].size());
       for (std::size_t i = 0; i < of_arcs.size(); ++i) {
         of_arcs[i] = known(arrangement, covered_nodes, arcs[p][i]);
       }
-      for (const std::size_t i : longest_arcs(arcs[p], of_arcs, asking)) {
+      for (const std::size_t i : longest_arcs(arcs[p], of_arcs)) {
         of_arcs[i] = ask(arrangement, arcs[p][i], shares[s]);
       }
     }

@@ -23,20 +23,14 @@ struct Evidence {
 // label with more layers contradicts of its weight.
 double missed_share(const Evidence& evidence);
 
-// Which arcs of a path are asked: the longest, and none that is shorter than so many pixels. As few
-// as five tell the others, by the rules.
-struct Asking {
-  std::size_t most_arcs = 5;
-  int threads = 1;  // 0: all cores; the same for any number
-};
-
 // (paths)(arcs) Arcs at the outside of the drawing have 0 layers for certain, those on covered or
 // buried strands, or next to them on one path of the surface, one at least. Of each path the
 // longest of the others are asked, whatever the size of the view: a path that nobody asks would be
-// taken for visible. Throws Cancelled through `progress`.
+// taken for visible. The same for any number of threads (0: all cores). Throws Cancelled through
+// `progress`.
 std::vector<std::vector<Evidence>> gather_evidence(const Arrangement& arrangement,
                                                    const std::vector<std::vector<PathArc>>& arcs,
-                                                   LayerRays& rays, const Asking& asking,
+                                                   LayerRays& rays, int threads,
                                                    const Progress& progress);
 
 }  // namespace illustrate

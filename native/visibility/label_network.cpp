@@ -25,9 +25,7 @@ std::vector<LabelledPath> label_paths(Arrangement& arrangement, LayerRays& rays,
                                       std::int64_t& repairs, int threads,
                                       const Progress& progress) {
   std::vector<std::vector<PathArc>> arcs = arcs_of_paths(arrangement);
-  Asking asking;
-  asking.threads = threads;
-  const auto evidence = gather_evidence(arrangement, arcs, rays, asking, progress.part(0, 0.7));
+  const auto evidence = gather_evidence(arrangement, arcs, rays, threads, progress.part(0, 0.7));
   const ViewProblem view = state_labels(arrangement, arcs, evidence);
   const std::vector<int> labels = least_labels(view.problem, view.start, progress.part(0.7, 1));
   return settle_labels(arrangement, std::move(arcs), view, labels, repairs);

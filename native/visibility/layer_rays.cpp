@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "surface/locate.h"
+
 namespace illustrate {
 namespace {
 
@@ -13,17 +15,6 @@ constexpr double blind_px = 3;     // hits nearer than this may be the curve's o
 constexpr double blind_edges = 3;  // so may those be that are nearer than so many edges of the
                                    // curve's triangle, for silhouettes
 constexpr double blind_diagonals = 0.01;  // and never more than this share of everything's diagonal
-
-double longest_edge(const Surface& surface, int triangle) {
-  double longest = 0;
-  const Triangle& t = surface.triangles[idx(triangle)];
-  for (int k = 0; k < 3; ++k) {
-    const Vec3& a = surface.positions[idx(t[idx(k)])];
-    const Vec3& b = surface.positions[idx(t[idx(next_corner(k))])];
-    longest = std::max(longest, (b - a).norm());
-  }
-  return longest;
-}
 
 }  // namespace
 

@@ -1,0 +1,17 @@
+// What decides softly how far a mesh is rounded.
+#pragma once
+
+#include <algorithm>
+
+namespace illustrate {
+
+// What is off is measured in pixels of a drawing in which the object's diagonal has so many.
+constexpr double diagonal_px = 1400;
+
+// 0 up to `from`, 1 beyond `to`, smooth between.
+inline double smoothstep(double from, double to, double x) {
+  const double t = std::clamp((x - from) / (to - from), 0., 1.);
+  return t * t * (3 - 2 * t);
+}
+
+}  // namespace illustrate
