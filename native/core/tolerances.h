@@ -28,4 +28,9 @@ constexpr double similarity = 5e-6;
 // regular polygon, which is turned with the scene.
 constexpr double same_length = 1e-9, straight_rad = 1e-9;
 
+// Positions apart by less than this share of a mesh's usual edge are one: a matrix applied to them
+// in double precision is off by 1e-15 of the mesh's size, vertices in single precision differ by
+// 1e-8 of it.
+constexpr double same_place = 1e-10;
+
 }  // namespace illustrate::tolerance

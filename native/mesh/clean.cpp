@@ -1,8 +1,11 @@
 #include "mesh/clean.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <tuple>
 
+#include "core/tolerances.h"
 #include "mesh/split_polygon.h"
 
 namespace illustrate {
@@ -152,26 +155,58 @@ void count_isolated(const Faces& faces, const std::vector<std::uint8_t>& usable,
 }
 
 struct PlacedVertex {
-  Vec3 position;
+  std::array<int, 3> place;  // ranks of the coordinates
   int vertex;
 
   bool operator<(const PlacedVertex& other) const {
-    for (int k = 0; k < 3; ++k)
-      if (position[k] != other.position[k]) return position[k] < other.position[k];
-    return vertex < other.vertex;
+    return std::tie(place, vertex) < std::tie(other.place, other.vertex);
   }
 };
 
-// The vertices of open edges, those at the same position side by side, lowest first.
-std::vector<PlacedVertex> open_vertices_by_position(const Faces& faces, const Points& positions) {
+struct OpenEdges {
+  std::vector<int> vertices;  // ascending
+  double usual_length = 0;    // the median, which single outliers do not move
+};
+
+OpenEdges find_open_edges(const Faces& faces, const Points& positions) {
   const Ragged<int> edges = half_edges_by_edge(faces, positions.size());
   std::vector<std::uint8_t> is_open(positions.size(), 0);
-  for (std::size_t e = 0; e < edges.size(); ++e)
-    if (edges[e].size() == 1)
-      is_open[faces.corners[edges[e][0]]] = is_open[faces.head(edges[e][0])] = 1;
-  std::vector<PlacedVertex> vertices;
+  std::vector<double> lengths;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (edges[e].size() != 1) continue;
+    const int tail = faces.corners[edges[e][0]], head = faces.head(edges[e][0]);
+    is_open[tail] = is_open[head] = 1;
+    lengths.push_back((positions[head] - positions[tail]).stableNorm());
+  }
+  OpenEdges open;
   for (std::size_t v = 0; v < positions.size(); ++v)
-    if (is_open[v]) vertices.push_back({positions[v], static_cast<int>(v)});
+    if (is_open[v]) open.vertices.push_back(static_cast<int>(v));
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  if (middle != lengths.end()) open.usual_length = *middle;
+  return open;
+}
+
+// Numbers the different coordinates along one axis, ascending: what is no farther than `rounding`
+// from the next lower one has its number.
+void rank_along(int axis, const Points& positions, double rounding,
+                std::vector<PlacedVertex>& vertices) {
+  const auto at = [&](const PlacedVertex& v) { return positions[v.vertex][axis]; };
+  std::sort(vertices.begin(), vertices.end(),
+            [&](const PlacedVertex& a, const PlacedVertex& b) { return at(a) < at(b); });
+  for (std::size_t i = 1; i < vertices.size(); ++i) {
+    const bool differs = at(vertices[i]) - at(vertices[i - 1]) > rounding;
+    vertices[i].place[axis] = vertices[i - 1].place[axis] + (differs ? 1 : 0);
+  }
+}
+
+// The vertices of open edges, those at the same position side by side, lowest first.
+std::vector<PlacedVertex> open_vertices_by_position(const Faces& faces, const Points& positions) {
+  const OpenEdges open = find_open_edges(faces, positions);
+  std::vector<PlacedVertex> vertices;
+  for (const int v : open.vertices) vertices.push_back({{0, 0, 0}, v});
+  const double rounding = tolerance::same_place * open.usual_length;
+  for (int axis = 0; axis < 3; ++axis) rank_along(axis, positions, rounding, vertices);
   std::sort(vertices.begin(), vertices.end());
   return vertices;
 }
@@ -209,7 +244,7 @@ std::vector<int> weld_open_edges(Faces& faces, const Points& positions, Counts& 
   const std::vector<PlacedVertex> open = open_vertices_by_position(faces, positions);
   std::int64_t welded = 0;
   for (std::size_t i = 1; i < open.size(); ++i) {
-    if (open[i].position != open[i - 1].position) continue;
+    if (open[i].place != open[i - 1].place) continue;
     numbers[open[i].vertex] = numbers[open[i - 1].vertex];
     ++welded;
   }

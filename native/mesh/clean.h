@@ -19,8 +19,9 @@ constexpr double max_coordinate = 1e150;
 // where nothing of them is left.
 Faces clean_faces(const PolygonMesh& mesh, Counts& report);
 
-// Gives vertices of open edges that lie at the same position the same number, the lowest; cleans
-// the faces again. Counts "welded_vertices" besides. Returns the new number of each vertex.
+// Gives vertices of open edges that lie at the same position, to within rounding, the same number,
+// the lowest; cleans the faces again. Counts "welded_vertices" besides. Returns the new number of
+// each vertex.
 std::vector<int> weld_open_edges(Faces& faces, const Points& positions, Counts& report);
 
 }  // namespace illustrate

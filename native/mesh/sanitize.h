@@ -7,11 +7,11 @@
 //
 // Order: vertices that are not finite are dropped with their faces; repeated corners go, faces that
 // come to a vertex twice are taken apart, faces with fewer than three corners go; duplicate faces
-// go (the first stays, whatever the winding); bit-identical positions on open edges are welded;
-// edges with more than two faces and vertices with more than one fan are split (the new open edges
-// are `seams`: never drawn, smooth across); winding is made consistent by flood fill; closed parts
-// of negative volume are turned outward; parts that cannot be oriented become their orientation
-// double cover.
+// go (the first stays, whatever the winding); positions on open edges that are the same to within
+// rounding are welded; edges with more than two faces and vertices with more than one fan are split
+// (the new open edges are `seams`: never drawn, smooth across); winding is made consistent by flood
+// fill; closed parts of negative volume are turned outward; parts that cannot be oriented become
+// their orientation double cover.
 #pragma once
 
 #include "core/progress.h"

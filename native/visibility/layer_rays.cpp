@@ -15,6 +15,8 @@ constexpr double blind_px = 3;     // hits nearer than this may be the curve's o
 constexpr double blind_edges = 3;  // so may those be that are nearer than so many edges of the
                                    // curve's triangle, for silhouettes
 constexpr double blind_diagonals = 0.01;  // and never more than this share of everything's diagonal
+constexpr double rounding = 1e-6;         // share of that: hits nearer than this are the curve's
+                                          // own surface, before or behind it as rounding has it
 
 }  // namespace
 
@@ -46,7 +48,7 @@ LayerCount LayerRays::count_from(const Vec3& origin, double blind) {
     }));
   };
   const int layers = farther_than(blind);
-  const int unsure = farther_than(0) - layers;
+  const int unsure = farther_than(rounding * blind) - layers;
   return {layers, unsure, static_cast<int>(hits_.size()) - layers - unsure, hits_.empty()};
 }
 

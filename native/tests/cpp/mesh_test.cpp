@@ -172,6 +172,31 @@ TEST(Mesh, ZeroesOfBothSignsAreWelded) {
   expect_counts(mend(mesh).report, {{"welded_vertices", 2}});
 }
 
+TEST(Mesh, PlacesApartByRoundingAreWelded) {
+  PolygonMesh mesh = shapes::unwelded(shapes::torus_mesh(3, 1, 8, 6));
+  const double step = 4 * std::numeric_limits<double>::epsilon();
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    mesh.positions[v] *= 1 + step * (static_cast<double>(v % 5) - 2);
+  }
+  const Mended mended = mend(mesh);
+  expect_counts(mended.report, {{"welded_vertices", 3 * 48}});
+  EXPECT_EQ(count_open_edges(mended.mesh), 0u);
+}
+
+TEST(Mesh, PlacesApartByMoreThanRoundingAreNotWelded) {
+  PolygonMesh mesh = shapes::unwelded(shapes::plane(2, 1));
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    mesh.positions[v].z() += 1e-8 * static_cast<double>(v);
+  }
+  expect_counts(mend(mesh).report, {});
+}
+
+TEST(Mesh, AFarVertexDoesNotWeldTheOthers) {
+  PolygonMesh mesh = shapes::unwelded(shapes::plane(2, 3));
+  mesh.positions[0].x() = -1e13;
+  EXPECT_EQ(mend(mesh).mesh.source_faces.size(), 6u);
+}
+
 TEST(Mesh, SheetsWithTwoSidesBecomeOne) {
   const PolygonMesh plane = shapes::plane(3, 2);
   const Mended mended = mend(shapes::joined(plane, shapes::turned(plane)));

@@ -322,9 +322,32 @@ def test_rigid_motions_move_no_line(shape: Shape, scheme: str, crease_deg: float
         assert np.abs(one.image - two.image).max() < 1e-3
 
 
-def test_rigid_motions_move_no_line_where_parts_cross() -> None:
+def stretched_sphere(share: float) -> Shape:
+    """A sphere whose limit cuts the plain one's in curves where both are nearly tangent."""
+    s = sphere()
+    stretched = s.positions * [1 + share, 1 - share, 1] + share * np.array([0.31, 0.17, 0.07])
+    return Shape(stretched, s.face_sizes, s.corner_vertices)
+
+
+def unwelded(shape: Shape) -> Shape:
+    """Every face with corners of its own, which agree but for rounding."""
+    positions = shape.positions[shape.corner_vertices]
+    noise = np.random.default_rng(5).integers(-2, 3, positions.shape) * np.finfo(float).eps
+    return Shape(positions + noise, shape.face_sizes, np.arange(len(positions), dtype=np.int32))
+
+
+@pytest.mark.parametrize(
+    "parts",
+    [
+        [cube(), cube().moved((0.6, 0.35, 0.8))],
+        [sphere(), stretched_sphere(0.01)],
+        [sphere(), stretched_sphere(0.002)],
+        [unwelded(cube())],
+    ],
+    ids=["cubes", "near", "nearer", "unwelded"],
+)
+def test_rigid_motions_move_no_line_where_parts_touch(parts: list[Shape]) -> None:
     turn, shift = a_turn(), np.array([5.0, -3.0, 2.0])
-    parts = [cube(), cube().moved((0.6, 0.35, 0.8))]
     gone = [Shape(p.positions @ turn.T + shift, p.face_sizes, p.corner_vertices) for p in parts]
     options = ill.PrepareOptions(level=4, field=False)
     here, there = (ill.prepare([s.mesh() for s in shapes], options) for shapes in (parts, gone))
