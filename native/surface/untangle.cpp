@@ -29,24 +29,36 @@ double least(const std::vector<Area>& areas, const Vec2& by) {
   return result;
 }
 
-// Where three areas are equal to each other.
+// Where three areas are equal to each other; not finite where they grow along one line.
 Vec2 equal_areas(const Area& a, const Area& b, const Area& c) {
   const Vec2 ab = a.growth - b.growth, ac = a.growth - c.growth;
   const double determinant = cross(ab, ac), to_b = b.size - a.size, to_c = c.size - a.size;
-  return Vec2(to_b * ac.y() - to_c * ab.y(), to_c * ab.x() - to_b * ac.x()) / determinant;
+  const bool is_parallel = std::abs(determinant) <= tolerance::straight_rad * ab.norm() * ac.norm();
+  const Vec2 by(to_b * ac.y() - to_c * ab.y(), to_c * ab.x() - to_b * ac.x());
+  return by / (is_parallel ? 0 : determinant);
 }
 
-// The move that makes the smallest area largest: at the best of all corners of the programme.
+double largest(const std::vector<Area>& areas) {
+  double result = 0;
+  for (const Area& a : areas) result = std::max(result, std::abs(a.size));
+  return result;
+}
+
+// The move that makes the smallest area largest: at the best of all corners of the programme. Of
+// corners that are equally good, but for rounding, the nearest: rounding must not choose.
 Vec2 best_move(const std::vector<Area>& areas) {
   Vec2 best = Vec2::Zero();
   double most = least(areas, best);
+  const double rounding = tolerance::same_length * largest(areas);
   for (std::size_t i = 0; i < areas.size(); ++i) {
     for (std::size_t j = i + 1; j < areas.size(); ++j) {
       for (std::size_t k = j + 1; k < areas.size(); ++k) {
         const Vec2 by = equal_areas(areas[i], areas[j], areas[k]);
         if (!by.allFinite()) continue;
         const double size = least(areas, by);
-        if (size > most) std::tie(most, best) = std::pair(size, by);
+        const bool is_nearer = by.squaredNorm() < (1 - tolerance::same_length) * best.squaredNorm();
+        const bool is_better = size > most + rounding || (size > most - rounding && is_nearer);
+        if (is_better) std::tie(most, best) = std::pair(size, by);
       }
     }
   }
