@@ -45,6 +45,7 @@ class ILLUSTRATE_OT_bake(DrawingOperator, bpy.types.Operator):
                 scene = still_there(name)
                 scene.frame_set(frame)
                 request = read_request(scene, context.evaluated_depsgraph_get())
+                request.expose_as(previous)
                 if scene.illustrate.keep_strokes and native.can_seed():
                     request.previous = previous
                 made = yield _step(request, frame, done / len(frames), (done + 1) / len(frames))

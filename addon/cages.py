@@ -7,6 +7,7 @@ from typing import Any
 import bpy
 import numpy as np
 
+from .lightness import LightnessReader
 from .mesh_arrays import MeshArrays, read_mesh
 
 DEFORMING_PARENTS = ("ARMATURE", "LATTICE")
@@ -38,14 +39,16 @@ def mesh_of(evaluated: Any) -> Iterator[Any]:
         evaluated.to_mesh_clear()
 
 
-def read_cages(objects: list[Any], scene: Any) -> dict[Any, MeshArrays]:
+def read_cages(objects: list[Any], scene: Any, lightness: LightnessReader) -> dict[Any, MeshArrays]:
     """The meshes below the last Subdivision of `objects`.
 
     Where nothing comes before the Subdivision, the cage is the mesh that is edited.
     """
-    found = {thing: _read_cage(thing, thing.data) for thing in objects if _is_own_cage(thing)}
+    found = {
+        thing: _read_cage(thing, thing.data, lightness) for thing in objects if _is_own_cage(thing)
+    }
     others = [thing for thing in dict.fromkeys(objects) if thing not in found]
-    return found | _evaluated_cages(others, scene) if others else found
+    return found | _evaluated_cages(others, scene, lightness) if others else found
 
 
 def _is_own_cage(thing: Any) -> bool:
@@ -58,7 +61,9 @@ def _is_own_cage(thing: Any) -> bool:
     )
 
 
-def _evaluated_cages(objects: list[Any], scene: Any) -> dict[Any, MeshArrays]:
+def _evaluated_cages(
+    objects: list[Any], scene: Any, lightness: LightnessReader
+) -> dict[Any, MeshArrays]:
     """Cages evaluated in a scene of their own.
 
     The artist's scene is not evaluated again and nothing stays behind, but Blender draws its
@@ -78,7 +83,7 @@ def _evaluated_cages(objects: list[Any], scene: Any) -> dict[Any, MeshArrays]:
         cages = {}
         for thing, copy in copies.items():
             with mesh_of(copy.evaluated_get(layer.depsgraph)) as mesh:
-                cages[thing] = _read_cage(thing, mesh)
+                cages[thing] = _read_cage(thing, mesh, lightness)
         return cages
     finally:
         for copy in copies.values():
@@ -86,10 +91,11 @@ def _evaluated_cages(objects: list[Any], scene: Any) -> dict[Any, MeshArrays]:
         bpy.data.batch_remove((stage,))  # `scenes.remove` crashes in a command of 4.3
 
 
-def _read_cage(thing: Any, mesh: Any) -> MeshArrays:
+def _read_cage(thing: Any, mesh: Any, lightness: LightnessReader) -> MeshArrays:
     """The control mesh of a subdivision surface with the creases its modifier heeds."""
     subdivision = trailing_subdivision(thing)
     geometry = read_mesh(mesh, thing.name, cage=True)
+    lightness.read(geometry, mesh, [slot.material for slot in thing.material_slots])
     geometry.scheme = "catmull-clark"
     geometry.boundary = "edges" if subdivision.boundary_smooth == "ALL" else "corners"
     if not subdivision.use_creases:

@@ -36,9 +36,12 @@ def main(arguments: list[str], summaries: list[str] | None = None) -> int:
         if chosen.preset:
             _part(package, "ui.presets").apply(chosen.preset)
         _part(package, "output.files").prepare_folder(chosen.out)
+        first = None
         for frame in chosen.frames or [bpy.context.scene.frame_current]:
             bpy.context.scene.frame_set(frame)
-            line = illustrate_frame(package, file_name(chosen.name, frame), chosen)
+            name = file_name(chosen.name, frame)
+            made, line = illustrate_frame(package, name, chosen, first)
+            first = first or made.drawing
             print(line, flush=True)
             if summaries is not None:
                 summaries.append(line)
@@ -54,15 +57,17 @@ def file_name(pattern: str, frame: int) -> str:
     return re.sub("#+", lambda marks: f"{frame:0{len(marks[0])}}", name)
 
 
-def illustrate_frame(package: ModuleType, name: str, chosen: Any) -> str:
-    """Illustrates the scene at its frame and writes `name` in every format; a line that sums it up.
+def illustrate_frame(package: ModuleType, name: str, chosen: Any, first: Any) -> tuple[Any, str]:
+    """Illustrates the scene at its frame and writes `name` in every format.
 
-    package: the add-on. chosen: what `parse` returns. Raises the add-on's IllustrateError.
+    package: the add-on. chosen: what `parse` returns. first: the drawing of the first frame, as
+    which this one is exposed, or None. Returns the illustration and a line that sums it up.
+    Raises the add-on's IllustrateError.
     """
     files = _part(package, "output.files")
     scene, start = bpy.context.scene, time.perf_counter()
     made = _part(package, "illustration").illustrate(
-        scene, bpy.context.evaluated_depsgraph_get(), _ProgressLines(name)
+        scene, bpy.context.evaluated_depsgraph_get(), _ProgressLines(name), first
     )
     for warning in made.warnings:
         print(f"illustrate: warning: {warning}", file=sys.stderr, flush=True)
@@ -84,7 +89,7 @@ def illustrate_frame(package: ModuleType, name: str, chosen: Any) -> str:
         begun = time.perf_counter()
         files.write_file(os.path.join(chosen.out, f"{name}.{extension}"), page)
         made.seconds[extension] = time.perf_counter() - begun
-    return summary(package, name, made, time.perf_counter() - start)
+    return made, summary(package, name, made, time.perf_counter() - start)
 
 
 def summary(package: ModuleType, name: str, made: Any, seconds: float) -> str:

@@ -17,6 +17,7 @@ import numpy as np
 from . import native, settings
 from .cache import CACHE, Cache, digest, split_widths
 from .light_arrays import LightArrays
+from .mesh_arrays import MeshArrays
 from .messages import IllustrateError, counted, quoted
 from .scene import SceneArrays, read_scene
 
@@ -56,16 +57,25 @@ class Request:
     read_seconds: float
     previous: Any = None  # the drawing whose strokes the new one starts from
 
+    def expose_as(self, drawing: Any) -> None:
+        """The light as strong as in another drawing, so that a sequence does not flicker.
+
+        Nothing where the exposure is not automatic, and where there is no other drawing.
+        """
+        if drawing is not None and self.draw["auto_exposure"]:
+            self.draw |= {"auto_exposure": False, "exposure": drawing.tone.exposure}
+
     @cached_property
     def meshes_key(self) -> str:
-        """A digest of the meshes alone."""
-        return digest(self.arrays.meshes)
+        """A digest of the shapes of the meshes alone."""
+        return digest([mesh.shape for mesh in self.arrays.meshes])
 
     @cached_property
     def prepared_key(self) -> str:
         """A digest of all that preparing depends on."""
         values = {name: value for name, value in self.prepare.items() if name != "threads"}
-        return digest(self.meshes_key, self.arrays.guides, self.guide_weight, values)
+        looks = [(m.reflectance, m.uv, m.textures, m.face_textures) for m in self.arrays.meshes]
+        return digest(self.meshes_key, looks, self.arrays.guides, self.guide_weight, values)
 
     @cached_property
     def drawing_key(self) -> str:
@@ -98,13 +108,18 @@ class Illustration:
         return [mesh.name for mesh in self.arrays.meshes]
 
 
-def illustrate(scene: Any, depsgraph: Any, progress: Progress | None = None) -> Illustration:
+def illustrate(
+    scene: Any, depsgraph: Any, progress: Progress | None = None, exposed_as: Any = None
+) -> Illustration:
     """Draws a scene with its own settings (scene.illustrate); nothing is written.
 
-    progress(fraction of the whole, stage) is called now and then; False stops.
+    progress(fraction of the whole, stage) is called now and then; False stops. exposed_as: the
+    drawing of another frame of the same sequence, for Request.expose_as.
     Raises IllustrateError when there is no drawing to be made.
     """
-    return compute(read_request(scene, depsgraph), progress)
+    request = read_request(scene, depsgraph)
+    request.expose_as(exposed_as)
+    return compute(request, progress)
 
 
 def prepare_scene(scene: Any, depsgraph: Any, progress: Progress | None = None) -> Any:
@@ -124,15 +139,16 @@ def read_request(scene: Any, depsgraph: Any) -> Request:
         selected_only=chosen.source == "SELECTION",
         use_lights=chosen.lighting == "SCENE",
         guides=chosen.guides,
-        auto_exposure=chosen.auto_exposure,
     )
     if chosen.lighting == "SIDE":
         arrays.lights = [LightArrays("side", None, 1.0)]
+    draw = settings.draw_values(chosen, arrays.camera.width_px)
+    draw["auto_exposure"] = chosen.lighting == "SCENE" and chosen.auto_exposure
     return Request(
         scene.name,
         arrays,
         settings.prepare_values(chosen),
-        settings.draw_values(chosen, arrays.camera.width_px),
+        draw,
         chosen.guide_weight,
         _guide_warnings(scene, arrays),
         time.perf_counter() - start,
@@ -194,17 +210,23 @@ def native_meshes(ill: Any, arrays: SceneArrays) -> list[Any]:
     But mirrored objects: their front is on the other side.
     """
     if not arrays.copies:
-        return [ill.PolygonMesh(**vars(mesh)) for mesh in arrays.meshes]
+        return [_native_mesh(ill, mesh) for mesh in arrays.meshes]
     keys = [digest(copy.mesh) for copy in arrays.copies]
     counts, originals, meshes = Counter(keys), {}, []
     for key, copy, mesh in zip(keys, arrays.copies, arrays.meshes, strict=True):
         if counts[key] == 1 or not _can_share(copy.matrix):
-            meshes.append(ill.PolygonMesh(**vars(mesh)))
+            meshes.append(_native_mesh(ill, mesh))
             continue
         if key not in originals:
-            originals[key] = ill.PolygonMesh(**vars(copy.mesh))
+            originals[key] = _native_mesh(ill, copy.mesh)
         meshes.append(originals[key].instance(copy.matrix, mesh.name, mesh.edge_length))
     return meshes
+
+
+def _native_mesh(ill: Any, mesh: MeshArrays) -> Any:
+    values = dict(vars(mesh))
+    values["textures"] = [ill.Texture(**vars(texture)) for texture in mesh.textures]
+    return ill.PolygonMesh(**values)
 
 
 def _can_share(matrix: Any) -> bool:
@@ -279,6 +301,15 @@ def _warnings(arrays: SceneArrays, reports: list[dict[str, Any]]) -> list[str]:
             f"Mended {counted(len(mended), 'mesh', 'meshes')}, "
             f"{quoted([report['name'] for report in mended])}: {listed}"
         )
+    if arrays.partly_read:
+        names = quoted(arrays.partly_read)
+        warnings.append(
+            f"Of {counted(len(arrays.partly_read), 'material')} ({names}) the nodes are followed "
+            "in part: give it a base colour, an image through a UV map or a viewport colour, or "
+            "lower Materials"
+        )
+    for name, problem in arrays.unread_images.items():
+        warnings.append(f'Image "{name}" counts as white: {problem}')
     if arrays.left_out:
         warnings.append(f"Left out {', '.join(map(_named, arrays.left_out.items()))}")
     return warnings

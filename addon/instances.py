@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from .cages import mesh_of, read_cages, trailing_subdivision
+from .lightness import LightnessReader
 from .mesh_arrays import MeshArrays, read_mesh
 from .styles import Surface, style_of, surface_of
 
@@ -33,6 +34,7 @@ class Shown:
 
     placed: list[Placed] = field(default_factory=list)
     left_out: dict[str, list[str]] = field(default_factory=dict)  # names by kind, in words
+    lightness: LightnessReader = field(default_factory=LightnessReader)
 
     def leave_out(self, kind: str, name: str) -> None:
         """Notes what cannot be drawn."""
@@ -49,7 +51,8 @@ def read_shown(scene: Any, depsgraph: Any, is_wanted: Callable[[Any], bool]) -> 
     Curves, surfaces, texts and metaballs come as instances of meshes. is_wanted: asked of original
     objects; False leaves them out, and with them what they instance.
     """
-    shown, reader = Shown(), _Reader(depsgraph)
+    shown = Shown()
+    reader = _Reader(depsgraph, shown.lightness)
     chosen = cache(lambda owner: (style_of(owner, scene), surface_of(owner, scene)))
     pending: list[_Pending] = []
     for instance, owner in _rendered(depsgraph):
@@ -69,7 +72,9 @@ def read_shown(scene: Any, depsgraph: Any, is_wanted: Callable[[Any], bool]) -> 
 def _place(pending: list[_Pending], shown: Shown, scene: Any) -> None:
     """Adds meshes at their places; those that are still to be read are cages."""
     named = {name for listed in shown.left_out.values() for name in listed}
-    cages = read_cages([original for _, original, mesh in pending if mesh is None], scene)
+    cages = read_cages(
+        [original for _, original, mesh in pending if mesh is None], scene, shown.lightness
+    )
     for place, original, mesh in pending:
         geometry = mesh or cages[original]
         if len(geometry.face_sizes):
@@ -147,8 +152,9 @@ def _is_strands(modifier: Any) -> bool:
 class _Reader:
     """Reads evaluated meshes, each once, at however many places it stands."""
 
-    def __init__(self, depsgraph: Any) -> None:
+    def __init__(self, depsgraph: Any, lightness: LightnessReader) -> None:
         self._depsgraph = depsgraph
+        self._lightness = lightness
         self._read: dict[Any, MeshArrays] = {}
 
     def read(self, thing: Any, surface: Surface) -> MeshArrays | None:
@@ -162,19 +168,23 @@ class _Reader:
         is_cage = surface.form == "CAGE"
         key = (thing.original, thing.data.as_pointer(), is_cage)
         if key not in self._read:
-            self._read[key] = _read_evaluated(thing, own if is_own else None, is_cage)
+            self._read[key] = _read_evaluated(
+                thing, own if is_own else None, is_cage, self._lightness
+            )
             if subdivision is not None and not is_smoothed:
                 self._read[key].scheme = "none"  # the artist wants facets
         return self._read[key]
 
 
-def _read_evaluated(thing: Any, own: Any, is_cage: bool) -> MeshArrays:
+def _read_evaluated(thing: Any, own: Any, is_cage: bool, lightness: LightnessReader) -> MeshArrays:
     """own: the evaluated object itself where the mesh is its own and not generated."""
     if own is None:
         arrays = read_mesh(thing.data, thing.name, is_cage)
+        lightness.read(arrays, thing.data, thing.data.materials)
     else:
         with mesh_of(own) as mesh:
             arrays = read_mesh(mesh, thing.name, is_cage)
+            lightness.read(arrays, mesh, [slot.material for slot in own.material_slots])
     if is_cage:
         arrays.boundary = "edges"  # as a Subdivision modifier has it at first
     return arrays

@@ -5,13 +5,13 @@ sun everywhere, that of other lights one unit away from them.
 """
 
 import math
-from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 LUMINANCE = (0.2126, 0.7152, 0.0722)
+SKY = (0.5, 0.5, 0.5)  # what stands in for a sky or an image all round
 
 
 @dataclass
@@ -28,13 +28,6 @@ class LightArrays:
     edges: Any = None  # (2, 3)
     ellipse: bool = False
     casts_shadows: bool = True
-
-    def strength_at(self, place: Any) -> float:
-        """What a surface at a place (3,) that faces the light receives, cones left aside."""
-        if self.kind == "sun":
-            return self.strength
-        squared = float(np.sum((self.vector - place) ** 2))
-        return self.strength / max(squared, 1e-12)
 
 
 def read_light(data: Any, matrix: Any) -> LightArrays:
@@ -59,13 +52,21 @@ def read_light(data: Any, matrix: Any) -> LightArrays:
     return light
 
 
-def exposed(lights: Iterable[LightArrays], place: Any) -> list[LightArrays]:
-    """Those lights that shine, scaled so that the strongest gives 1 at a place (3,)."""
-    lights = [light for light in lights if light.strength > 0]
-    strongest = max((light.strength_at(place) for light in lights), default=0.0)
-    for light in lights:
-        light.strength /= strongest
-    return lights
+def read_world(world: Any) -> list[LightArrays]:
+    """The light of a world's background, as far as it is one colour; none where it is black."""
+    if world is None:
+        return []
+    colour, strength = world.color, 1.0
+    tree = world.node_tree if world.use_nodes else None
+    output = tree and tree.get_output_node("ALL")
+    if output and output.inputs["Surface"].links:
+        node = output.inputs["Surface"].links[0].from_node
+        if node.type != "BACKGROUND" or node.inputs["Strength"].links:
+            return []
+        strength = float(node.inputs["Strength"].default_value)
+        colour = SKY if node.inputs["Color"].links else node.inputs["Color"].default_value
+    grey = float(np.dot(LUMINANCE, tuple(colour)[:3])) * strength
+    return [LightArrays("ambient", None, grey, casts_shadows=False)] if grey > 0 else []
 
 
 def _edges(data: Any, matrix: Any) -> Any:

@@ -1,6 +1,6 @@
 """A Blender mesh as arrays, whatever the version of Blender: faces, creases, shading, marks."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import bpy
@@ -28,6 +28,15 @@ class MeshArrays:
     edge_length: float | None = None
     corner_normals: Any = None  # (sum of face_sizes, 3) float32 of any length, or None
     cage: bool = True
+    reflectance: Any = None  # (f,) or (sum of face_sizes,), or None: white
+    uv: Any = None  # (sum of face_sizes, 2), or None
+    textures: list[Any] = field(default_factory=list)  # TextureArrays
+    face_textures: Any = None  # (f,) int32, -1: none; or None
+
+    @property
+    def shape(self) -> "MeshArrays":
+        """Without what shapes nothing."""
+        return replace(self, reflectance=None, uv=None, textures=[], face_textures=None)
 
 
 def read_mesh(mesh: Any, name: str, cage: bool) -> MeshArrays:

@@ -12,7 +12,7 @@ import numpy as np
 
 from .guide_arrays import GuideArrays, read_guides
 from .instances import Placed, read_shown
-from .light_arrays import LightArrays, exposed, read_light
+from .light_arrays import LightArrays, read_light, read_world
 from .mesh_arrays import MeshArrays
 from .messages import IllustrateError, quoted
 from .ownership import is_ours
@@ -73,6 +73,8 @@ class SceneArrays:
     lights: list[LightArrays] = field(default_factory=list)
     guides: GuideArrays = field(default_factory=GuideArrays)
     left_out: dict[str, list[str]] = field(default_factory=dict)  # by kind: what is not drawn
+    partly_read: list[str] = field(default_factory=list)  # materials
+    unread_images: dict[str, str] = field(default_factory=dict)  # what is wrong, by name
 
 
 def read_scene(
@@ -82,7 +84,6 @@ def read_scene(
     use_lights: bool = True,
     guides: Any = None,
     camera: CameraArrays | None = None,
-    auto_exposure: bool = True,
 ) -> SceneArrays:
     """The evaluated scene as the camera's render would show it, meshes in the depsgraph's order.
 
@@ -90,9 +91,8 @@ def read_scene(
     subdivided to the limit. Any other mesh is the surface itself, unless its style says that it is
     a cage. Left out are objects hidden from viewport or render, illustrations, objects whose style
     says so, and the objects of the collection `guides`, which are read as such. What a render shows
-    and a drawing cannot is named in `left_out`. camera: another one than the scene's.
-    auto_exposure: lights are scaled so that the strongest is white in the middle of the meshes;
-    without, they are as strong as in a render of white surfaces.
+    and a drawing cannot is named in `left_out`. camera: another one than the scene's. Lights are as
+    strong as in a render.
     Raises IllustrateError for a scene without a usable camera or without anything to draw.
     """
     arrays = SceneArrays(camera or read_camera(scene, depsgraph))
@@ -107,13 +107,14 @@ def read_scene(
     arrays.copies = [_as_copy(placed) for placed in shown.placed]
     arrays.styles = [placed.style for placed in shown.placed]
     arrays.left_out = shown.left_out
+    arrays.partly_read, arrays.unread_images = shown.lightness.partly, shown.lightness.unread
     if not arrays.meshes:
         names = [name for listed in shown.left_out.values() for name in listed]
         raise IllustrateError(nothing_to_draw(scene, selected_only, names))
     if guides is not None:
         arrays.guides = read_guides(guides, scene.frame_current)
     if use_lights:
-        arrays.lights = _read_lights(scene, depsgraph, _centre(arrays.meshes), auto_exposure)
+        arrays.lights = _read_lights(scene, depsgraph)
     return arrays
 
 
@@ -181,24 +182,16 @@ def read_camera(scene: Any, depsgraph: Any) -> CameraArrays:
 # --- Lights -------------------------------------------------------------------------------------
 
 
-def _read_lights(scene: Any, depsgraph: Any, centre: Any, auto_exposure: bool) -> list[LightArrays]:
-    """Lights of the render; `auto_exposure`: the strongest at `centre` (3,) gives 1 there."""
-    lights = []
+def _read_lights(scene: Any, depsgraph: Any) -> list[LightArrays]:
+    """Lights of the render, as strong as its exposure makes them, and the light of the world."""
+    lights = read_world(scene.world)
     for instance in depsgraph.object_instances:
         lamp = instance.object
         if lamp.type == "LIGHT" and instance.show_self and not lamp.original.hide_render:
             lights.append(read_light(lamp.data, np.array(instance.matrix_world)))
-    if auto_exposure:
-        return exposed(lights, centre)
     for light in lights:
         light.strength *= 2.0**scene.view_settings.exposure
-    return lights
-
-
-def _centre(meshes: list[MeshArrays]) -> Any:
-    """(3,) middle of the box round all finite vertices."""
-    points = _finite(np.concatenate([mesh.positions for mesh in meshes]))
-    return (points.min(axis=0) + points.max(axis=0)) / 2 if len(points) else np.zeros(3)
+    return [light for light in lights if light.strength > 0 and math.isfinite(light.strength)]
 
 
 def _finite(points: Any) -> Any:

@@ -77,8 +77,8 @@ OWN: dict[str, Any] = {
     "auto_exposure": BoolProperty(
         name="Auto Exposure",
         default=True,
-        description="Scale the scene's lights so that the strongest is just white; "
-        "without, light is what a white surface has in the render",
+        description="Make the scene's light as strong as suits what is seen: the lightest places "
+        "white, not most of it shadow; a sequence keeps what its first frame has",
     ),
     "tones": EnumProperty(
         name="Tones", items=TONES, default="LIGHT", description="What divides light from shadow"

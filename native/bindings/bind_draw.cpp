@@ -81,6 +81,8 @@ void bind_tone(py::module_& m) {
   bound.def_property_readonly("shadow_threshold", [=](const ToneHandle& handle) {
     return tone_of(handle).shadow_threshold;
   });
+  bound.def_property_readonly("exposure",
+                              [=](const ToneHandle& handle) { return tone_of(handle).exposure; });
   bound.def_property_readonly("cell_px",
                               [=](const ToneHandle& handle) { return tone_of(handle).cell_px; });
 }

@@ -48,6 +48,53 @@ void read_if_given(const py::object& argument, const char* name, Value& value, R
   if (!argument.is_none()) value = read(argument, name);
 }
 
+constexpr std::array<const char*, 4> wrap_names{"repeat", "mirror", "extend", "clip"};
+
+Wrap wrap_named(const std::string& name) {
+  for (std::size_t i = 0; i < wrap_names.size(); ++i) {
+    if (name == wrap_names[i]) return static_cast<Wrap>(i);
+  }
+  throw InvalidInput("wrap is '" + name + "', expected 'repeat', 'mirror', 'extend' or 'clip'");
+}
+
+std::shared_ptr<Texture> make_texture(const py::object& luminance, const std::string& wrap) {
+  using Rows = py::array_t<float, py::array::c_style | py::array::forcecast>;
+  const Rows rows = Rows::ensure(luminance);
+  if (!rows || rows.ndim() != 2) throw InvalidInput("luminance must be (h, w) numbers");
+  constexpr py::ssize_t most = 1 << 20;
+  if (rows.shape(0) > most || rows.shape(1) > most) throw InvalidInput("luminance is too large");
+  std::vector<float> values(rows.data(), rows.data() + rows.size());
+  return std::make_shared<Texture>(static_cast<int>(rows.shape(1)), static_cast<int>(rows.shape(0)),
+                                   std::move(values), wrap_named(wrap));
+}
+
+// Of faces, or of corners: by its length.
+void read_reflectance(const py::object& reflectance, const py::object& uv,
+                      const py::object& textures, const py::object& face_textures,
+                      PolygonMesh& mesh) {
+  Reflectance& result = mesh.reflectance;
+  if (!reflectance.is_none()) {
+    std::vector<double> values = read_numbers(reflectance, "reflectance");
+    const bool of_corners = values.size() == mesh.corner_vertices.size();
+    (of_corners ? result.corners : result.faces) = std::move(values);
+  }
+  read_if_given(uv, "uv", result.uv, read_pairs);
+  read_if_given(face_textures, "face_textures", result.face_textures, read_indices);
+  for (const py::handle& texture : textures) {
+    if (!py::isinstance<Texture>(texture)) {
+      throw InvalidInput("textures[" + std::to_string(result.textures.size()) +
+                         "] is not a Texture");
+    }
+    result.textures.push_back(texture.cast<std::shared_ptr<Texture>>());
+  }
+}
+
+void bind_texture(py::module_& m) {
+  using namespace py::literals;
+  py::class_<Texture, std::shared_ptr<Texture>>(m, "Texture", "An image as luminance. Immutable.")
+      .def(py::init(&make_texture), "luminance"_a, "wrap"_a = "repeat");
+}
+
 std::shared_ptr<PolygonMesh> make_mesh(
     const py::object& positions, const py::object& face_sizes, const py::object& corner_vertices,
     const py::object& edge_vertices, const py::object& edge_sharpness,
@@ -55,7 +102,8 @@ std::shared_ptr<PolygonMesh> make_mesh(
     const py::object& face_materials, const py::object& hole_faces, const std::string& boundary,
     double crease_angle_deg, const py::object& scheme, const py::object& level,
     const py::object& edge_length, const std::string& name, const py::object& corner_normals,
-    bool cage) {
+    bool cage, const py::object& reflectance, const py::object& uv, const py::object& textures,
+    const py::object& face_textures) {
   auto mesh = std::make_shared<PolygonMesh>();
   mesh->positions = read_points(positions, "positions");
   mesh->face_sizes = read_indices(face_sizes, "face_sizes");
@@ -74,6 +122,7 @@ std::shared_ptr<PolygonMesh> make_mesh(
   read_if_given(level, "level", mesh->level, read_integer);
   read_if_given(edge_length, "edge_length", mesh->edge_length, read_number);
   mesh->name = name;
+  read_reflectance(reflectance, uv, textures, face_textures, *mesh);
   validate(*mesh);
   return mesh;
 }
@@ -99,7 +148,8 @@ void bind_polygon_mesh(py::module_& m) {
            "marked_edges"_a = none, "face_materials"_a = none, "hole_faces"_a = none,
            "boundary"_a = "corners", "crease_angle_deg"_a = 180.0, "scheme"_a = none,
            "level"_a = none, "edge_length"_a = none, "name"_a = "", "corner_normals"_a = none,
-           "cage"_a = true)
+           "cage"_a = true, "reflectance"_a = none, "uv"_a = none, "textures"_a = py::tuple(),
+           "face_textures"_a = none)
       .def("instance", &make_instance, "placement"_a, "name"_a = none, "edge_length"_a = none,
            "The same mesh at another place, moved by a (4, 4) affine matrix. Where that is a "
            "similarity (no mirror, one scale), what is prepared of the mesh is made once and "
@@ -141,14 +191,15 @@ void bind_camera(py::module_& m) {
                              [](const Camera& c) { return static_cast<int>(c.height_px()); });
 }
 
-constexpr std::array<const char*, 6> light_names{"head", "sun", "point", "spot", "area", "side"};
+constexpr std::array<const char*, 7> light_names{"head", "sun",  "point",  "spot",
+                                                 "area", "side", "ambient"};
 
 LightKind light_kind_named(const std::string& name) {
   for (std::size_t i = 0; i < light_names.size(); ++i) {
     if (name == light_names[i]) return static_cast<LightKind>(i);
   }
   throw InvalidInput("light.kind is '" + name +
-                     "', expected 'head', 'side', 'sun', 'point', 'spot' or 'area'");
+                     "', expected 'head', 'side', 'sun', 'point', 'spot', 'area' or 'ambient'");
 }
 
 const char* name_of(LightKind kind) { return light_names[static_cast<std::size_t>(kind)]; }
@@ -187,7 +238,7 @@ Light make_light(const std::string& kind_name, const py::object& vector, double 
   light.strength = strength;
   if (light.kind == LightKind::side) {
     light.vector = Vec3(-1, 1, 1);
-  } else if (light.kind != LightKind::head) {
+  } else if (light.kind != LightKind::head && light.kind != LightKind::ambient) {
     require(vector, "vector", light.kind);
   }
   if (light.kind == LightKind::spot || light.kind == LightKind::area) {
@@ -239,6 +290,7 @@ void bind_light(py::module_& m) {
 
 void bind_mesh(py::module_& m) {
   bind_enumerations(m);
+  bind_texture(m);
   bind_polygon_mesh(m);
   bind_camera(m);
   bind_light(m);

@@ -153,6 +153,11 @@ void bind_tone_options(Class& bound) {
          "Share of the visible area that is shadow, in place of the threshold; or None");
   OPTION("extra_levels", values.tone.extra_levels,
          "Into which shadows are divided further, [0, 3]");
+  OPTION("reflectance", values.tone.reflectance,
+         "How much the meshes' own reflectance counts, [0, 1]; 0: all are white");
+  OPTION("exposure", values.tone.exposure, "The light is multiplied by it");
+  OPTION("auto_exposure", values.tone.auto_exposure,
+         "Whether the light is also multiplied by what suits the view");
   OPTION("cast_shadows", values.tone.cast_shadows, "Whether surfaces keep the light from others");
   OPTION("mach_bands", values.tone.mach_bands, "Blank bands on the near side of folds");
   OPTION("undercuts", values.tone.undercuts, "Dense hatching beyond folds");

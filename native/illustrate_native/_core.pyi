@@ -60,6 +60,21 @@ class Node(enum.IntEnum):
     JOINT = 2
     END = 3
 
+class Texture:
+    """An image as luminance, linear in light. Immutable."""
+
+    def __init__(self, luminance: ArrayLike, wrap: str = "repeat") -> None:
+        """Copies its arguments.
+
+        Args:
+            luminance: (h, w) float, rows upwards from v = 0; negative or not finite: black.
+            wrap: what is read outside of [0, 1]: 'repeat', 'mirror', 'extend' (the border) or
+                'clip' (black).
+
+        Raises:
+            InvalidInput: no texel, wrong shape, an unknown wrap.
+        """
+
 class PolygonMesh:
     """Any polygon mesh in world space, whatever its defects. Immutable."""
 
@@ -82,6 +97,10 @@ class PolygonMesh:
         name: str = "",
         corner_normals: ArrayLike | None = None,
         cage: bool = True,
+        reflectance: ArrayLike | None = None,
+        uv: ArrayLike | None = None,
+        textures: Iterable[Texture] = (),
+        face_textures: ArrayLike | None = None,
     ) -> None:
         """Copies its arguments.
 
@@ -108,6 +127,11 @@ class PolygonMesh:
             cage: True: the vertices are the control mesh of a subdivision surface. False: the
                 surface keeps to the mesh as it is shaded: to its vertices within a pixel or so,
                 with corners where its boundaries turn, whatever `boundary` says.
+            reflectance: (f,) or (sum of face_sizes,) float, the share of the light that faces or
+                corners throw back, in [0, 1] (luminance, linear); None: 1.
+            uv: (sum of face_sizes, 2) float, places on the textures, v upwards.
+            textures: what faces are covered with; their luminance is multiplied by reflectance.
+            face_textures: (f,) int, index of each face's texture, -1: none. Needs uv.
 
         Raises:
             InvalidInput: wrong shapes, wrong types, indices out of range.
@@ -192,7 +216,8 @@ class Light:
         """Copies its arguments.
 
         Args:
-            kind: 'head' (at the eye), 'side' (to the side of it), 'sun', 'point', 'spot', 'area'.
+            kind: 'head' (at the eye), 'side' (to the side of it), 'sun', 'point', 'spot', 'area',
+                'ambient' (from everywhere).
             vector: (3,) of a sun: direction towards the light; of a side light: the same as the
                 viewer sees it (right, up, towards the viewer), None: (-1, 1, 1); of point, spot
                 and area: position, world.
@@ -373,6 +398,13 @@ class DrawOptions:
     """Share of it that is shadow, in place of the threshold; both together at most 1."""
     extra_levels: int
     """Into which shadows are divided further, [0, 3], each with one more set of hatches."""
+    reflectance: float
+    """How much the meshes' own reflectance counts, [0, 1]; 0: all are white."""
+    exposure: float
+    """The light is multiplied by it; above 0."""
+    auto_exposure: bool
+    """Whether the light is also multiplied by what suits the view: the lightest places white, not
+    more than 60 % of the area shadow, or highlight. ToneMap.exposure says what came of both."""
     cast_shadows: bool
     """Whether surfaces keep the light from others."""
     mach_bands: bool
@@ -694,6 +726,9 @@ class ToneMap:
     @property
     def shadow_threshold(self) -> float:
         """At most as bright is shadow: as given, or what gives its share."""
+    @property
+    def exposure(self) -> float:
+        """What the light was multiplied by."""
     @property
     def cell_px(self) -> float:
         """Side of a cell."""

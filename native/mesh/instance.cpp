@@ -48,6 +48,8 @@ PolygonMesh instance(std::shared_ptr<const PolygonMesh> original, const Mat4& pl
   } else if (linear.determinant() < 0) {
     turn_corners(mesh.face_sizes, mesh.corner_vertices);
     turn_corners(mesh.face_sizes, mesh.corner_normals);
+    turn_corners(mesh.face_sizes, mesh.reflectance.corners);
+    turn_corners(mesh.face_sizes, mesh.reflectance.uv);
   }
   return mesh;
 }

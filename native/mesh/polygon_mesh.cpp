@@ -48,6 +48,21 @@ void check_faces(const PolygonMesh& mesh) {
     check_index("corner_vertices", c, mesh.corner_vertices[c], "positions", mesh.positions.size());
 }
 
+void check_reflectance(const Reflectance& given, std::size_t faces, std::size_t corners) {
+  if (!given.faces.empty()) check_length("reflectance", given.faces.size(), "faces", faces);
+  if (!given.corners.empty()) {
+    check_length("reflectance", given.corners.size(), "corners", corners);
+  }
+  if (!given.uv.empty()) check_length("uv", given.uv.size(), "corners", corners);
+  if (given.face_textures.empty()) return;
+  check_length("face_textures", given.face_textures.size(), "faces", faces);
+  if (given.uv.empty()) throw InvalidInput("face_textures need uv");
+  for (std::size_t f = 0; f < faces; ++f) {
+    if (given.face_textures[f] == none) continue;
+    check_index("face_textures", f, given.face_textures[f], "textures", given.textures.size());
+  }
+}
+
 void check_settings(const PolygonMesh& mesh) {
   if (!(mesh.crease_angle_deg >= 0 && mesh.crease_angle_deg <= 180))
     throw InvalidInput("crease_angle_deg = " + std::to_string(mesh.crease_angle_deg) +
@@ -76,6 +91,7 @@ void validate(const PolygonMesh& mesh) {
   if (!mesh.corner_normals.empty())
     check_length("corner_normals", mesh.corner_normals.size(), "corners",
                  mesh.corner_vertices.size());
+  check_reflectance(mesh.reflectance, faces, mesh.corner_vertices.size());
   for (std::size_t i = 0; i < mesh.hole_faces.size(); ++i)
     check_index("hole_faces", i, mesh.hole_faces[i], "faces", faces);
   check_settings(mesh);

@@ -7,6 +7,7 @@
 #include "core/report.h"
 #include "core/similarity.h"
 #include "core/types.h"
+#include "mesh/reflectance.h"
 
 namespace illustrate {
 
@@ -33,6 +34,7 @@ struct PolygonMesh {
   // (sum of face_sizes) or empty: shading normals of any length at the corners, in the space of
   // positions; where one is zero or not finite the face's own stands in.
   Points corner_normals;
+  Reflectance reflectance;
   // The vertices are the control mesh of a subdivision surface, which goes near them; else the
   // surface keeps to the mesh, and its boundaries have corners by their angle, whatever `boundary`.
   bool cage = true;
@@ -51,7 +53,7 @@ struct PolygonMesh {
 
 // Throws InvalidInput, naming the argument and the index, where arrays do not fit together:
 // face_sizes that are negative or do not sum up to the corners, sharpness, materials or normals of
-// another length, indices of faces, corners and edges out of range.
+// another length, indices of faces, corners, edges and textures out of range.
 void validate(const PolygonMesh& mesh);
 
 }  // namespace illustrate

@@ -169,9 +169,10 @@ class View {
     ToneOptions tone_options = options_.tone;
     tone_options.threads = options_.threads;
     const Mask unhatched = unhatched_objects(options_.styles);
+    const Lightness lightness(surface, scene_.meshes());
     result_.tone = timed(result_.timings["tone"], [&] {
       return tone_regions(surface, visible, result_.graph, camera_, lights, tone_options,
-                          &scene_.bvh(), unhatched, tone_progress);
+                          &scene_.bvh(), unhatched, &lightness, tone_progress);
     });
     const std::vector<double> spacing_scale = spacing_scales(options_.styles);
     const CriticalCurves curves = timed(result_.timings["hatch"], [&] {

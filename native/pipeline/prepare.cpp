@@ -41,6 +41,7 @@ auto Prepared::timed(const char* stage, Make&& make) const {
 Prepared::Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions& options,
                    const Prepared* previous, const Progress& progress)
     : options_(with_threads(options)),
+      meshes_(meshes),
       curvature_(std::make_shared<Lazy<Curvature>>()),
       placed_curvature_(std::make_shared<Lazy<Curvature>>()),
       field_(std::make_shared<Lazy<CrossField>>()),

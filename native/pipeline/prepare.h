@@ -32,6 +32,8 @@ class Prepared {
   Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions& options,
            const Prepared* previous, const Progress& progress);
 
+  // Of the objects, as given last: what shapes nothing may differ from what this was made from.
+  const std::vector<MeshPointer>& meshes() const { return meshes_; }
   std::size_t object_count() const { return geometry_->meshes.size(); }
   const Surface& surface() const { return *geometry_->surface; }
   const LimitSurface& limit_surface() const { return *geometry_->limit_surface; }
@@ -93,6 +95,7 @@ class Prepared {
   };
 
   PrepareOptions options_;
+  std::vector<MeshPointer> meshes_;
   std::shared_ptr<Geometry> geometry_;
   // Of the originals (a guided field: of all objects), and where objects share them, of all.
   std::shared_ptr<Lazy<Curvature>> curvature_, placed_curvature_;

@@ -5,6 +5,7 @@
 
 namespace illustrate {
 
+// All but the reflectance, which shapes nothing.
 bool is_same(const PolygonMesh& a, const PolygonMesh& b);
 // Threads never change a result and are not compared.
 bool is_same(const SurfaceOptions& a, const SurfaceOptions& b);

@@ -35,6 +35,8 @@ Surface surface_of(const Surface& whole, const std::vector<int>& sources,
   keep(part.neighbours, sources);
   keep(part.edge_kinds, sources);
   keep(part.triangle_objects, sources);
+  keep(part.triangle_planes, sources);
+  keep(part.triangle_faces, sources);
   for (auto& neighbours : part.neighbours) {
     for (int& n : neighbours) n = n == none ? none : numbers[idx(n)];
   }
@@ -94,6 +96,12 @@ SeenScene::SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& s
   part_->intersections = intersections_of(whole_intersections, numbers);
   part_->intersections.triple_points = triple_points(part_->surface, part_->intersections);
   part_->numbers = std::move(numbers);
+}
+
+std::vector<const PolygonMesh*> SeenScene::meshes() const {
+  std::vector<const PolygonMesh*> meshes;
+  for (const MeshPointer& mesh : prepared_.meshes()) meshes.push_back(mesh.get());
+  return meshes;
 }
 
 SurfaceCurves SeenScene::seen_curves(const SurfaceCurves& whole) const {

@@ -12,6 +12,8 @@ class SeenScene {
   SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& styles, int threads,
             const Progress& progress);
 
+  // Of all objects, also the ignored ones.
+  std::vector<const PolygonMesh*> meshes() const;
   const Surface& surface() const { return part_ ? part_->surface : prepared_.surface(); }
   const LimitSurface& limit_surface() const { return prepared_.limit_surface(); }
   const Bvh& bvh() const { return part_ ? part_->bvh : prepared_.bvh(); }

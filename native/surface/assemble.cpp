@@ -104,6 +104,7 @@ class Assembler {
     surface_.edge_kinds.resize(count);
     surface_.patches.resize(count);
     surface_.triangle_planes.resize(count, none);
+    surface_.triangle_faces.resize(count, none);
   }
 
   // The sector that stands for this corner's on both sheets.
@@ -151,6 +152,8 @@ class Assembler {
     for (const Triangle& local : split(face, work)) {
       for (int k = 0; k < 3; ++k) add_corner(face, local, 3 * number + k, work);
       surface_.triangle_planes[idx(number)] = plane_of(face);
+      surface_.triangle_faces[idx(number)] =
+          object_.base.source_faces[idx(mesh_.base_faces[idx(face)])];
       surface_.patches[idx(number++)] = patch_triangle(face, local);
     }
     connect_diagonals(work.diagonals);

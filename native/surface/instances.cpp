@@ -87,6 +87,7 @@ class Placer {
     to_.edge_kinds.push_back(from_.edge_kinds[t]);
     const int plane = from_.planes.empty() ? none : from_.triangle_planes[t];
     to_.triangle_planes.push_back(plane == none ? none : plane + plane_shift_);
+    to_.triangle_faces.push_back(from_.triangle_faces[t]);
     to_.triangle_objects.push_back(object_);
   }
 

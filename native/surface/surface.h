@@ -86,6 +86,7 @@ struct Surface {
   std::vector<std::array<EdgeKind, 3>> edge_kinds;  // (t)
   std::vector<int> triangle_planes;  // (t) flat face of the mesh that it belongs to, or none
   std::vector<PlaneFace> planes;
+  std::vector<int> triangle_faces;  // (t) face of the input mesh that it is a piece of
 
   // (n) Ptex face of the base meshes, one mesh after another, and where on it; none for polygons.
   std::vector<int> base_faces;

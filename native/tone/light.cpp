@@ -85,7 +85,7 @@ void validate_extent(const Light& light, const std::string& name) {
 
 void validate(const Light& light, std::size_t index) {
   const std::string name = "lights[" + std::to_string(index) + "].";
-  if (static_cast<int>(light.kind) > static_cast<int>(LightKind::side)) {
+  if (static_cast<int>(light.kind) > static_cast<int>(LightKind::ambient)) {
     throw InvalidInput(name + "kind is unknown");
   }
   if (!light.vector.allFinite()) throw InvalidInput(name + "vector must be finite");
@@ -110,6 +110,7 @@ Vec3 side_direction(const Light& light, const Camera& camera) {
 
 double received(const Light& light, const Camera& camera, const Vec3& position,
                 const Vec3& normal) {
+  if (light.kind == LightKind::ambient) return light.strength;
   if (has_place(light.kind)) {
     const double light_there = from_lamp(light, position, normal);
     return std::isfinite(light_there) ? light_there : 0;

@@ -5,7 +5,8 @@
 
 namespace illustrate {
 
-enum class LightKind : std::uint8_t { head, sun, point, spot, area, side };
+// ambient: from everywhere, as strong at every place and for every normal.
+enum class LightKind : std::uint8_t { head, sun, point, spot, area, side, ambient };
 
 struct Light {
   LightKind kind = LightKind::head;
@@ -31,6 +32,7 @@ struct Light {
 void validate(const Light& light, std::size_t index);
 
 // What one light gives to a point, unless something is between them: strength * max(0, n . l), of
+// ambient light its strength, of
 // spots and areas times the cosine at the lamp; of areas with an extent summed over it, exactly.
 // `normal`: unit, turned to the eye.
 double received(const Light& light, const Camera& camera, const Vec3& position, const Vec3& normal);

@@ -6,6 +6,7 @@
 #include "core/errors.h"
 #include "core/parallel.h"
 #include "tone/bands.h"
+#include "tone/exposure.h"
 #include "tone/levels.h"
 #include "tone/shadows.h"
 
@@ -18,16 +19,21 @@ void require(bool good, const char* message) {
 
 bool is_share(const std::optional<double>& share) { return !share || (*share >= 0 && *share <= 1); }
 
-// The light at the visible cells.
+constexpr double least_facing = 0.01;  // of a surface that is seen edge-on
+
+// The light that comes back from the visible cells.
 class Illumination {
  public:
   Illumination(const Surface& surface, const VisibleImage& visible, const Camera& camera,
-               const std::vector<Light>& lights, const Bvh* casters)
+               const std::vector<Light>& lights, const Bvh* casters, const Lightness* lightness,
+               double reflectance)
       : surface_(surface),
         visible_(visible),
         camera_(camera),
         lights_(lights.empty() ? std::vector<Light>{Light{}} : lights),
         casters_(casters),
+        lightness_(lightness && !lightness->is_white() ? lightness : nullptr),
+        reflectance_(reflectance),
         map_(image_map(camera)) {}
 
   // Sets the light at the visible ones of the cells [begin, end).
@@ -46,6 +52,7 @@ class Illumination {
   struct Corners {
     int triangle = none;
     std::array<Vec3, 3> mapped, positions, normals;
+    std::optional<FaceLightness> lightness;  // none: white
   };
 
   Corners corners_of(int triangle) const {
@@ -57,6 +64,7 @@ class Illumination {
       corners.mapped[k] = apply(map_, corners.positions[k]);
       corners.normals[k] = surface_.corner_sign(triangle, k) * surface_.normals[vertex];
     }
+    if (lightness_) corners.lightness.emplace(lightness_->of_triangle(triangle));
     return corners;
   }
 
@@ -79,7 +87,16 @@ class Illumination {
       if (!(share > 0)) continue;
       sum += share * reaching(light, on, normal);
     }
-    return sum;
+    return corners.lightness ? sum * thrown_back(*corners.lightness, position, normal) : sum;
+  }
+
+  // A texture is seen as far as a cell reaches on the surface.
+  double thrown_back(const FaceLightness& lightness, const Vec3& position,
+                     const Vec3& normal) const {
+    const Vec3 to_eye = camera_.to_eye(position).normalized();
+    const double facing = std::max(normal.dot(to_eye), least_facing);
+    const double size = visible_.cell_px * camera_.pixel_size(position) / std::sqrt(facing);
+    return 1 - reflectance_ * (1 - lightness.at(position, size));
   }
 
   double reaching(const Light& light, const SurfacePoint& on, const Vec3& normal) const {
@@ -92,6 +109,8 @@ class Illumination {
   const Camera& camera_;
   const std::vector<Light> lights_;
   const Bvh* casters_;
+  const Lightness* lightness_;
+  double reflectance_;
   const ImageMap map_;
 };
 
@@ -118,6 +137,18 @@ std::vector<double> counted_light(const Surface& surface, const VisibleImage& vi
     counted.push_back(light[cell]);
   }
   return counted;
+}
+
+// Multiplies the light; returns by how much.
+double expose(const Surface& surface, const VisibleImage& visible, const ToneOptions& options,
+              const std::vector<std::uint8_t>& unhatched, std::vector<double>& light) {
+  double factor = options.exposure;
+  if (options.auto_exposure) {
+    factor *= suitable_exposure(options, counted_light(surface, visible, light, unhatched));
+  }
+  if (factor == 1) return factor;
+  for (double& value : light) value *= factor;
+  return factor;
 }
 
 ToneMap levels_of(const VisibleImage& visible, const std::vector<double>& light,
@@ -153,6 +184,8 @@ void validate(const ToneOptions& options) {
   require(is_share(options.shadow_share), "shadow_share must be in [0, 1], or none");
   require(options.highlight_share.value_or(0) + options.shadow_share.value_or(0) <= 1 + 1e-9,
           "highlight_share and shadow_share must be at most 1 together");
+  require(options.reflectance >= 0 && options.reflectance <= 1, "reflectance must be in [0, 1]");
+  require(options.exposure > 0 && std::isfinite(options.exposure), "exposure must be above 0");
   require(options.extra_levels >= 0 && options.extra_levels <= 3, "extra_levels must be in [0, 3]");
   require(options.mach_band_px >= 0 && options.mach_band_px <= 100,
           "mach_band_px must be in [0, 100]");
@@ -170,24 +203,27 @@ ToneMap tone_regions(const Surface& surface, const VisibleImage& visible,
                      const LabelledGraph& graph, const Camera& camera,
                      const std::vector<Light>& lights, const ToneOptions& options,
                      const Bvh* casters, const std::vector<std::uint8_t>& unhatched,
-                     const Progress& progress) {
+                     const Lightness* lightness, const Progress& progress) {
   validate(options);
   for (std::size_t i = 0; i < lights.size(); ++i) validate(lights[i], i);
   require(casters || !options.cast_shadows, "cast_shadows needs what casts them");
   progress.report(0);
   const Illumination illumination(surface, visible, camera, lights,
-                                  options.cast_shadows ? casters : nullptr);
+                                  options.cast_shadows ? casters : nullptr, lightness,
+                                  options.reflectance);
   std::vector<double> light(visible.triangle.size(), 0);
   const auto light_cells = [&](std::size_t begin, std::size_t end) {
     illumination.light_cells(begin, end, light);
   };
   parallel_for(light.size(), options.threads, progress.part(0, 0.7), light_cells);
   progress.report(0.7);
+  const double exposure = expose(surface, visible, options, unhatched, light);
   const bool by_share = options.highlight_share || options.shadow_share;
   const Thresholds thresholds =
       find_thresholds(options, by_share ? counted_light(surface, visible, light, unhatched)
                                         : std::vector<double>{});
   ToneMap tone = levels_of(visible, light, thresholds, options);
+  tone.exposure = exposure;
   if (options.mach_bands || options.undercuts) {
     mark_bands(surface, visible, graph, camera, options, tone.band);
   }

@@ -11,6 +11,7 @@
 #include "mesh/bvh.h"
 #include "occlusion/visible_image.h"
 #include "tone/light.h"
+#include "tone/lightness.h"
 #include "visibility/labelled_graph.h"
 
 namespace illustrate {
@@ -21,8 +22,11 @@ struct ToneOptions {
   // In place of a threshold: the share of the visible area that is to be highlight, or shadow; in
   // [0, 1], together at most 1.
   std::optional<double> highlight_share, shadow_share;
-  int extra_levels = 0;       // into which shadows are divided further, [0, 3]
-  bool cast_shadows = false;  // whether surfaces keep the light from others
+  int extra_levels = 0;        // into which shadows are divided further, [0, 3]
+  double reflectance = 1;      // how much the meshes' own counts, [0, 1]; 0: all are white
+  double exposure = 1;         // the light is multiplied by it, above 0
+  bool auto_exposure = false;  // multiplied also by what suits the view (tone/exposure.h)
+  bool cast_shadows = false;   // whether surfaces keep the light from others
   bool mach_bands = true;
   bool undercuts = true;
   double mach_band_px = 6;  // in [0, 100]
@@ -45,18 +49,20 @@ struct ToneMap {
   // What divides the levels, as used.
   double highlight_threshold = 0.8;
   double shadow_threshold = 0.4;
+  double exposure = 1;  // what the light was multiplied by
 
   // Cell of an image point, none outside the frame.
   int cell_of(const Vec2& image) const;
 };
 
 // `casters`: what casts shadows, needed where the options ask for them. `unhatched`: objects whose
-// area does not count towards the shares, empty: none.
+// area does not count towards the shares and the exposure, empty: none. lightness: of the surface;
+// null: white.
 ToneMap tone_regions(const Surface& surface, const VisibleImage& visible,
                      const LabelledGraph& graph, const Camera& camera,
                      const std::vector<Light>& lights, const ToneOptions& options,
                      const Bvh* casters = nullptr, const std::vector<std::uint8_t>& unhatched = {},
-                     const Progress& progress = {});
+                     const Lightness* lightness = nullptr, const Progress& progress = {});
 
 // The extra levels of a map as levels of their own: the first as midtone, the second as shadow, the
 // third as undercut, and nothing elsewhere.

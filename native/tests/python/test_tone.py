@@ -191,3 +191,84 @@ def test_lights_keep_what_they_are_given() -> None:
     assert ill.Light("side").vector.tolist() == [-1, 1, 1]
     spot = ill.Light("spot", (0, 0, 3), 1.0, (0, 0, -1), 0.5, blend=0.25)
     assert spot.blend == 0.25 and spot.edges.tolist() == [[0, 0, 0], [0, 0, 0]]
+
+
+# --- reflectance, exposure, ambient light
+
+FRONT = ill.Camera(
+    np.diag([0.8, 0.8, -0.1, 1.0]), np.array([*np.eye(4)[:2], [0, 0, 1, -3], [0, 0, 0, 1]]), 100, 100
+)
+SQUARE = [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]
+CORNERS = [[0, 0], [1, 0], [1, 1], [0, 1]]
+FACING = ill.Light("sun", vector=(0, 0, 1))
+
+
+def tone_of_square(
+    lights: list[ill.Light], options: dict[str, float] | None = None, **mesh: Any
+) -> ill.ToneMap:
+    prepared = ill.prepare(
+        [ill.PolygonMesh(SQUARE, [4], range(4), scheme="none", **mesh)],
+        ill.PrepareOptions(field=False),
+    )
+    drawing = ill.DrawOptions(mach_bands=False, undercuts=False, cell_px=1, **(options or {}))
+    return ill.draw(prepared, FRONT, drawing, lights=lights).tone
+
+
+def test_faces_throw_back_their_share_of_the_light() -> None:
+    tone = tone_of_square([FACING], reflectance=[0.25])
+    assert np.unique(tone.brightness) == pytest.approx([0, 0.25])
+    for influence in (0.0, 0.5):
+        tone = tone_of_square([FACING], {"reflectance": influence}, reflectance=[0.25])
+        assert tone.brightness.max() == pytest.approx(1 - 0.75 * influence)
+
+
+def test_corners_shade_a_face_evenly() -> None:
+    brightness = tone_of_square([FACING], reflectance=[0, 1, 1, 0]).brightness
+    x = (np.arange(100) + 0.5 - 10) / 80
+    inside = (x > 0) & (x < 1)
+    assert brightness[50, inside] == pytest.approx(x[inside], abs=1e-6)
+    assert np.ptp(brightness[15:85, 50]) < 1e-6
+
+
+def test_a_texture_is_seen_where_its_uv_lie() -> None:
+    checks = np.kron(np.indices((4, 4)).sum(0) % 2, np.ones((8, 8)))
+    mesh = {"uv": CORNERS, "textures": [ill.Texture(checks)], "face_textures": [0]}
+    brightness = tone_of_square([FACING], **mesh).brightness
+    for row in range(4):
+        for column in range(4):
+            place = brightness[90 - 10 - 20 * row, 10 + 10 + 20 * column]  # v is upwards
+            assert place == (row + column) % 2
+    with pytest.raises(ill.InvalidInput, match="uv"):
+        tone_of_square([FACING], textures=mesh["textures"], face_textures=[0])
+    with pytest.raises(ill.InvalidInput, match="face_textures"):
+        tone_of_square([FACING], **{**mesh, "face_textures": [1]})
+
+
+def test_a_recoloured_mesh_keeps_all_that_was_prepared() -> None:
+    options = ill.PrepareOptions(field=False)
+
+    def mesh(shade: float) -> list[ill.PolygonMesh]:
+        return [ill.PolygonMesh(SQUARE, [4], range(4), scheme="none", reflectance=[shade])]
+
+    first = ill.prepare(mesh(1.0), options)
+    second = ill.prepare(mesh(0.5), options, previous=first)
+    assert second.timings["surface"] == 0
+    bright, dark = (
+        ill.draw(p, FRONT, lights=[FACING]).tone.brightness.max() for p in (first, second)
+    )
+    assert (bright, dark) == pytest.approx((1, 0.5))
+
+
+@pytest.mark.parametrize("strength", [1e-4, 0.3, 700.0])
+def test_auto_exposure_makes_the_lightest_white(strength: float) -> None:
+    lamp = ill.Light("sun", vector=(0, 0, 1), strength=strength)
+    tone = tone_of_square([lamp], {"auto_exposure": True}, reflectance=[0, 1, 1, 0])
+    assert tone.exposure == pytest.approx(1 / (0.95 * strength), rel=0.02)
+    again = tone_of_square([lamp], {"exposure": tone.exposure}, reflectance=[0, 1, 1, 0])
+    assert np.array_equal(again.brightness, tone.brightness)
+
+
+def test_ambient_light_comes_from_everywhere() -> None:
+    away = ill.Light("sun", vector=(0, 0, -1))
+    tone = tone_of_square([away, ill.Light("ambient", strength=0.3)])
+    assert tone.brightness.max() == pytest.approx(0.3)
