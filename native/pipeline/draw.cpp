@@ -149,8 +149,8 @@ class View {
       const Progress visibility = progress.part(0.6, 1, "visibility");
       return by_vote ? vote_network(network, scene_.surface(), scene_.bvh(), on_paper,
                                     result_.counts, visibility)
-                     : label_network(network, scene_.surface(), scene_.bvh(), on_paper,
-                                     result_.counts, visibility, options_.threads);
+                     : label_network(network, scene_.surface(), scene_.bvh(), on_paper, result_.counts,
+                                 visibility, options_.threads, scene_.intersections().insets);
     });
     to_pixels(result_.graph, unit);
   }

@@ -52,6 +52,7 @@ Surface surface_of(const Surface& whole, const std::vector<int>& sources,
 IntersectionCurves intersections_of(const IntersectionCurves& whole,
                                     const std::vector<int>& numbers) {
   IntersectionCurves part;
+  part.insets = whole.insets;
   const auto number = [&](int t) { return t == none ? none : numbers[idx(t)]; };
   for (std::size_t c = 0; c < whole.curves.size(); ++c) {
     const Span<const IntersectionPoint> curve = whole.curves[c];
