@@ -33,6 +33,7 @@ class Prepared {
            const Prepared* previous, const Progress& progress);
 
   std::size_t object_count() const { return geometry_->meshes.size(); }
+  const std::vector<MeshPointer>& meshes() const { return geometry_->meshes; }
   const Surface& surface() const { return *geometry_->surface; }
   const LimitSurface& limit_surface() const { return *geometry_->limit_surface; }
   const Bvh& bvh() const { return search().bvh; }
