@@ -38,7 +38,7 @@ double LayerRays::blind_distance(const Strand& strand, int triangle, const Vec3&
 // Of a triangle in whose plane the curve lies, up to rounding. Open where the line of sight would
 // pass the face's rim.
 LayerRays::Side LayerRays::side_of_touch(int triangle, const Touching& curve) const {
-  if (insets_.empty()) return Side::open;
+  if (insets_.empty() || curve.is_of_two) return Side::open;
   const Triangle& t = surface_.triangles[idx(triangle)];
   Corners here, moved;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -97,7 +97,7 @@ LayerCount LayerRays::count(const Arrangement& arrangement, const StrandPlace& p
   const std::size_t i = arrangement.point(place.strand, place.segment);
   const std::size_t j = arrangement.point(place.strand, place.segment + 1);
   const Vec3 p = arrangement.world_at(place);
-  const Touching curve{p, arrangement.decided_at(place)};
+  const Touching curve{p, arrangement.decided_at(place), strand.kind == Kind::intersection};
   const double blind = blind_distance(strand, network.points.values[i].on.triangle, p);
   if (strand.left_layers == strand.right_layers) {
     const LayerCount on_curve = count_from(p, blind, curve);

@@ -38,6 +38,7 @@ class LayerRays {
   // A place of a curve, and where it is once all is moved inward.
   struct Touching {
     Vec3 position, decided;
+    bool is_of_two;  // an intersection, which lies on both its sheets wherever they are moved
   };
   enum class Side { open, before, behind };
 

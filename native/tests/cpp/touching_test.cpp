@@ -131,6 +131,18 @@ TEST(TouchingSolids, MeetingInAnEdgeDoNotHideIt) {
   EXPECT_EQ(found.missed, 0) << "of " << found.samples;
 }
 
+// Where it enters the other's plane it lies in its own and in that one, however they are moved.
+TEST(TouchingSolids, IntersectionsAreHiddenByNeitherSheet) {
+  const Camera camera = cameras::perspective(Vec3(3, -20, 14), Vec3::Zero());
+  const Drawing drawing = drawn(
+      {shapes::uv_sphere_mesh(1, 32, 16), mesh_of(box(Vec3(-3, -3, -2), Vec3(3, 3, 0.3)))}, camera);
+  const double radius = std::sqrt(1 - 0.3 * 0.3);
+  for (double angle = -2.6; angle < -0.5; angle += 0.05) {
+    const Vec3 p(radius * std::cos(angle), radius * std::sin(angle), 0.3);
+    EXPECT_LT(distance_px(drawing, camera.project(p).xy), 1.5) << angle;
+  }
+}
+
 TEST(TouchingSolids, BlocksOnAGridHaveTheirEdges) {
   std::mt19937 random(7);
   const auto whole = [&](int low, int high) {
