@@ -52,7 +52,7 @@ def test_stub_says_what_the_module_has() -> None:
 def test_every_public_name_is_there() -> None:
     for name in ill.__all__:
         assert hasattr(ill, name), name
-    assert [int(kind) for kind in ill.Kind] == list(range(14))
+    assert [int(kind) for kind in ill.Kind] == list(range(15))
     assert {node.name: int(node) for node in ill.Node} == {
         "CUSP": 0, "CROSSING": 1, "JOINT": 2, "END": 3,
     }  # fmt: skip
