@@ -15,6 +15,9 @@ constexpr double farthest_px = 5e8;
 // Arcs end where their nodes are, within a thousandth of a pixel.
 constexpr double largest_move_px = 1. / 2048;
 
+// Of the farthest move: depths of curves that touch, once they are moved, on surfaces seen aslant.
+constexpr double touching_moves = 20;
+
 double within_reach(double x) {
   return std::isfinite(x) ? std::clamp(x, -farthest_px, farthest_px) : 0;
 }
@@ -106,13 +109,18 @@ ImageStrands project_strands(const CurveNetwork& network, const Camera& camera, 
       if (camera.near_distance(moved) > 0) taken = project(moved);
     }
     result.image.push_back(seen.xy);
-    result.depth.push_back(taken.depth);
+    result.depth.push_back(seen.depth);
+    result.decided_depth.push_back(taken.depth);
     const int id = nodes + static_cast<int>(result.grid.size());
+    result.places.push_back({to_grid(seen.xy.x()), -to_grid(seen.xy.y()), id});
     result.grid.push_back({to_grid(taken.xy.x()), -to_grid(taken.xy.y()), id});
   }
-  share_node_ids(network, result.grid);
-  merge_coincident(network, result.grid);
+  for (std::vector<GridPoint>* grid : {&result.places, &result.grid}) {
+    share_node_ids(network, *grid);
+    merge_coincident(network, *grid);
+  }
   result.decided = std::move(decided);
+  result.touching = touching_moves * farthest;
   return result;
 }
 

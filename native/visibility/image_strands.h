@@ -17,14 +17,18 @@ struct GridPoint {
 
 // Aligned with network.points.values.
 struct ImageStrands {
-  std::vector<Vec2> image;    // px
-  std::vector<double> depth;  // as the grid: of what is decided on
+  std::vector<Vec2> image;  // px
+  std::vector<double> depth;
+  std::vector<GridPoint> places;  // the image, rounded
+  // What crossings are decided on: towards the points `decided`, where they are given.
   std::vector<GridPoint> grid;
-  Points decided;  // towards which grid and depth are; empty: the network's own points
+  std::vector<double> decided_depth;
+  Points decided;       // empty: the network's own points
+  double touching = 0;  // depths that differ by no more are of curves that touch
   bool perspective = false;
 };
 
-// `decided`: where the points are taken to be for grid and depth, aligned with them too; empty:
+// `decided`: where the points are taken to be for decisions, aligned with them too; empty:
 // where they are. In near views, where that would be farther in the image than is told apart, a
 // share of the way there.
 ImageStrands project_strands(const CurveNetwork& network, const Camera& camera,
