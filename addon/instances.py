@@ -77,7 +77,8 @@ def _place(pending: list[_Pending], shown: Shown, scene: Any) -> None:
     )
     for place, original, mesh in pending:
         geometry = mesh or cages[original]
-        if len(geometry.face_sizes):
+        draws_loose = scene.illustrate.loose_edges or place[1].get("loose_edges", False)
+        if len(geometry.face_sizes) or (draws_loose and len(geometry.loose_edges)):
             shown.placed.append(Placed(*place, geometry))
         elif place[0] not in named:
             shown.leave_out(WITHOUT_FACES, place[0])

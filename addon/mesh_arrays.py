@@ -28,6 +28,7 @@ class MeshArrays:
     edge_length: float | None = None
     corner_normals: Any = None  # (sum of face_sizes, 3) float32 of any length, or None
     cage: bool = True
+    loose_edges: Any = None  # (l, 2) int32, of no face
     reflectance: Any = None  # (f,) or (sum of face_sizes,), or None: white
     uv: Any = None  # (sum of face_sizes, 2), or None
     textures: list[Any] = field(default_factory=list)  # TextureArrays
@@ -60,6 +61,7 @@ def read_mesh(mesh: Any, name: str, cage: bool) -> MeshArrays:
         marked_edges=edges[_freestyle_marks(mesh)],
         face_materials=_face_materials(mesh),
         cage=cage,
+        loose_edges=edges[_is_loose(mesh)],
     )
     if not cage:
         arrays.corner_normals = _corner_normals(mesh)
@@ -125,6 +127,18 @@ def _freestyle_marks(mesh: Any) -> Any:
     return _attribute(mesh, "freestyle_edge", bool, len(mesh.edges))
 
 
+def _is_loose(mesh: Any) -> Any:
+    """(e,) bool: edges of no face."""
+    loose = np.ones(len(mesh.edges), bool)
+    loose[_edges_of_corners(mesh)] = False
+    return loose
+
+
+def _edges_of_corners(mesh: Any) -> Any:
+    """(corners,) the edge from each corner to the next."""
+    return _held(mesh, ".corner_edge", mesh.loops, "edge_index", np.int32)
+
+
 def _corner_normals(mesh: Any) -> Any:
     """(corners, 3) normals that the mesh is shaded with; None where all of it is shaded flat.
 
@@ -146,7 +160,7 @@ def _marks_at_flat_faces(mesh: Any) -> Any:
     """(e,) bool: edges marked sharp where a face is shaded flat, which normals do not tell."""
     is_flat = ~_get(mesh.polygons, "use_smooth", bool)
     sizes = _get(mesh.polygons, "loop_total", np.int32)
-    edges = _held(mesh, ".corner_edge", mesh.loops, "edge_index", np.int32)
+    edges = _edges_of_corners(mesh)
     at_flat = np.zeros(len(mesh.edges), bool)
     at_flat[edges[np.repeat(is_flat, sizes)]] = True
     return at_flat & _get(mesh.edges, "use_edge_sharp", bool)

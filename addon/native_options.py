@@ -109,6 +109,8 @@ LINES = (
     switch("marks", "lines", "Marked Edges", False, "Draw edges with a Freestyle mark"),
     switch("materials", "lines", "Materials", False, "Draw lines between materials"),
     switch("flat_outlines", "lines", "Flat Outlines", False, "Draw the outlines of flat areas"),
+    switch("loose_edges", "lines", "Loose Edges", False,
+           "Draw edges that belong to no face, and objects that have no others"),
     switch("suggestive_contours", "lines", "Suggestive", False,
             "Draw where a smooth surface nearly turns away from the camera"),
     threshold("suggestive_threshold", "suggestive contours", 20.0),
@@ -187,6 +189,7 @@ STYLE_DEFAULTS = {
     "occlude_only": False,
     "lines": True,
     "hatching": True,
+    "loose_edges": False,
     "spacing_scale": 1.0,
     "width_scale": 1.0,
 }

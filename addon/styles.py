@@ -39,6 +39,11 @@ OPTIONS: dict[str, Any] = {
     ),
     "lines": BoolProperty(name="Lines", default=True, description="Draw its lines"),
     "hatching": BoolProperty(name="Hatching", default=True, description="Hatch it"),
+    "loose_edges": BoolProperty(
+        name="Loose Edges",
+        default=False,
+        description="Draw its edges that belong to no face, also where the scene's are not drawn",
+    ),
     "spacing_scale": FloatProperty(
         name="Spacing",
         default=1.0,

@@ -152,6 +152,39 @@ def test_freestyle_marks_and_materials_are_read(scene: Any) -> None:
     assert mesh.face_materials.tolist() == [0, 0, 0, 1, 0, 0]
 
 
+def add_wire(name: str, points: Any) -> Any:
+    data = bpy.data.meshes.new(name)
+    data.from_pydata(points, [(i, i + 1) for i in range(len(points) - 1)], [])
+    wire = bpy.data.objects.new(name, data)
+    bpy.context.scene.collection.objects.link(wire)
+    return wire
+
+
+def test_edges_of_no_face_are_read(scene: Any) -> None:
+    cube = tools.cube_scene(scene)
+    edges = [*(tuple(edge.vertices) for edge in cube.data.edges), (0, 8)]
+    places = [*(tuple(vertex.co) for vertex in cube.data.vertices), (3, 0, 0)]
+    faces = [tuple(polygon.vertices) for polygon in cube.data.polygons]
+    data = bpy.data.meshes.new("Hairy")
+    data.from_pydata(places, edges, faces)
+    cube.data = data
+    assert only_mesh(scene).loose_edges.tolist() == [[0, 8]]
+
+
+def test_objects_of_loose_edges_alone_are_drawn_where_that_is_asked_for(scene: Any) -> None:
+    tools.cube_scene(scene)
+    wire = add_wire("Wire", [(-2, 0, 0), (2, 0, 0), (2, 0, 2)])
+    assert [mesh.name for mesh in read(scene).meshes] == ["Box"]
+    assert read(scene).left_out == {"object without faces": ["Wire"]}
+    wire.illustrate.use_own = wire.illustrate.loose_edges = True
+    assert [mesh.name for mesh in read(scene).meshes] == ["Box", "Wire"]
+    wire.illustrate.use_own = False
+    scene.illustrate.loose_edges = True
+    arrays = read(scene)
+    assert [len(mesh.loose_edges) for mesh in arrays.meshes] == [0, 2]
+    assert not arrays.left_out
+
+
 def crease(cube: Any, edge: int, value: float) -> None:
     if bpy.app.version < (4, 0, 0):
         cube.data.edges[edge].crease = value

@@ -28,6 +28,7 @@ void bind_enumerations(py::module_& m) {
       .value("SUGGESTIVE", Kind::suggestive)
       .value("RIDGE", Kind::ridge)
       .value("VALLEY", Kind::valley)
+      .value("LOOSE", Kind::loose)
       .finalize();
   py::native_enum<NodeKind>(m, "Node", "enum.IntEnum", "What a node of the curve network is.")
       .value("CUSP", NodeKind::cusp)
@@ -102,8 +103,8 @@ std::shared_ptr<PolygonMesh> make_mesh(
     const py::object& face_materials, const py::object& hole_faces, const std::string& boundary,
     double crease_angle_deg, const py::object& scheme, const py::object& level,
     const py::object& edge_length, const std::string& name, const py::object& corner_normals,
-    bool cage, const py::object& reflectance, const py::object& uv, const py::object& textures,
-    const py::object& face_textures) {
+    bool cage, const py::object& loose_edges, const py::object& reflectance, const py::object& uv,
+    const py::object& textures, const py::object& face_textures) {
   auto mesh = std::make_shared<PolygonMesh>();
   mesh->positions = read_points(positions, "positions");
   mesh->face_sizes = read_indices(face_sizes, "face_sizes");
@@ -115,6 +116,7 @@ std::shared_ptr<PolygonMesh> make_mesh(
   read_if_given(face_materials, "face_materials", mesh->face_materials, read_indices);
   read_if_given(hole_faces, "hole_faces", mesh->hole_faces, read_indices);
   read_if_given(corner_normals, "corner_normals", mesh->corner_normals, read_points);
+  read_if_given(loose_edges, "loose_edges", mesh->loose_edges, read_edges);
   mesh->cage = cage;
   mesh->boundary = boundary_named(boundary);
   mesh->crease_angle_deg = crease_angle_deg;
@@ -148,8 +150,8 @@ void bind_polygon_mesh(py::module_& m) {
            "marked_edges"_a = none, "face_materials"_a = none, "hole_faces"_a = none,
            "boundary"_a = "corners", "crease_angle_deg"_a = 180.0, "scheme"_a = none,
            "level"_a = none, "edge_length"_a = none, "name"_a = "", "corner_normals"_a = none,
-           "cage"_a = true, "reflectance"_a = none, "uv"_a = none, "textures"_a = py::tuple(),
-           "face_textures"_a = none)
+           "cage"_a = true, "loose_edges"_a = none, "reflectance"_a = none, "uv"_a = none,
+           "textures"_a = py::tuple(), "face_textures"_a = none)
       .def("instance", &make_instance, "placement"_a, "name"_a = none, "edge_length"_a = none,
            "The same mesh at another place, moved by a (4, 4) affine matrix. Where that is a "
            "similarity (no mirror, one scale), what is prepared of the mesh is made once and "

@@ -139,6 +139,7 @@ void bind_object_style(py::module_& m) {
   OPTION("occlude_only", occlude_only, "Hides what is behind it, but is not drawn");
   OPTION("lines", lines, "Whether its lines are drawn");
   OPTION("hatching", hatching, "Whether it is hatched");
+  OPTION("loose_edges", loose_edges, "Its edges of no face are drawn in any case");
   OPTION("spacing_scale", spacing_scale, "Of its hatches");
   OPTION("width_scale", width_scale, "Of all its strokes");
 }
@@ -199,6 +200,7 @@ void bind_stroke_options(Class& bound) {
   OPTION("marks", values.stroke.marks, "Draw marked edges");
   OPTION("materials", values.stroke.materials, "Draw borders between materials");
   OPTION("flat_outlines", values.stroke.flat_outlines, "Draw outlines of flat areas");
+  OPTION("loose_edges", values.loose_edges, "Draw edges of no face");
 }
 
 template <class Class>

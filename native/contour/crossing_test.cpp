@@ -162,6 +162,14 @@ void CrossingTest::move_points_inward(const Surface& surface) {
   }
 }
 
+Points CrossingTest::insets(const Surface& surface) const {
+  Points insets;
+  insets.reserve(surface.places.size());
+  for (const int place : surface.places)
+    insets.push_back(scale_ * (moved_[idx(place)] - points_[idx(place)]));
+  return insets;
+}
+
 // What is coplanar even so counts as positive in ascending order of places.
 int CrossingTest::side(int a, int b, int c, int d) const {
   const int sign = orient3d(moved_[a], moved_[b], moved_[c], moved_[d]);

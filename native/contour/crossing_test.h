@@ -36,6 +36,9 @@ class CrossingTest {
   // Of a piercing, in a triangle that it lies in.
   SurfacePoint surface_point(const Piercing& piercing, int triangle) const;
 
+  // (vertices of the surface) how far each is moved inward, world units.
+  Points insets(const Surface& surface) const;
+
   // How near each other, in world units, the boxes of triangles that cross are.
   double reach() const;
 

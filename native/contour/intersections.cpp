@@ -151,6 +151,7 @@ IntersectionCurves intersections(const Surface& surface, const Bvh& bvh, Counts&
       find_segments(test, bvh, surface.triangles.size(), report, progress);
   IntersectionCurves curves = Linker(surface, test, std::move(segments)).link();
   curves.triple_points = triple_points(surface, curves);
+  curves.insets = test.insets(surface);
   report["intersection_curves"] += static_cast<std::int64_t>(curves.curves.size());
   return curves;
 }

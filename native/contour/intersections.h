@@ -45,6 +45,7 @@ struct IntersectionCurves {
   // curve, which lies in those before.
   std::vector<std::array<int, 2>> segment_triangles;
   std::vector<TriplePoint> triple_points;  // triple_points.h
+  Points insets;  // (vertices) by which each was moved inward; what hides what is decided there too
 };
 
 // bvh: over the surface's positions and triangles. Open curves first, then closed ones. Adds

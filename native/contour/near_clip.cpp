@@ -72,7 +72,9 @@ class NearClipper {
     const double behind = camera_.near_distance(seen_point.position);
     const double fraction = std::clamp(behind / (behind - before), 0.0, 1.0) * (1 - 1e-9);
     const Vec3 position = seen_point.position + fraction * (hidden.position - seen_point.position);
-    result_.points.push({position, locate(surface_, seen_point.on.triangle, position)});
+    const int triangle = seen_point.on.triangle;
+    result_.points.push(
+        {position, triangle == none ? SurfacePoint{} : locate(surface_, triangle, position)});
     result_.nodes.push_back({NodeKind::end, position});
     return static_cast<int>(result_.nodes.size()) - 1;
   }

@@ -61,6 +61,7 @@ enum class Kind : std::uint8_t {
   suggestive = 11,  // suggestive contour
   ridge = 12,
   valley = 13,
+  loose = 14,  // an edge of no face: hides nothing, lies on no triangle
 };
 
 // Lines of shape inside a smooth surface: they neither hide nor bound anything.

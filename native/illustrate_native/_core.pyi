@@ -50,6 +50,7 @@ class Kind(enum.IntEnum):
     RIDGE = 12
     """As seen from the viewer's side of the surface."""
     VALLEY = 13
+    LOOSE = 14
     """As seen from the viewer's side of the surface."""
 
 class Node(enum.IntEnum):
@@ -97,6 +98,7 @@ class PolygonMesh:
         name: str = "",
         corner_normals: ArrayLike | None = None,
         cage: bool = True,
+        loose_edges: ArrayLike | None = None,
         reflectance: ArrayLike | None = None,
         uv: ArrayLike | None = None,
         textures: Iterable[Texture] = (),
@@ -127,6 +129,8 @@ class PolygonMesh:
             cage: True: the vertices are the control mesh of a subdivision surface. False: the
                 surface keeps to the mesh as it is shaded: to its vertices within a pixel or so,
                 with corners where its boundaries turn, whatever `boundary` says.
+            loose_edges: (l, 2) int, edges of no face, drawn as Kind.LOOSE when asked for: straight
+                from vertex to vertex. They hide nothing; their points lie on no triangle (-1).
             reflectance: (f,) or (sum of face_sizes,) float, the share of the light that faces or
                 corners throw back, in [0, 1] (luminance, linear); None: 1.
             uv: (sum of face_sizes, 2) float, places on the textures, v upwards.
@@ -356,6 +360,8 @@ class ObjectStyle:
     """Hides what is behind it, but is not drawn."""
     lines: bool
     hatching: bool
+    loose_edges: bool
+    """Its edges of no face are drawn, whatever DrawOptions.loose_edges says."""
     spacing_scale: float
     """Of its hatches, above 0."""
     width_scale: float
@@ -439,6 +445,8 @@ class DrawOptions:
     """Draw borders between materials."""
     flat_outlines: bool
     """Draw outlines of flat areas."""
+    loose_edges: bool
+    """Draw edges of no face (PolygonMesh's loose_edges)."""
     scan_silhouettes: bool
     """Look at every triangle for silhouettes instead of searching: slower, the same drawing."""
     visibility: str

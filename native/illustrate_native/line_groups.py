@@ -23,6 +23,7 @@ KIND_NAMES = (
     "SUGGESTIVE",
     "RIDGE",
     "VALLEY",
+    "LOOSE",
 )
 """Names of `illustrate_native.Kind`, by number; seams are never drawn."""
 
@@ -36,6 +37,7 @@ _BOTTOM_TO_TOP = (
     "VALLEY",
     "RIDGE",
     "SUGGESTIVE",
+    "LOOSE",
     "FLAT_OUTLINE",
     "MATERIAL",
     "MARK",
@@ -49,6 +51,7 @@ _TITLES = {
     "CROSS_HATCH": "Cross-hatch",
     "FLAT_OUTLINE": "Flat Outline",
     "SUGGESTIVE": "Suggestive Contour",
+    "LOOSE": "Loose Edge",
 }
 
 

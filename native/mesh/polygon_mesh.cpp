@@ -82,6 +82,7 @@ void validate(const PolygonMesh& mesh) {
   check_faces(mesh);
   check_edges("edge_vertices", mesh.edge_vertices, vertices);
   check_edges("marked_edges", mesh.marked_edges, vertices);
+  check_edges("loose_edges", mesh.loose_edges, vertices);
   check_length("edge_sharpness", mesh.edge_sharpness.size(), "rows of edge_vertices",
                mesh.edge_vertices.size());
   if (!mesh.vertex_sharpness.empty())

@@ -29,6 +29,7 @@ struct PolygonMesh {
   std::vector<double> edge_sharpness;    // (e) 0 smooth .. 10 infinitely sharp
   std::vector<double> vertex_sharpness;  // (n) or empty
   std::vector<Edge> marked_edges;        // (m) drawn as Kind::mark when asked for
+  std::vector<Edge> loose_edges;         // (l) of no face, drawn as Kind::loose when asked for
   std::vector<int> face_materials;       // (f) or empty; their borders are Kind::material
   std::vector<int> hole_faces;           // (h) faces that shape the limit and are not there
   // (sum of face_sizes) or empty: shading normals of any length at the corners, in the space of

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contour/loose_curves.h"
 #include "contour/network.h"
 #include "contour/silhouettes.h"
 #include "core/errors.h"
@@ -12,6 +13,7 @@
 #include "pipeline/seen_scene.h"
 #include "pipeline/stopwatch.h"
 #include "visibility/label_network.h"
+#include "visibility/loose_labels.h"
 #include "visibility/vote.h"
 
 namespace illustrate {
@@ -50,6 +52,15 @@ Mask undrawn_objects(const std::vector<ObjectStyle>& styles) {
   return of_each<std::uint8_t>(styles, [](const ObjectStyle& s) -> std::uint8_t {
     return s.ignore || s.occlude_only || !s.lines;
   });
+}
+
+// Of which the loose edges are drawn.
+Mask loose_objects(const DrawOptions& options, std::size_t count) {
+  Mask wanted(count, options.loose_edges);
+  const Mask undrawn = undrawn_objects(options.styles);
+  for (std::size_t i = 0; i < options.styles.size(); ++i)
+    wanted[i] = !undrawn[i] && (wanted[i] || options.styles[i].loose_edges);
+  return wanted;
 }
 
 std::vector<double> spacing_scales(const std::vector<ObjectStyle>& styles) {
@@ -113,6 +124,12 @@ void to_pixels(LabelledGraph& graph, double unit) {
   graph.unit_px = unit;
 }
 
+std::vector<const PolygonMesh*> pointers_to(const std::vector<MeshPointer>& meshes) {
+  std::vector<const PolygonMesh*> pointers;
+  for (const MeshPointer& mesh : meshes) pointers.push_back(mesh.get());
+  return pointers;
+}
+
 // The stages of one view, each with its time.
 class View {
  public:
@@ -147,12 +164,22 @@ class View {
     });
     result_.graph = timed(result_.timings["visibility"], [&] {
       const Progress visibility = progress.part(0.6, 1, "visibility");
-      return by_vote ? vote_network(network, scene_.surface(), scene_.bvh(), on_paper,
-                                    result_.counts, visibility)
-                     : label_network(network, scene_.surface(), scene_.bvh(), on_paper,
-                                     result_.counts, visibility, options_.threads);
+      return by_vote
+                 ? vote_network(network, scene_.surface(), scene_.bvh(), on_paper, result_.counts,
+                                visibility)
+                 : label_network(network, scene_.surface(), scene_.bvh(), on_paper, result_.counts,
+                                 visibility, options_.threads, scene_.intersections().insets);
     });
     to_pixels(result_.graph, unit);
+  }
+
+  // Edges of no face hide nothing, and no tone depends on them.
+  void add_loose_edges() {
+    result_.graph = timed(result_.timings["visibility"], [&] {
+      const Mask wanted = loose_objects(options_, scene_.meshes().size());
+      return with_loose_curves(std::move(result_.graph), loose_curves(scene_.meshes(), wanted),
+                               scene_.surface(), scene_.bvh(), camera_);
+    });
   }
 
   void follow(const Drawing& previous, const Surface& whole) {
@@ -169,7 +196,7 @@ class View {
     ToneOptions tone_options = options_.tone;
     tone_options.threads = options_.threads;
     const Mask unhatched = unhatched_objects(options_.styles);
-    const Lightness lightness(surface, scene_.meshes());
+    const Lightness lightness(surface, pointers_to(scene_.meshes()));
     result_.tone = timed(result_.timings["tone"], [&] {
       return tone_regions(surface, visible, result_.graph, camera_, lights, tone_options,
                           &scene_.bvh(), unhatched, &lightness, tone_progress);
@@ -262,6 +289,7 @@ DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOption
   if (hatching) {
     view.hatch(*field, lights, progress.part(0.5, 0.95));
   }
+  view.add_loose_edges();
   return std::move(view).strokes(progress.part(0.95, 1, "stroke"));
 }
 

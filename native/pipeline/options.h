@@ -29,6 +29,7 @@ struct ObjectStyle {
   bool occlude_only = false;  // hides what is behind it, but is not drawn
   bool lines = true;
   bool hatching = true;
+  bool loose_edges = false;  // drawn too, whatever the options say
   double spacing_scale = 1;  // of the hatches
   double width_scale = 1;    // of all its strokes
 };
@@ -43,6 +44,7 @@ struct DrawOptions {
   HatchOptions hatch;
   StrokeOptions stroke;  // its marks, materials and flat outlines are also those of the network
   CurvatureCurveOptions curvature_curves;
+  bool loose_edges = false;  // draw PolygonMesh::loose_edges
   // The largest cells of the tone map, [0.25, 64]: they are an eighth of the hatches' spacing and
   // at most a sixth of a band's width, but larger where the image has over 16 million of them.
   double cell_px = 64;

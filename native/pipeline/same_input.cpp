@@ -33,7 +33,7 @@ bool is_same(const PolygonMesh& a, const PolygonMesh& b) {
          same_bytes(a.edge_vertices, b.edge_vertices) &&
          same_bytes(a.edge_sharpness, b.edge_sharpness) &&
          same_bytes(a.vertex_sharpness, b.vertex_sharpness) &&
-         same_bytes(a.marked_edges, b.marked_edges) &&
+         same_bytes(a.marked_edges, b.marked_edges) && same_bytes(a.loose_edges, b.loose_edges) &&
          same_bytes(a.face_materials, b.face_materials) && same_bytes(a.hole_faces, b.hole_faces) &&
          same_bytes(a.corner_normals, b.corner_normals);
 }

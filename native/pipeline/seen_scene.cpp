@@ -54,6 +54,7 @@ Surface surface_of(const Surface& whole, const std::vector<int>& sources,
 IntersectionCurves intersections_of(const IntersectionCurves& whole,
                                     const std::vector<int>& numbers) {
   IntersectionCurves part;
+  part.insets = whole.insets;
   const auto number = [&](int t) { return t == none ? none : numbers[idx(t)]; };
   for (std::size_t c = 0; c < whole.curves.size(); ++c) {
     const Span<const IntersectionPoint> curve = whole.curves[c];
@@ -96,12 +97,6 @@ SeenScene::SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& s
   part_->intersections = intersections_of(whole_intersections, numbers);
   part_->intersections.triple_points = triple_points(part_->surface, part_->intersections);
   part_->numbers = std::move(numbers);
-}
-
-std::vector<const PolygonMesh*> SeenScene::meshes() const {
-  std::vector<const PolygonMesh*> meshes;
-  for (const MeshPointer& mesh : prepared_.meshes()) meshes.push_back(mesh.get());
-  return meshes;
 }
 
 SurfaceCurves SeenScene::seen_curves(const SurfaceCurves& whole) const {

@@ -12,8 +12,7 @@ class SeenScene {
   SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& styles, int threads,
             const Progress& progress);
 
-  // Of all objects, also the ignored ones.
-  std::vector<const PolygonMesh*> meshes() const;
+  const std::vector<MeshPointer>& meshes() const { return prepared_.meshes(); }
   const Surface& surface() const { return part_ ? part_->surface : prepared_.surface(); }
   const LimitSurface& limit_surface() const { return prepared_.limit_surface(); }
   const Bvh& bvh() const { return part_ ? part_->bvh : prepared_.bvh(); }

@@ -48,9 +48,12 @@ std::vector<StrokePoint> points_of(const LabelledGraph& graph, const Chain& chai
   return points;
 }
 
-// An end is free where no other line that is drawn comes to its node.
-bool is_free(const Ragged<ArcEnd>& ends, const Chain& chain, int node) {
-  return !chain.closed && ends[idx(node)].size() == 1;
+// An end is free where no other line that is drawn comes to its node. A loose edge that ends at a
+// joint goes on behind what hides it.
+bool is_free(const LabelledGraph& graph, const Ragged<ArcEnd>& ends, const Chain& chain, int node) {
+  if (chain.closed || ends[idx(node)].size() != 1) return false;
+  const bool is_loose = graph.arcs[idx(chain.arcs[0])].kind == Kind::loose;
+  return !is_loose || graph.nodes[idx(node)].kind == NodeKind::end;
 }
 
 std::vector<Stroke> line_strokes(const LabelledGraph& graph, const std::vector<double>& width_scale,
@@ -68,8 +71,8 @@ std::vector<Stroke> line_strokes(const LabelledGraph& graph, const std::vector<d
     StrokePath path;
     path.points = points_of(graph, chain, line_width(arc, width_scale, options));
     path.closed = chain.closed;
-    path.free_start = is_free(ends, chain, chain.start_node);
-    path.free_end = is_free(ends, chain, chain.end_node);
+    path.free_start = is_free(graph, ends, chain, chain.start_node);
+    path.free_end = is_free(graph, ends, chain, chain.end_node);
     strokes.push_back({std::move(path), arc.kind, arc.object, arc.invisibility});
   }
   return strokes;

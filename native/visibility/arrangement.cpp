@@ -117,6 +117,15 @@ Vec2 Arrangement::image_at(const StrandPlace& place) const {
   return a + place.fraction * (b - a);
 }
 
+Vec3 Arrangement::decided_at(const StrandPlace& place) const {
+  if (image.decided.empty()) return world_at(place);
+  const std::size_t i = point(place.strand, place.segment);
+  const std::size_t j = point(place.strand, place.segment + 1);
+  const double f =
+      world_fraction(place.fraction, image.depth[i], image.depth[j], image.perspective);
+  return image.decided[i] + f * (image.decided[j] - image.decided[i]);
+}
+
 Vec3 Arrangement::world_at(const StrandPlace& place) const {
   const std::size_t i = point(place.strand, place.segment);
   const std::size_t j = point(place.strand, place.segment + 1);
@@ -131,10 +140,10 @@ Arrangement arrange(const CurveNetwork& network, const Camera& camera) {
 }
 
 std::optional<Arrangement> arrange(const CurveNetwork& network, const Camera& camera,
-                                   std::size_t most) {
+                                   std::size_t most, Points decided) {
   Arrangement result;
   result.network = &network;
-  result.image = project_strands(network, camera);
+  result.image = project_strands(network, camera, std::move(decided));
   std::optional<std::vector<Crossing>> crossings = find_crossings(network, result.image, most);
   if (!crossings) return {};
   result.crossings = std::move(*crossings);

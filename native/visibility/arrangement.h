@@ -42,6 +42,7 @@ struct Arrangement {
   // Image and world points of a strand's place.
   Vec2 image_at(const StrandPlace& place) const;
   Vec3 world_at(const StrandPlace& place) const;
+  Vec3 decided_at(const StrandPlace& place) const;  // of ImageStrands::decided
   // Index into network->points.values of point i of a strand, cyclic for closed ones.
   std::size_t point(int strand, int i) const;
   int point_count(int strand) const;
@@ -54,9 +55,9 @@ struct Arrangement {
 
 // `network` must outlive the result.
 Arrangement arrange(const CurveNetwork& network, const Camera& camera);
-// Nothing where there are more crossings than `most`.
+// Nothing where there are more crossings than `most`. `decided`: as of project_strands.
 std::optional<Arrangement> arrange(const CurveNetwork& network, const Camera& camera,
-                                   std::size_t most);
+                                   std::size_t most, Points decided = {});
 // Strands that cross nothing and follow nothing.
 Arrangement arrange_apart(const CurveNetwork& network, const Camera& camera);
 

@@ -1,12 +1,15 @@
 #include "visibility/crossings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "visibility/segment_pairs.h"
 
 namespace illustrate {
 namespace {
+
+constexpr double near_px = 1. / 16;  // of a shallow crossing, once its curves are moved
 
 __extension__ using Wide = __int128;
 
@@ -68,18 +71,39 @@ class CrossingFinder {
  private:
   const GridPoint& grid(int point) const { return strands_.grid[idx(point)]; }
 
+  using Grid = std::vector<GridPoint>;
+
   bool cross(const StrandSegment& s, const StrandSegment& t) const {
-    const GridPoint &a = grid(s.a), &b = grid(s.b), &c = grid(t.a), &d = grid(t.b);
+    return cross(strands_.grid, s, t);
+  }
+  static bool cross(const Grid& grid, const StrandSegment& s, const StrandSegment& t) {
+    const GridPoint &a = grid[idx(s.a)], &b = grid[idx(s.b)];
+    const GridPoint &c = grid[idx(t.a)], &d = grid[idx(t.b)];
     if (a.id == b.id || c.id == d.id) return false;
     if (a.id == c.id || a.id == d.id || b.id == c.id || b.id == d.id) return false;
     return orientation(a, b, c) != orientation(a, b, d) &&
            orientation(c, d, a) != orientation(c, d, b);
   }
 
-  // Share of s at which it crosses t.
-  double fraction(const StrandSegment& s, const StrandSegment& t) const {
-    const auto from = static_cast<long double>(turn(grid(t.a), grid(t.b), grid(s.a)));
-    const auto to = static_cast<long double>(turn(grid(t.a), grid(t.b), grid(s.b)));
+  // Shares of s and t at which they cross: where they are, if they cross there too and near where
+  // that was decided, so that it depends on nothing else.
+  std::array<double, 2> fractions(const StrandSegment& s, const StrandSegment& t) const {
+    const Grid &places = strands_.places, &grid = strands_.grid;
+    const std::array<double, 2> decided{fraction(grid, s, t), fraction(grid, t, s)};
+    const double gap = std::abs(depth(s, decided[0]) - depth(t, decided[1]));
+    if (gap <= strands_.touching || !cross(places, s, t)) return decided;
+    const std::array<double, 2> own{fraction(places, s, t), fraction(places, t, s)};
+    const auto is_near = [&](const StrandSegment& segment, std::size_t k) {
+      const double length =
+          (strands_.image[idx(segment.b)] - strands_.image[idx(segment.a)]).norm();
+      return std::abs(own[k] - decided[k]) * length < near_px;
+    };
+    return is_near(s, 0) && is_near(t, 1) ? own : decided;
+  }
+
+  double fraction(const Grid& g, const StrandSegment& s, const StrandSegment& t) const {
+    const auto from = static_cast<long double>(turn(g[idx(t.a)], g[idx(t.b)], g[idx(s.a)]));
+    const auto to = static_cast<long double>(turn(g[idx(t.a)], g[idx(t.b)], g[idx(s.b)]));
     if (from == to) return middle_of_overlap(s, t);
     return std::clamp(static_cast<double>(from / (from - to)), 0.0, 1.0);
   }
@@ -99,12 +123,12 @@ class CrossingFinder {
   }
 
   double depth(const StrandSegment& s, double image_fraction) const {
-    const double a = strands_.depth[idx(s.a)], b = strands_.depth[idx(s.b)];
+    const double a = strands_.decided_depth[idx(s.a)], b = strands_.decided_depth[idx(s.b)];
     return a + world_fraction(image_fraction, a, b, strands_.perspective) * (b - a);
   }
 
   Crossing crossing(const StrandSegment& s, const StrandSegment& t) const {
-    const double fs = fraction(s, t), ft = fraction(t, s);
+    const auto [fs, ft] = fractions(s, t);
     const StrandPlace ps{s.strand, s.segment, fs}, pt{t.strand, t.segment, ft};
     const bool s_in_front = depth(s, fs) <= depth(t, ft);
     const StrandSegment& front = s_in_front ? s : t;

@@ -12,8 +12,21 @@ namespace {
 // Only what nearly touches the eye lies farther out.
 constexpr double farthest_px = 5e8;
 
+// Arcs end where their nodes are, within a thousandth of a pixel.
+constexpr double largest_move_px = 1. / 2048;
+
+// Of the farthest move: depths of curves that touch, once they are moved, on surfaces seen aslant.
+constexpr double touching_moves = 20;
+
 double within_reach(double x) {
   return std::isfinite(x) ? std::clamp(x, -farthest_px, farthest_px) : 0;
+}
+
+double farthest_move(const CurveNetwork& network, const Points& decided) {
+  double farthest = 0;
+  for (std::size_t i = 0; i < decided.size(); ++i)
+    farthest = std::max(farthest, (decided[i] - network.points.values[i].position).norm());
+  return farthest;
 }
 
 // To the nearest, halves away from zero.
@@ -52,23 +65,62 @@ void merge_coincident(const CurveNetwork& network, std::vector<GridPoint>& grid)
 
 }  // namespace
 
-ImageStrands project_strands(const CurveNetwork& network, const Camera& camera) {
+Points inset_points(const CurveNetwork& network, const Surface& surface, const Points& insets) {
+  Points moved;
+  if (insets.empty()) return moved;
+  for (const CurvePoint& p : network.points.values) {
+    const Triangle& t = surface.triangles[idx(p.on.triangle)];
+    moved.push_back(p.position + (1 - p.on.b1 - p.on.b2) * insets[idx(t[0])] +
+                    p.on.b1 * insets[idx(t[1])] + p.on.b2 * insets[idx(t[2])]);
+  }
+  std::vector<const Vec3*> at_nodes(network.nodes.size(), nullptr);
+  for (std::size_t s = 0; s < network.strands.size(); ++s) {
+    const Strand& strand = network.strands[s];
+    if (strand.closed()) continue;
+    const int first = network.points.offsets[s], last = network.points.offsets[s + 1] - 1;
+    for (const auto& [node, i] : {Edge{strand.start_node, first}, Edge{strand.end_node, last}}) {
+      if (!at_nodes[idx(node)]) at_nodes[idx(node)] = &moved[idx(i)];
+      moved[idx(i)] = *at_nodes[idx(node)];
+    }
+  }
+  return moved;
+}
+
+ImageStrands project_strands(const CurveNetwork& network, const Camera& camera, Points decided) {
   ImageStrands result;
   result.perspective = camera.is_perspective();
   const int nodes = static_cast<int>(network.nodes.size());
   result.image.reserve(network.points.values.size());
   result.depth.reserve(network.points.values.size());
   result.grid.reserve(network.points.values.size());
-  for (const CurvePoint& p : network.points.values) {
-    const ImagePoint seen = camera.project(p.position);
-    const Vec2 xy(within_reach(seen.xy.x()), within_reach(seen.xy.y()));
-    result.image.push_back(xy);
-    result.depth.push_back(std::isfinite(seen.depth) ? seen.depth : 0);
+  const auto project = [&](const Vec3& p) -> ImagePoint {
+    const ImagePoint seen = camera.project(p);
+    return {Vec2(within_reach(seen.xy.x()), within_reach(seen.xy.y())),
+            std::isfinite(seen.depth) ? seen.depth : 0};
+  };
+  const double farthest = farthest_move(network, decided);
+  for (std::size_t i = 0; i < network.points.values.size(); ++i) {
+    const Vec3& p = network.points.values[i].position;
+    const ImagePoint seen = project(p);
+    ImagePoint taken = seen;
+    if (farthest > 0) {
+      const double share = std::min(1., largest_move_px * camera.pixel_size(p) / farthest);
+      const Vec3 moved = p + share * (decided[i] - p);
+      if (camera.near_distance(moved) > 0) taken = project(moved);
+    }
+    result.image.push_back(seen.xy);
+    result.depth.push_back(seen.depth);
+    result.decided_depth.push_back(taken.depth);
     const int id = nodes + static_cast<int>(result.grid.size());
-    result.grid.push_back({to_grid(xy.x()), -to_grid(xy.y()), id});
+    result.places.push_back({to_grid(seen.xy.x()), -to_grid(seen.xy.y()), id});
+    result.grid.push_back({to_grid(taken.xy.x()), -to_grid(taken.xy.y()), id});
   }
-  share_node_ids(network, result.grid);
-  merge_coincident(network, result.grid);
+  for (std::vector<GridPoint>* grid : {&result.places, &result.grid}) {
+    share_node_ids(network, *grid);
+    merge_coincident(network, *grid);
+  }
+  result.decided = std::move(decided);
+  result.touching = touching_moves * farthest;
   return result;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contour/curve_network.h"
+#include "surface/surface.h"
 #include "view/camera.h"
 
 namespace illustrate {
@@ -18,11 +19,26 @@ struct GridPoint {
 struct ImageStrands {
   std::vector<Vec2> image;  // px
   std::vector<double> depth;
+  std::vector<GridPoint> places;  // the image, rounded
+  // What crossings are decided on: towards the points `decided`, where they are given.
   std::vector<GridPoint> grid;
+  std::vector<double> decided_depth;
+  Points decided;       // empty: the network's own points
+  double touching = 0;  // depths that differ by no more are of curves that touch
   bool perspective = false;
 };
 
-ImageStrands project_strands(const CurveNetwork& network, const Camera& camera);
+// `decided`: where the points are taken to be for decisions, aligned with them too; empty:
+// where they are. In near views, where that would be farther in the image than is told apart, a
+// share of the way there.
+ImageStrands project_strands(const CurveNetwork& network, const Camera& camera,
+                             Points decided = {});
+
+// The points of a network on the surface whose vertices are moved by `insets` (IntersectionCurves).
+// Surfaces that touch are then apart: a wall that stands on a floor is above it, and of two flush
+// faces the earlier part's is in front, all along and at every crossing. Strands that share a node
+// share its place. Empty where there are no insets.
+Points inset_points(const CurveNetwork& network, const Surface& surface, const Points& insets);
 
 struct StrandSegment {
   int strand;

@@ -35,8 +35,9 @@ std::vector<LabelledPath> label_paths(Arrangement& arrangement, LayerRays& rays,
 
 LabelledGraph label_network(const CurveNetwork& network, const Surface& surface, const Bvh& bvh,
                             const Camera& camera, Counts& counts, const Progress& progress,
-                            int threads) {
-  std::optional<Arrangement> settled = arrange(network, camera, most_settled);
+                            int threads, const Points& insets) {
+  std::optional<Arrangement> settled =
+      arrange(network, camera, most_settled, inset_points(network, surface, insets));
   counts["sampled_views"] += !settled;
   if (!settled) return label_pile(network, surface, camera, threads);
   Arrangement& arrangement = *settled;
@@ -51,7 +52,7 @@ LabelledGraph label_network(const CurveNetwork& network, const Surface& surface,
   const int swallowtails = collapse_swallowtails(arrangement, moved_px);
   repairs += swallowtails;
   counts["repaired_swallowtails"] += swallowtails;
-  LayerRays rays(surface, bvh, camera);
+  LayerRays rays(surface, bvh, camera, insets);
   std::int64_t label_repairs = 0;
   const std::vector<LabelledPath> labels =
       label_paths(arrangement, rays, label_repairs, threads, progress.part(0.3, 1));

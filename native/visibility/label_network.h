@@ -24,11 +24,13 @@ namespace illustrate {
 // A view of more than 200,000 crossings is sampled instead (label_pile.h), and says so:
 // "sampled_views" counts it. The result is the same for any number of threads (0: all cores).
 //
+// insets: IntersectionCurves', by which surfaces that touch are told apart.
+//
 // Adds "crossings", "rays", "loops", "unbalanced_loops", "repairs" to `counts`, the repairs by kind
 // too: "repaired_twists", "repaired_swallowtails", "repaired_labels"; and
 // "dropped_touches" apart: crossings next to joints that are no crossings (repairs.h).
 LabelledGraph label_network(const CurveNetwork& network, const Surface& surface, const Bvh& bvh,
                             const Camera& camera, Counts& counts, const Progress& progress = {},
-                            int threads = 1);
+                            int threads = 1, const Points& insets = {});
 
 }  // namespace illustrate

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mesh/polygons.h"
 #include "surface/locate.h"
 
 namespace illustrate {
@@ -36,20 +37,60 @@ double LayerRays::blind_distance(const Strand& strand, int triangle, const Vec3&
   return std::max(pixels, std::min(edges, blind_diagonals * surface_.diagonal));
 }
 
-LayerCount LayerRays::count_from(const Vec3& origin, double blind) {
+// Of a triangle in whose plane the curve lies, up to rounding. Open where the line of sight would
+// pass the face's rim.
+LayerRays::Side LayerRays::side_of_touch(int triangle, const Touching& curve) const {
+  if (insets_.empty() || curve.is_of_two) return Side::open;
+  const Triangle& t = surface_.triangles[idx(triangle)];
+  Corners here, moved;
+  for (std::size_t k = 0; k < 3; ++k) {
+    here[k] = surface_.positions[idx(t[k])];
+    moved[k] = here[k] + insets_[idx(t[k])];
+  }
+  const Vec3 normal = unit_or_zero((moved[1] - moved[0]).cross(moved[2] - moved[0]));
+  const double inset = insets_[idx(t[0])].norm();
+  const double apart = normal.dot(curve.decided - moved[0]);
+  if (std::abs(normal.dot(curve.position - here[0])) > inset || std::abs(apart) < inset / 2)
+    return Side::open;
+  const Vec3 to_eye = camera_.to_eye(curve.decided);
+  const double slope = normal.dot(to_eye);
+  const Vec3 met = curve.decided - apart / slope * to_eye;
+  if (!met.allFinite() || is_beyond_rim(triangle, moved, normal, met)) return Side::open;
+  return (apart > 0) == (slope > 0) ? Side::behind : Side::before;
+}
+
+bool LayerRays::is_beyond_rim(int triangle, const Corners& corners, const Vec3& normal,
+                              const Vec3& p) const {
+  for (int k = 0; k < 3; ++k) {
+    const EdgeKind kind = surface_.edge_kinds[idx(triangle)][idx(k)];
+    const bool is_rim =
+        kind == EdgeKind::boundary || kind == EdgeKind::crease || kind == EdgeKind::seam;
+    const Vec3& from = corners[idx(k)];
+    if (is_rim && normal.dot((corners[idx(next_corner(k))] - from).cross(p - from)) < 0)
+      return true;
+  }
+  return false;
+}
+
+LayerCount LayerRays::count_from(const Vec3& origin, double blind, const Touching& curve) {
   const Vec3 towards = camera_.to_eye(origin);
   const double length = towards.norm();
   hits_.clear();
   bvh_.hits(origin, towards, -2 * surface_.diagonal / length, camera_.ray_end(origin), hits_);
   ++rays_;
-  const auto farther_than = [&](double distance) {
-    return static_cast<int>(std::count_if(hits_.begin(), hits_.end(), [&](const RayHit& hit) {
-      return hit.distance > distance / length;
-    }));
-  };
-  const int layers = farther_than(blind);
-  const int unsure = farther_than(rounding * blind) - layers;
-  return {layers, unsure, static_cast<int>(hits_.size()) - layers - unsure, hits_.empty()};
+  LayerCount count{0, 0, 0, hits_.empty()};
+  for (const RayHit& hit : hits_) {
+    const double distance = hit.distance * length;
+    const Side side = std::abs(distance) < blind ? side_of_touch(hit.triangle, curve) : Side::open;
+    if (side == Side::before || (side == Side::open && distance > blind)) {
+      ++count.layers;
+    } else if (side == Side::open && distance > rounding * blind) {
+      ++count.unsure;
+    } else {
+      ++count.behind;
+    }
+  }
+  return count;
 }
 
 LayerCount LayerRays::count(const Arrangement& arrangement, const StrandPlace& place) {
@@ -58,15 +99,16 @@ LayerCount LayerRays::count(const Arrangement& arrangement, const StrandPlace& p
   const std::size_t i = arrangement.point(place.strand, place.segment);
   const std::size_t j = arrangement.point(place.strand, place.segment + 1);
   const Vec3 p = arrangement.world_at(place);
+  const Touching curve{p, arrangement.decided_at(place), strand.kind == Kind::intersection};
   const double blind = blind_distance(strand, network.points.values[i].on.triangle, p);
   if (strand.left_layers == strand.right_layers) {
-    const LayerCount on_curve = count_from(p, blind);
+    const LayerCount on_curve = count_from(p, blind, curve);
     return {on_curve.layers, on_curve.unsure, on_curve.behind, false};
   }
   const Vec2 along = arrangement.image.image[j] - arrangement.image.image[i];
-  LayerCount result = count_from(beside(p, along, asides_px[0]), blind);
+  LayerCount result = count_from(beside(p, along, asides_px[0]), blind, curve);
   for (std::size_t k = 1; k < asides_px.size() && result.before() > 0; ++k) {
-    const LayerCount farther = count_from(beside(p, along, asides_px[k]), blind);
+    const LayerCount farther = count_from(beside(p, along, asides_px[k]), blind, curve);
     const bool leaves_own_rim =
         farther.before() < result.before() && farther.behind < result.behind;
     if (leaves_own_rim) result = farther;

@@ -167,7 +167,8 @@ LabelledGraph vote_network(const CurveNetwork& network, const Surface& surface, 
                            const Camera& camera, Counts& counts, const Progress& progress) {
   const Arrangement arrangement = arrange(network, camera);
   SilhouetteEdges edges(surface, bvh, camera);
-  LayerRays rays(surface, bvh, camera);
+  const Points no_insets;
+  LayerRays rays(surface, bvh, camera, no_insets);
   Voter voter(arrangement, edges, rays);
   std::vector<LabelledPath> labels;
   for (const Path& path : arrangement.paths) {

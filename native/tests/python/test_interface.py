@@ -52,7 +52,7 @@ def test_stub_says_what_the_module_has() -> None:
 def test_every_public_name_is_there() -> None:
     for name in ill.__all__:
         assert hasattr(ill, name), name
-    assert [int(kind) for kind in ill.Kind] == list(range(14))
+    assert [int(kind) for kind in ill.Kind] == list(range(15))
     assert {node.name: int(node) for node in ill.Node} == {
         "CUSP": 0, "CROSSING": 1, "JOINT": 2, "END": 3,
     }  # fmt: skip
@@ -273,6 +273,22 @@ def test_marked_edges_and_materials_are_drawn_when_asked_for() -> None:
     options = ill.DrawOptions(hatching=False, marks=True, materials=True)
     asked = draw(found, look_at((-1, -2, 0.8)), options)
     assert {int(ill.Kind.MARK), int(ill.Kind.MATERIAL)} & set(asked.kinds.tolist())
+
+
+def test_loose_edges_are_drawn_when_asked_for() -> None:
+    string = ill.PolygonMesh([[-3, 0, 0], [3, 0, 0]], [], [], loose_edges=[[0, 1]])
+    found = ill.prepare([cube().mesh(scheme="none"), string])
+    camera = look_at((-1, -2, 0.8), radius=4)
+    assert int(ill.Kind.LOOSE) not in draw(found, camera, ill.DrawOptions(hatching=False)).kinds
+    asked = draw(found, camera, ill.DrawOptions(hatching=False, loose_edges=True))
+    loose = np.flatnonzero(asked.kinds == int(ill.Kind.LOOSE))
+    assert len(loose) == 2, "one on either side of the cube"
+    for stroke in loose:
+        assert asked.objects[stroke] == 1
+        assert (asked.triangles[asked.offsets[stroke] : asked.offsets[stroke + 1]] == -1).all()
+    styles = [ill.ObjectStyle(), ill.ObjectStyle(loose_edges=True)]
+    styled = draw(found, camera, ill.DrawOptions(hatching=False, styles=styles))
+    np.testing.assert_array_equal(styled.image, asked.image)
 
 
 def test_lines_of_curvature_are_drawn_when_asked_for(prepared: ill.Prepared) -> None:
