@@ -68,7 +68,13 @@ class CrossingFinder {
  private:
   const GridPoint& grid(int point) const { return strands_.grid[idx(point)]; }
 
+  bool is_covered(const StrandSegment& s) const {
+    return network_.strands[idx(s.strand)].sight == Sight::covered;
+  }
+
+  // Where two covered curves cross nothing is asked of either.
   bool cross(const StrandSegment& s, const StrandSegment& t) const {
+    if (is_covered(s) && is_covered(t)) return false;
     const GridPoint &a = grid(s.a), &b = grid(s.b), &c = grid(t.a), &d = grid(t.b);
     if (a.id == b.id || c.id == d.id) return false;
     if (a.id == c.id || a.id == d.id || b.id == c.id || b.id == d.id) return false;
