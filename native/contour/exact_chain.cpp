@@ -88,6 +88,7 @@ const EdgePoint& ExactChain::point(std::size_t i) const {
 }
 
 bool ExactChain::is_suspect(std::size_t i) const {
+  if (linear_[i].is_unseen) return false;
   if (!closed_ && (i == 0 || i + 1 == segments())) return true;
   const EdgePoint &from = linear_[i], &to = linear_[after(i)];
   const bool changes_sign = (from.cusp_function > 0) != (to.cusp_function > 0);
@@ -227,6 +228,7 @@ void ExactChain::spread() {
     again = false;
     for (std::size_t i = 0; i < segments(); ++i) {
       const Station &a = stations_[i], &b = stations_[after(i)];
+      if (linear_[i].is_unseen) continue;
       if (a.is_tried == b.is_tried || sign(i) == sign_at_end(i)) continue;
       solve_station(a.is_tried ? after(i) : i);
       again = true;
@@ -247,7 +249,7 @@ std::vector<int> ExactChain::troubled() const {
   std::vector<int> triangles;
   for (std::size_t i = 0; i < segments(); ++i) {
     const Station &a = stations_[i], &b = stations_[after(i)];
-    if (a.exact == none || b.exact == none) continue;
+    if (linear_[i].is_unseen || a.exact == none || b.exact == none) continue;
     const ContourSample &from = exact_[idx(a.exact)].sample, &to = exact_[idx(b.exact)].sample;
     const Vec3 chord = (to.position - from.position).normalized();
     const double least = std::min(chord.dot(from.tangent), chord.dot(to.tangent));
@@ -277,7 +279,7 @@ ExactPolyline ExactChain::polyline() {
     if (here && next) {
       if (stations_[i].first_inside == none) refine(i, *here, *next);
       add_between(i, line);
-    } else if (sign(i) != sign_at_end(i)) {
+    } else if (!linear_[i].is_unseen && sign(i) != sign_at_end(i)) {
       add_linear_cusp(i, line);
     }
     here = std::move(next);

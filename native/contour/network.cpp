@@ -56,7 +56,10 @@ CurveNetwork build_network(const ContourScene& scene, const Camera& camera,
   const std::optional<Unseen> unseen = tell_unseen(
       scene, camera, options,
       linear.triangles.size() + features.size() + scene.intersections.curves.values.size());
-  counts["unseen_chains"] += unseen ? drop_unseen_chains(*unseen, linear) : 0;
+  if (unseen) {
+    counts["unseen_chains"] += drop_unseen_chains(*unseen, linear);
+    mark_unseen_segments(*unseen, linear);
+  }
   const Silhouettes found =
       exact_silhouettes(surface, scene.limit, functions, camera, linear, false, counts,
                         progress.part(0, 0.5), options.threads);
