@@ -79,6 +79,7 @@ CurveNetwork build_network(const ContourScene& scene, const Camera& camera,
   add_curvature_strands(surface, lines, options.curvature_curves, joints, network);
   CurveNetwork clipped = clip_near(surface, network, camera);
   if (unseen) clipped = cut_at_unseen(*unseen, clipped);
+  clipped.is_incomplete = !scene.intersections.left_out.empty();
   counts["triangles_visited"] += linear.triangles_visited;
   counts["silhouette_triangles"] += static_cast<std::int64_t>(linear.triangles.size());
   counts["edges_visited"] += folds.edges_visited;

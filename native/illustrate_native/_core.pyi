@@ -280,6 +280,9 @@ class PrepareOptions:
     field: bool
     """False: hatching curvature and field wait until first asked for; above 500,000 triangles also
     search trees and intersections."""
+    most_intersections: int
+    """Pairs of triangles that cross, beyond which objects have no curves where they pass through
+    each other, or through themselves: those first that cross most."""
     rings: int
     """Rings of neighbours that the hatching curvature is fitted to, [1, 10]."""
     parabolic_ratio: float
@@ -573,6 +576,9 @@ class Prepared:
     @property
     def surface(self) -> Surface:
         """All meshes in one."""
+    @property
+    def left_out_intersections(self) -> list[tuple[int, int]]:
+        """Pairs of meshes that cross in more triangles than `most_intersections` allows."""
     @property
     def field(self) -> CrossField:
         """Solved when first asked for, unless PrepareOptions.field asked for it at once."""

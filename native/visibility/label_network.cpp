@@ -36,7 +36,8 @@ std::vector<LabelledPath> label_paths(Arrangement& arrangement, LayerRays& rays,
 LabelledGraph label_network(const CurveNetwork& network, const Surface& surface, const Bvh& bvh,
                             const Camera& camera, Counts& counts, const Progress& progress,
                             int threads) {
-  std::optional<Arrangement> settled = arrange(network, camera, most_settled);
+  std::optional<Arrangement> settled;
+  if (!network.is_incomplete) settled = arrange(network, camera, most_settled);
   counts["sampled_views"] += !settled;
   if (!settled) return label_pile(network, surface, camera, threads);
   Arrangement& arrangement = *settled;
