@@ -295,7 +295,7 @@ def _crowding(counts: dict[str, int], prepared: Any) -> list[str]:
         names = quoted([prepared.reports[mesh]["name"] for mesh in meshes])
         return [
             f"Surfaces pass through each other in too many places: the lines there were left out "
-            f"of {names}, and {sampled}. Ignore them, in their styles, or raise Intersections, "
+            f"of {names}, and {sampled}. Ignore them, in their styles, or raise Crossings, "
             "under Surface and Field"
         ]
     return [

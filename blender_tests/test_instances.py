@@ -199,7 +199,7 @@ def test_objects_that_cross_too_much_are_named_in_one_warning(scene: Any) -> Non
     scene.illustrate.most_intersections = 3
     (said,) = warnings(scene)
     assert '"Box", "Other"' in said
-    assert "raise Intersections, under Surface and Field" in said
+    assert "raise Crossings, under Surface and Field" in said
 
 
 def test_points_that_nodes_make_are_named(scene: Any) -> None:
