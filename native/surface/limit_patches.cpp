@@ -220,7 +220,7 @@ struct LimitPatches::Data {
   std::mutex making;
   std::vector<std::shared_ptr<const FacePatches>> kept;
   std::size_t kept_bytes = 0;
-  std::vector<std::atomic<const FacePatches*>> faces;  // those that are kept
+  std::vector<std::atomic<const FacePatches*>> faces;                      // those that are kept
   std::vector<std::pair<int, std::shared_ptr<const FacePatches>>> recent;  // once no more are kept
 
   Data(const SoundMesh& mesh, Scheme s, std::size_t leaf_bytes)
