@@ -185,9 +185,14 @@ struct Redrawn {
 class Finer {
  public:
   Finer(const Surface& surface, const LinearSilhouettes& linear, const SegmentsOf& segments,
-        const Task& task)
-      : patchwork_(surface, task.limit), linear_(linear), segments_(segments), task_(task) {}
+        const Task& task, const std::vector<int>& groups)
+      : patchwork_(surface, task.limit),
+        linear_(linear),
+        segments_(segments),
+        task_(task),
+        groups_(groups) {}
 
+  // Stops where it meets another group's chain: both are to be redrawn together.
   Redrawn redraw(const std::vector<int>& troubled) {
     include(troubled);
     std::vector<int> wanted;
@@ -197,6 +202,7 @@ class Finer {
     for (int round = 1; !wanted.empty(); ++round) {
       const bool is_last = !patchwork_.cut(wanted) || round == most_cuts;
       include(patchwork_.take_added());
+      if (meets_another_) break;
       const Surface& surface = patchwork_.surface();
       const ContourFunctions functions(surface, task_.camera);
       const LinearSilhouettes traced = trace(surface, functions);
@@ -205,7 +211,7 @@ class Finer {
       wanted.clear();
       if (!is_last) wanted = redrawn_.chains.troubled;
     }
-    restore(patchwork_, redrawn_.chains);
+    if (!meets_another_) restore(patchwork_, redrawn_.chains);
     redrawn_.triangles = patchwork_.wholes();
     return std::move(redrawn_);
   }
@@ -216,6 +222,9 @@ class Finer {
     for (const int t : triangles) {
       const int chain = segments_.chain(t);
       if (chain == none || std::count(replaced.begin(), replaced.end(), chain) > 0) continue;
+      const int group = groups_[idx(chain)];
+      meets_another_ |=
+          group != none && !replaced.empty() && group != groups_[idx(replaced.front())];
       replaced.push_back(chain);
       std::vector<int> along;
       for (const EdgePoint& p : linear_.chains[idx(chain)]) along.push_back(p.on.triangle);
@@ -235,6 +244,8 @@ class Finer {
   const LinearSilhouettes& linear_;
   const SegmentsOf& segments_;
   const Task& task_;
+  const std::vector<int>& groups_;  // (linear chains) none: not troubled
+  bool meets_another_ = false;
   Redrawn redrawn_;
 };
 
@@ -294,6 +305,16 @@ void join_those_that_meet(std::vector<Group>& groups) {
                groups.end());
 }
 
+// The group of each chain with troubled triangles.
+std::vector<int> groups_of_chains(const std::vector<Group>& groups, const SegmentsOf& segments,
+                                  std::size_t chains) {
+  std::vector<int> result(chains, none);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    for (const int t : groups[g].troubled) result[idx(segments.chain(t))] = static_cast<int>(g);
+  }
+  return result;
+}
+
 // Takes the place of the chains of `drawn` that were troubled.
 void replace(std::vector<Group>& groups, ExactChains& drawn) {
   std::vector<std::uint8_t> is_replaced(drawn.chains.size(), 0);
@@ -323,9 +344,11 @@ void redraw_troubled(const Surface& surface, const LinearSilhouettes& linear, co
   std::vector<Group> groups = group_by_chain(surface, linear, segments, drawn.troubled);
   join_those_that_meet(groups);
   for (bool is_done = false; !is_done;) {
+    const std::vector<int> of_chains = groups_of_chains(groups, segments, linear.chains.size());
     parallel_each(groups.size(), task.threads, progress, [&](std::size_t g) {
       if (groups[g].is_done) return;
-      groups[g].redrawn = Finer(surface, linear, segments, task).redraw(groups[g].troubled);
+      groups[g].redrawn =
+          Finer(surface, linear, segments, task, of_chains).redraw(groups[g].troubled);
       groups[g].is_done = true;
     });
     join_those_that_meet(groups);
