@@ -179,7 +179,7 @@ def compute(
     seconds.update(prepared.timings if start else {})
     seconds.update(drawn[0].timings if drawn else {})
     warnings = _warnings(request.arrays, prepared.reports) + request.warnings
-    warnings += _crowding(drawing.counts)
+    warnings += _crowding(drawing.counts, prepared)
     return Illustration(drawing, prepared, request.arrays, warnings, seconds)
 
 
@@ -315,12 +315,22 @@ def _warnings(arrays: SceneArrays, reports: list[dict[str, Any]]) -> list[str]:
     return warnings
 
 
-def _crowding(counts: dict[str, int]) -> list[str]:
-    """What the artist should know of a view with too many crossings of lines."""
+def _crowding(counts: dict[str, int], prepared: Any) -> list[str]:
+    """What the artist should know of a view with too many crossings."""
     if not counts.get("sampled_views", 0):
         return []
+    sampled = "what hides what was sampled once a pixel"
+    pairs = prepared.left_out_intersections
+    if pairs:
+        meshes = sorted({mesh for pair in pairs for mesh in pair})
+        names = quoted([prepared.reports[mesh]["name"] for mesh in meshes])
+        return [
+            f"Surfaces pass through each other in too many places: the lines there were left out "
+            f"of {names}, and {sampled}. Ignore them, in their styles, or raise Crossings, "
+            "under Surface and Field"
+        ]
     return [
-        "There are over 200,000 crossings of lines: what hides what was sampled once a pixel. "
+        f"There are over 200,000 crossings of lines: {sampled}. "
         "Ignore objects, in their styles, of which single lines cannot be told, such as fur"
     ]
 

@@ -53,6 +53,10 @@ PREPARE = (
     whole("triangle_budget", "surface", "Triangles", 250_000,
           "Most triangles that surfaces are refined to, all objects together",
           min=1_000, soft_max=2_000_000),
+    whole("most_intersections", "surface", "Crossings", 500_000,
+          "Most pairs of triangles that cross: objects that cross in more, such as fur, have no "
+          "lines where they pass through each other",
+          min=0, soft_max=10_000_000),
     THREADS,
     whole("rings", "surface", "Smoothing", 3,
           "Rings of neighbours that directions are computed from: more for meshes with fine detail "

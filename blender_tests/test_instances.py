@@ -191,6 +191,17 @@ def test_what_cannot_be_drawn_is_named_in_one_warning(scene: Any) -> None:
     assert "hair" not in warnings(scene)[0]
 
 
+def test_objects_that_cross_too_much_are_named_in_one_warning(scene: Any) -> None:
+    tools.cube_scene(scene)
+    tools.add_cube("Other").location = (0.3, 0.2, 0.1)
+    bpy.context.view_layer.update()
+    assert warnings(scene) == []
+    scene.illustrate.most_intersections = 3
+    (said,) = warnings(scene)
+    assert '"Box", "Other"' in said
+    assert "raise Crossings, under Surface and Field" in said
+
+
 def test_points_that_nodes_make_are_named(scene: Any) -> None:
     tools.cube_scene(scene)
     add_nodes(tools.add_cube("Dust"), ("GeometryNodeMeshToPoints", {}, "Mesh", "Points"))

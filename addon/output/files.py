@@ -11,7 +11,7 @@ import bpy
 
 from .. import native
 from ..messages import IllustrateError
-from .png import render_png
+from .png import png_of
 
 FORMATS = ("svg", "png", "json", "blend")
 
@@ -90,7 +90,8 @@ def _text(path: str, text: str) -> None:
 
 
 def _png(path: str, page: Page) -> None:
-    render_png(path, page.scene, page.strokes)
+    with open(path, "wb") as file:
+        file.write(png_of(page))
 
 
 def _blend(path: str, _page: Page) -> None:

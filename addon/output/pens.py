@@ -60,6 +60,13 @@ def colour(material: Any, settings: Any) -> None:
         material.diffuse_color = ink
 
 
+def colour_of(material: Any) -> Any:
+    """The colour of a pen's material as it is now."""
+    if material.is_grease_pencil:
+        return material.grease_pencil.color
+    return material.diffuse_color
+
+
 def colour_all(data: Any, settings: Any) -> None:
     """Gives all pens of an object's data their colours."""
     for index in of_data(data).values():

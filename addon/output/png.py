@@ -1,49 +1,39 @@
-"""Blender's own render of the strokes on white paper."""
+"""The strokes as PNG, in the colours of their pens: the same picture in every Blender."""
 
 from typing import Any
 
-import bpy
-
-WHITE = (1.0, 1.0, 1.0)
-
-
-def render_png(path: str, scene: Any, strokes: list[Any]) -> None:
-    """Renders objects that hold strokes to `path`, as the scene's camera sees them, at its size.
-
-    It happens in a scene of its own: nothing else is in the picture, the artist's scene stays.
-    """
-    stage = bpy.data.scenes.new("illustrate paper")
-    paper = bpy.data.worlds.new("illustrate paper")
-    try:
-        _set_up(stage, paper, scene)
-        for thing in strokes:
-            stage.collection.objects.link(thing)
-        stage.render.filepath = path
-        bpy.ops.render.render(write_still=True, scene=stage.name)
-    finally:
-        bpy.data.batch_remove((stage,))  # `scenes.remove` crashes in a command of 4.3
-        bpy.data.worlds.remove(paper)
+from .. import native
+from . import pens
+from .strokes import pen_of
 
 
-def _set_up(stage: Any, paper: Any, scene: Any) -> None:
-    """White paper, flat ink, colours as they are; the size of the scene's render."""
-    paper.color = WHITE
-    stage.world, stage.camera, stage.frame_current = paper, scene.camera, scene.frame_current
-    render = stage.render
-    render.engine = "BLENDER_WORKBENCH"
-    for name in (
-        "resolution_x",
-        "resolution_y",
-        "resolution_percentage",
-        "pixel_aspect_x",
-        "pixel_aspect_y",
-    ):
-        setattr(render, name, getattr(scene.render, name))
-    render.dither_intensity = 0.0
-    render.use_file_extension = False
-    render.image_settings.file_format = "PNG"
-    render.image_settings.color_mode = "RGB"
-    stage.view_settings.view_transform = "Standard"
-    stage.view_settings.look = "None"
-    shading = stage.display.shading
-    shading.light, shading.color_type = "FLAT", "MATERIAL"
+def png_of(page: Any) -> bytes:
+    """A PNG of a Page's drawing, the size of the scene's render. Transparent where its film is."""
+    groups = native.load_part("line_groups").line_groups(page.drawing)
+    inks = _inks(page.scene.illustrate, page.strokes)
+    colours = {group.title: inks[pen_of(group)] for group in groups}
+    png = native.load_part("png")
+    paper = (255, 255, 255, 0) if page.scene.render.film_transparent else png.WHITE
+    camera = page.camera
+    return bytes(
+        png.to_png(
+            page.drawing, camera.width_px, camera.height_px, page.width_mm, colours, paper
+        )
+    )
+
+
+def _inks(settings: Any, strokes: list[Any]) -> dict[str, tuple[int, int, int, int]]:
+    """The colours of pens: of their materials where strokes have them, else of the settings."""
+    inks = {pen: tuple(getattr(settings, name)) for pen, name in pens.PENS.items()}
+    for thing in strokes:
+        for pen, index in pens.of_data(thing.data).items():
+            inks[pen] = tuple(pens.colour_of(thing.data.materials[index]))
+    return {pen: _encoded(colour) for pen, colour in inks.items()}
+
+
+def _encoded(colour: tuple[float, ...]) -> tuple[int, int, int, int]:
+    """From linear light to bytes of sRGB; alpha stays."""
+    *light, alpha = (min(max(value, 0.0), 1.0) for value in (*colour[:3], *colour[3:4] or (1.0,)))
+    encoded = [12.92 * v if v <= 0.0031308 else 1.055 * v ** (1 / 2.4) - 0.055 for v in light]
+    red, green, blue = (round(255 * value) for value in encoded)
+    return red, green, blue, round(255 * alpha)

@@ -7,7 +7,7 @@ import numpy as np
 
 from .. import native
 
-OUTLINES = ("SILHOUETTE", "BOUNDARY")
+OUTLINES = ("Silhouette", "Boundary")  # titles of groups
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ def _gather(drawing: Any, group: Any, points: Any, radii: Any) -> StrokeGroup:
     kinds = of_strokes(drawing.kinds, np.int32)
     return StrokeGroup(
         group.title,
-        _pen(group, kinds),
+        pen_of(group),
         points[chosen].astype(np.float32),
         radii[chosen].astype(np.float32),
         sizes.astype(np.int32),
@@ -75,10 +75,10 @@ def _gather(drawing: Any, group: Any, points: Any, radii: Any) -> StrokeGroup:
     )
 
 
-def _pen(group: Any, kinds: Any) -> str:
+def pen_of(group: Any) -> str:
+    """The pen that draws a group of lines: a key of pens.PENS."""
     if group.title == native.load_part("line_groups").HIDDEN:
         return "Hidden"
     if group.is_hatching:
         return "Hatch"
-    outlines = [int(native.load().Kind[name]) for name in OUTLINES]
-    return "Line" if kinds[0] in outlines else "Feature"
+    return "Line" if group.title in OUTLINES else "Feature"

@@ -17,6 +17,7 @@ void bind_mesh(py::module_& m);     // Kind, Node, PolygonMesh, Camera, Light
 void bind_options(py::module_& m);  // PrepareOptions, DrawOptions, ObjectStyle
 void bind_prepare(py::module_& m);  // Surface, CrossField, Prepared, prepare, solve_cross_field
 void bind_draw(py::module_& m);     // Drawing and its parts, draw, silhouettes
+void bind_picture(py::module_& m);  // rasterise
 
 // Calls `callback(fraction, stage)` with the GIL taken; it must outlive what is returned. None:
 // nothing is called. A callback that returns None goes on. The fractions it is told never fall,

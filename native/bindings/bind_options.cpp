@@ -119,6 +119,8 @@ void bind_prepare_options(py::module_& m) {
       },
       "'search': the best of many fields; 'principal': near the principal directions");
   bind_guidance(bound);
+  OPTION("most_intersections", most_intersections,
+         "Pairs of crossing triangles, beyond which no curves are drawn where objects cross");
   OPTION("max_evaluations", cross_field.max_evaluations, "Of the field's energy");
   bound.def_property(
       "default_direction",

@@ -27,7 +27,7 @@ const Curvature& hatch_curvature(const SurfaceHandle& handle) {
 
 // Line curvature; objects of scheme none have only the hatching curvature.
 template <class Value>
-py::array line_curvature(const SurfaceHandle& handle, Value PrincipalCurvature::*member) {
+py::array line_curvature(const SurfaceHandle& handle, Value PrincipalCurvature::* member) {
   const Surface& surface = handle.surface();
   const auto& smooth = surface.object_is_smooth;
   if (std::find(smooth.begin(), smooth.end(), 0) == smooth.end()) {
@@ -222,6 +222,17 @@ py::list reports_of(const Prepared& prepared) {
   return reports;
 }
 
+py::list left_out_intersections_of(const Prepared& prepared) {
+  const std::vector<ObjectPair>* pairs = nullptr;
+  {
+    const py::gil_scoped_release release;
+    pairs = &prepared.intersections().left_out;
+  }
+  py::list result;
+  for (const ObjectPair& pair : *pairs) result.append(py::make_tuple(pair[0], pair[1]));
+  return result;
+}
+
 std::vector<MeshPointer> read_meshes(const py::iterable& meshes) {
   std::vector<MeshPointer> pointers;
   for (const py::handle mesh : meshes) {
@@ -272,6 +283,7 @@ void bind_prepare(py::module_& m) {
                              [](const std::shared_ptr<Prepared>& p) { return SurfaceHandle{p}; })
       .def_property_readonly("field",
                              [](const std::shared_ptr<Prepared>& p) { return field_of(p); })
+      .def_property_readonly("left_out_intersections", &left_out_intersections_of)
       .def_property_readonly("hatch_curves", &hatch_curves_of)
       .def_property_readonly("report", &report_of)
       .def_property_readonly("reports", &reports_of)

@@ -11,4 +11,5 @@ PYBIND11_MODULE(_core, m) {
   bindings::bind_options(m);
   bindings::bind_prepare(m);
   bindings::bind_draw(m);
+  bindings::bind_picture(m);
 }

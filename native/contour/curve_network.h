@@ -62,6 +62,7 @@ struct CurveNetwork {
   std::vector<Strand> strands;
   std::vector<NetworkNode> nodes;
   std::vector<Tie> ties;
+  bool is_incomplete = false;  // where surfaces pass through each other, not every curve is there
 };
 
 }  // namespace illustrate

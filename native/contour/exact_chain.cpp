@@ -58,6 +58,7 @@ void ExactChain::solve(Span<const EdgePoint> linear, bool closed, bool everywher
   linear_ = linear;
   closed_ = closed;
   exact_.clear();
+  inside_.clear();
   stations_.assign(linear.size(), {});
   for (std::size_t i = 0; i < segments(); ++i) {
     stations_[i].turns_over = turns_over(linear[i], linear[after(i)]);
@@ -87,6 +88,7 @@ const EdgePoint& ExactChain::point(std::size_t i) const {
 }
 
 bool ExactChain::is_suspect(std::size_t i) const {
+  if (linear_[i].is_unseen) return false;
   if (!closed_ && (i == 0 || i + 1 == segments())) return true;
   const EdgePoint &from = linear_[i], &to = linear_[after(i)];
   const bool changes_sign = (from.cusp_function > 0) != (to.cusp_function > 0);
@@ -226,6 +228,7 @@ void ExactChain::spread() {
     again = false;
     for (std::size_t i = 0; i < segments(); ++i) {
       const Station &a = stations_[i], &b = stations_[after(i)];
+      if (linear_[i].is_unseen) continue;
       if (a.is_tried == b.is_tried || sign(i) == sign_at_end(i)) continue;
       solve_station(a.is_tried ? after(i) : i);
       again = true;
@@ -246,7 +249,7 @@ std::vector<int> ExactChain::troubled() const {
   std::vector<int> triangles;
   for (std::size_t i = 0; i < segments(); ++i) {
     const Station &a = stations_[i], &b = stations_[after(i)];
-    if (a.exact == none || b.exact == none) continue;
+    if (linear_[i].is_unseen || a.exact == none || b.exact == none) continue;
     const ContourSample &from = exact_[idx(a.exact)].sample, &to = exact_[idx(b.exact)].sample;
     const Vec3 chord = (to.position - from.position).normalized();
     const double least = std::min(chord.dot(from.tangent), chord.dot(to.tangent));
@@ -258,6 +261,7 @@ std::vector<int> ExactChain::troubled() const {
 void ExactChain::make_finer(int segment, double longest_px) {
   double& longest = stations_[idx(segment)].longest_px;
   longest = std::min(longest, longest_px);
+  stations_[idx(segment)].first_inside = none;
   solve_station(idx(segment));
   solve_station(after(idx(segment)));
 }
@@ -273,8 +277,9 @@ ExactPolyline ExactChain::polyline() {
     std::optional<ExactKnot> next = knot_of(after(i));
     add_station(i, here, line);
     if (here && next) {
-      add_between(i, *here, *next, line);
-    } else if (sign(i) != sign_at_end(i)) {
+      if (stations_[i].first_inside == none) refine(i, *here, *next);
+      add_between(i, line);
+    } else if (!linear_[i].is_unseen && sign(i) != sign_at_end(i)) {
       add_linear_cusp(i, line);
     }
     here = std::move(next);
@@ -328,15 +333,21 @@ void ExactChain::add_station(std::size_t i, const std::optional<ExactKnot>& knot
   line.knots.push_back(*knot);
 }
 
-void ExactChain::add_between(std::size_t i, const ExactKnot& start, const ExactKnot& end,
-                             ExactPolyline& line) {
+// Of a segment between exact points, whose ends stay as they are from then on.
+void ExactChain::refine(std::size_t i, const ExactKnot& start, const ExactKnot& end) {
   Station& station = stations_[i];
+  const PatchTriangle& patch = surface_.patches[idx(linear_[i].on.triangle)];
+  station.first_inside = static_cast<int>(inside_.size());
+  segment_.refine(patch.ptex_face, start.leaving, end.arriving, station.longest_px, inside_);
+  station.end_inside = static_cast<int>(inside_.size());
+  station.has_lost_cusp = is_cusp_lost(i);
+}
+
+void ExactChain::add_between(std::size_t i, ExactPolyline& line) const {
   const int t = linear_[i].on.triangle;
   const PatchTriangle& patch = surface_.patches[idx(t)];
-  between_.clear();
-  segment_.refine(patch.ptex_face, start.leaving, end.arriving, station.longest_px, between_);
-  station.has_lost_cusp = is_cusp_lost(i);
-  for (const ContourKnot& knot : between_) {
+  for (int k = stations_[i].first_inside; k < stations_[i].end_inside; ++k) {
+    const ContourKnot& knot = inside_[idx(k)];
     ExactPoint inside;
     inside.position = knot.sample.position;
     inside.on = on_triangle(patch, t, knot.uv);

@@ -83,6 +83,9 @@ class ExactChain {
     bool at_pinch = false;
     bool has_lost_cusp = false;
     int exact = none;
+    // Points within the segment, in inside_; none: not worked out.
+    int first_inside = none;
+    int end_inside = none;
     double longest_px = std::numeric_limits<double>::infinity();  // between points up to the next
   };
   struct Exact {
@@ -131,8 +134,8 @@ class ExactChain {
   std::optional<ExactKnot> knot_of(std::size_t station) const;
   void add_station(std::size_t station, const std::optional<ExactKnot>& knot,
                    ExactPolyline& line) const;
-  void add_between(std::size_t segment, const ExactKnot& start, const ExactKnot& end,
-                   ExactPolyline& line);
+  void refine(std::size_t segment, const ExactKnot& start, const ExactKnot& end);
+  void add_between(std::size_t segment, ExactPolyline& line) const;
   void add_linear_cusp(std::size_t segment, ExactPolyline& line) const;
 
   const Surface& surface_;
@@ -146,7 +149,7 @@ class ExactChain {
   std::vector<Station> stations_;  // (points of the linear chain)
   std::vector<Vec2> images_;       // of the linear points
   std::vector<Exact> exact_;
-  std::vector<ContourKnot> between_;
+  std::vector<ContourKnot> inside_;
 };
 
 // From a place on a patch to its triangle.

@@ -1,6 +1,8 @@
 #include "contour/intersections.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "contour/crossing_test.h"
 #include "contour/triple_points.h"
@@ -19,9 +21,63 @@ struct Segment {
   std::array<int, 2> nodes;  // indices of the ends among all different ones
 };
 
-std::vector<Segment> find_segments(const CrossingTest& test, const Bvh& bvh, std::size_t triangles,
-                                   Counts& report, const Progress& progress) {
-  std::vector<Segment> segments;
+// Segments as they are found, never many more than `most` of them.
+class KeptSegments {
+ public:
+  KeptSegments(const Surface& surface, std::int64_t most)
+      : objects_(surface.triangle_objects), most_(most) {}
+
+  bool takes(int s, int t) const {
+    return left_out_.empty() || left_out_.count(pair_of(s, t)) == 0;
+  }
+
+  void add(const Segment& segment) {
+    segments_.push_back(segment);
+    ++counts_[pair_of(segment.triangles[0], segment.triangles[1])];
+    if (static_cast<std::int64_t>(segments_.size()) > most_) leave_out_largest();
+  }
+
+  // The order of the BVH is that of the axes, and curves start where segments come first.
+  std::vector<Segment> sorted() && {
+    std::sort(segments_.begin(), segments_.end(),
+              [](const Segment& a, const Segment& b) { return a.triangles < b.triangles; });
+    return std::move(segments_);
+  }
+
+  std::vector<ObjectPair> left_out() const { return {left_out_.begin(), left_out_.end()}; }
+
+ private:
+  ObjectPair pair_of(int s, int t) const {
+    const auto [low, high] = std::minmax({objects_[idx(s)], objects_[idx(t)]});
+    return {low, high};
+  }
+
+  void leave_out_largest() {
+    std::vector<std::pair<ObjectPair, std::int64_t>> largest(counts_.begin(), counts_.end());
+    std::stable_sort(largest.begin(), largest.end(),
+                     [](const auto& a, const auto& b) { return a.second > b.second; });
+    auto left = static_cast<std::int64_t>(segments_.size());
+    for (std::size_t i = 0; 2 * left > most_; ++i) {
+      left -= largest[i].second;
+      left_out_.insert(largest[i].first);
+      counts_.erase(largest[i].first);
+    }
+    const auto is_left_out = [&](const Segment& segment) {
+      return !takes(segment.triangles[0], segment.triangles[1]);
+    };
+    segments_.erase(std::remove_if(segments_.begin(), segments_.end(), is_left_out),
+                    segments_.end());
+  }
+
+  const std::vector<int>& objects_;
+  std::int64_t most_;
+  std::vector<Segment> segments_;
+  std::map<ObjectPair, std::int64_t> counts_;  // of segments_
+  std::set<ObjectPair> left_out_;
+};
+
+void find_segments(const CrossingTest& test, const Bvh& bvh, std::size_t triangles,
+                   KeptSegments& kept, Counts& report, const Progress& progress) {
   std::int64_t undecided = 0, visited = 0;
   const double expected = expected_pairs * static_cast<double>(triangles);
   const auto visit = [&](int s, int t) {
@@ -29,17 +85,14 @@ std::vector<Segment> find_segments(const CrossingTest& test, const Bvh& bvh, std
       const auto done = static_cast<double>(visited);
       progress.report(done / (done + expected));
     }
+    if (!kept.takes(s, t)) return;
     Segment segment{{s, t}, {}, {}};
     const TriangleIntersection found = test.cross(s, t, segment.ends);
-    if (found == TriangleIntersection::segment) segments.push_back(segment);
+    if (found == TriangleIntersection::segment) kept.add(segment);
     undecided += found == TriangleIntersection::undecided;
   };
   bvh.overlapping_pairs(visit, test.reach());
   report["intersection_ties"] += undecided;
-  // The order of the BVH is that of the axes, and curves start where segments come first.
-  std::sort(segments.begin(), segments.end(),
-            [](const Segment& a, const Segment& b) { return a.triangles < b.triangles; });
-  return segments;
 }
 
 // The different ends of all segments, sorted; fills Segment::nodes.
@@ -145,13 +198,16 @@ class Linker {
 }  // namespace
 
 IntersectionCurves intersections(const Surface& surface, const Bvh& bvh, Counts& report,
-                                 const Progress& progress) {
+                                 const Progress& progress, std::int64_t most) {
   const CrossingTest test(surface);
-  std::vector<Segment> segments =
-      find_segments(test, bvh, surface.triangles.size(), report, progress);
-  IntersectionCurves curves = Linker(surface, test, std::move(segments)).link();
+  KeptSegments kept(surface, most);
+  find_segments(test, bvh, surface.triangles.size(), kept, report, progress);
+  const std::vector<ObjectPair> left_out = kept.left_out();
+  IntersectionCurves curves = Linker(surface, test, std::move(kept).sorted()).link();
+  curves.left_out = left_out;
   curves.triple_points = triple_points(surface, curves);
   curves.insets = test.insets(surface);
+  report["intersections_left_out"] += static_cast<std::int64_t>(left_out.size());
   report["intersection_curves"] += static_cast<std::int64_t>(curves.curves.size());
   return curves;
 }

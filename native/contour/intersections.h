@@ -37,6 +37,9 @@ struct TriplePoint {
   std::vector<Passage> passages;  // three, or two where the third curve was not found
 };
 
+// Objects that meet, or one with itself.
+using ObjectPair = std::array<int, 2>;  // ascending
+
 struct IntersectionCurves {
   Ragged<IntersectionPoint> curves;  // closed ones do not repeat their first point
   std::vector<std::uint8_t> closed;  // (curves)
@@ -46,11 +49,20 @@ struct IntersectionCurves {
   std::vector<std::array<int, 2>> segment_triangles;
   std::vector<TriplePoint> triple_points;  // triple_points.h
   Points insets;  // (vertices) by which each was moved inward; what hides what is decided there too
+  std::vector<ObjectPair> left_out;        // too much to follow, ascending
 };
 
-// bvh: over the surface's positions and triangles. Open curves first, then closed ones. Adds
-// "intersection_curves", and "intersection_ties": pairs left out because they could not be decided.
+// Pairs of triangles that cross: crumpled meshes of tens of thousands of triangles have fewer, fur
+// of half a million has more, and all that is made of them grows with them.
+constexpr std::int64_t most_crossing_triangles = 500'000;
+
+// bvh: over the surface's positions and triangles. Open curves first, then closed ones. Whenever
+// there are more than `most` pairs of triangles that cross, the objects (or the one object) to
+// which most of them belong are left out, until half remain. Adds "intersection_curves",
+// "intersections_left_out": pairs of objects; and "intersection_ties": pairs of triangles left out
+// because they could not be decided.
 IntersectionCurves intersections(const Surface& surface, const Bvh& bvh, Counts& report,
-                                 const Progress& progress = {});
+                                 const Progress& progress = {},
+                                 std::int64_t most = most_crossing_triangles);
 
 }  // namespace illustrate

@@ -56,7 +56,10 @@ CurveNetwork build_network(const ContourScene& scene, const Camera& camera,
   const std::optional<Unseen> unseen = tell_unseen(
       scene, camera, options,
       linear.triangles.size() + features.size() + scene.intersections.curves.values.size());
-  counts["unseen_chains"] += unseen ? drop_unseen_chains(*unseen, linear) : 0;
+  if (unseen) {
+    counts["unseen_chains"] += drop_unseen_chains(*unseen, linear);
+    mark_unseen_segments(*unseen, linear);
+  }
   const Silhouettes found =
       exact_silhouettes(surface, scene.limit, functions, camera, linear, false, counts,
                         progress.part(0, 0.5), options.threads);
@@ -76,6 +79,7 @@ CurveNetwork build_network(const ContourScene& scene, const Camera& camera,
   add_curvature_strands(surface, lines, options.curvature_curves, joints, network);
   CurveNetwork clipped = clip_near(surface, network, camera);
   if (unseen) clipped = cut_at_unseen(*unseen, clipped);
+  clipped.is_incomplete = !scene.intersections.left_out.empty();
   counts["triangles_visited"] += linear.triangles_visited;
   counts["silhouette_triangles"] += static_cast<std::int64_t>(linear.triangles.size());
   counts["edges_visited"] += folds.edges_visited;

@@ -89,6 +89,7 @@ int Patchwork::add_vertex_of(int whole_vertex) {
 int Patchwork::add_whole(int triangle) {
   const int number = static_cast<int>(pieces_.size());
   numbers_.at(triangle) = number;
+  wholes_.push_back(triangle);
   is_published_ = false;
   Piece piece;
   for (int k = 0; k < 3; ++k) {

@@ -34,6 +34,9 @@ class Patchwork {
   // With the fields that tracing needs; the patchwork's rim has no neighbours.
   const Surface& surface();
 
+  // Triangles of the whole that were added, in this order.
+  const std::vector<int>& wholes() const { return wholes_; }
+
   // A triangle of the whole that is not cut yet.
   int number_of(int whole_triangle) const { return numbers_[whole_triangle]; }
 
@@ -91,7 +94,7 @@ class Patchwork {
   std::vector<Piece> pieces_;
   bool is_published_ = false;  // whether surface_ has the triangles of pieces_
   IndexMap numbers_;           // of triangles of the whole; once cut that of one part
-  std::vector<int> added_;
+  std::vector<int> wholes_, added_;
   IndexMap vertices_;  // of vertices of the whole
   IndexMap places_;    // of places of the whole
   IndexMap rim_;       // side of the whole beyond the rim -> 3 piece + edge here

@@ -30,6 +30,7 @@ struct EdgePoint : ChainPoint {
   double cusp_function = 0;     // of the triangle's sheet, interpolated
   bool has_both_signs = false;  // C at the triangle's corners
   int out = none;               // edge over which the chain leaves the triangle
+  bool is_unseen = false;       // the segment that starts here (unseen.h)
 };
 
 // Chains of edge points, which run with the front on their left; segment i of a chain lies in the

@@ -169,6 +169,55 @@ class Cutter {
   CurveNetwork result_;
 };
 
+// Segments of one chain whose triangles are covered (or buried), or beyond the frame, all along.
+class Marker {
+ public:
+  explicit Marker(const Unseen& unseen)
+      : unseen_(unseen), least_px_(fineness(unseen.evidence()).least_cut_px) {}
+
+  void mark(Span<EdgePoint> chain) {
+    std::size_t begin = 0;
+    Hidden hidden = Hidden::no;
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      const Hidden here = hidden_by(unseen_.triangle(chain[i].on.triangle));
+      if (here == hidden) continue;
+      mark_run(chain, begin, i, hidden);
+      begin = i;
+      hidden = here;
+    }
+    mark_run(chain, begin, chain.size(), hidden);
+  }
+
+ private:
+  enum class Hidden : std::uint8_t { no, by_surfaces, by_frame };
+
+  static Hidden hidden_by(Sight sight) {
+    if (sight == Sight::possible) return Hidden::no;
+    return sight == Sight::beyond_frame ? Hidden::by_frame : Hidden::by_surfaces;
+  }
+
+  void mark_run(Span<EdgePoint> chain, std::size_t begin, std::size_t end, Hidden hidden) const {
+    if (hidden == Hidden::no) return;
+    const bool is_whole = begin == 0 && end == chain.size();
+    const bool may_be_short = is_whole || hidden == Hidden::by_frame;
+    if (!may_be_short && length_px(chain, begin, end) < least_px_) return;
+    for (std::size_t i = begin; i < end; ++i) chain[i].is_unseen = true;
+  }
+
+  double length_px(Span<EdgePoint> chain, std::size_t begin, std::size_t end) const {
+    double length = 0;
+    for (std::size_t i = begin + 1; i < std::min(end + 1, chain.size()); ++i) {
+      length += (image(chain[i]) - image(chain[i - 1])).norm();
+    }
+    return length;
+  }
+
+  Vec2 image(const EdgePoint& p) const { return unseen_.camera().project(p.position).xy; }
+
+  const Unseen& unseen_;
+  double least_px_;
+};
+
 OcclusionMap map_of(const Surface& surface, const Camera& camera, Unseen::Evidence evidence,
                     int threads) {
   const VisibleImage image = render_visible(surface, camera, cell_px, {}, threads);
@@ -233,6 +282,11 @@ int drop_unseen_chains(const Unseen& unseen, LinearSilhouettes& silhouettes) {
   silhouettes.chains = std::move(chains);
   silhouettes.closed = std::move(closed);
   return dropped;
+}
+
+void mark_unseen_segments(const Unseen& unseen, LinearSilhouettes& silhouettes) {
+  Marker marker(unseen);
+  for (std::size_t c = 0; c < silhouettes.chains.size(); ++c) marker.mark(silhouettes.chains[c]);
 }
 
 CurveNetwork cut_at_unseen(const Unseen& unseen, const CurveNetwork& network) {

@@ -37,8 +37,13 @@ class Unseen {
   OcclusionMap covered_, buried_;
 };
 
-// Takes away the chains of which every triangle is unseen; returns how many.
+// Takes away the chains that no other curve need cross, all of whose triangles are buried or beyond
+// the frame; returns how many.
 int drop_unseen_chains(const Unseen& unseen, LinearSilhouettes& silhouettes);
+
+// Marks the segments of stretches that `cut_at_unseen` will cut off, as far as their triangles
+// tell.
+void mark_unseen_segments(const Unseen& unseen, LinearSilhouettes& silhouettes);
 
 // The same curves, cut where what is known of their sight changes, to within a few pixels; the cuts
 // are joints.

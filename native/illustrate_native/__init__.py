@@ -30,6 +30,7 @@ from illustrate_native._core import (
     ToneMap,
     draw,
     prepare,
+    rasterise,
     silhouettes,
     solve_cross_field,
 )
@@ -61,6 +62,7 @@ __all__ = [
     "draw",
     "lengths_in_pixels",
     "prepare",
+    "rasterise",
     "silhouettes",
     "solve_cross_field",
 ]

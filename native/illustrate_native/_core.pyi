@@ -309,6 +309,9 @@ class PrepareOptions:
     field: bool
     """False: hatching curvature and field wait until first asked for; above 500,000 triangles also
     search trees and intersections."""
+    most_intersections: int
+    """Pairs of triangles that cross, beyond which objects have no curves where they pass through
+    each other, or through themselves: those first that cross most."""
     rings: int
     """Rings of neighbours that the hatching curvature is fitted to, [1, 10]."""
     parabolic_ratio: float
@@ -614,6 +617,9 @@ class Prepared:
     def surface(self) -> Surface:
         """All meshes in one."""
     @property
+    def left_out_intersections(self) -> list[tuple[int, int]]:
+        """Pairs of meshes that cross in more triangles than `most_intersections` allows."""
+    @property
     def field(self) -> CrossField:
         """Solved when first asked for, unless PrepareOptions.field asked for it at once."""
     @property
@@ -813,4 +819,35 @@ def draw(
         InvalidInput: an option, style or light out of its range, named; a previous drawing of
             other triangles.
         Cancelled: progress returned False. What progress raises passes through.
+    """
+
+def rasterise(
+    image: ArrayLike,
+    widths: ArrayLike,
+    offsets: ArrayLike,
+    closed: ArrayLike,
+    colours: ArrayLike,
+    width_px: int,
+    height_px: int,
+    paper: ArrayLike = (255, 255, 255, 255),
+    threads: int = 0,
+) -> NDArray[np.uint8]:
+    """Strokes as pixels: what a round pen of their widths covers, each over those before it.
+
+    Args:
+        image: (p, 2) px, origin top left, y down.
+        widths: (p,) px.
+        offsets: (s + 1,) int: stroke i is the points offsets[i] to offsets[i + 1].
+        closed: (s,) bool, the last point is joined to the first.
+        colours: (s, 4) red, green, blue, alpha in [0, 255], as encoded in sRGB.
+        width_px: of the picture, at most 32768.
+        height_px: of the picture, at most 32768.
+        paper: (4,) its colour.
+        threads: 0: all cores. The same bytes at any number.
+
+    Returns:
+        (height_px, width_px, 4) uint8.
+
+    Raises:
+        InvalidInput: arrays that do not fit together.
     """

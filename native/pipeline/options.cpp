@@ -25,6 +25,7 @@ void validate(const PrepareOptions& options) {
   validate(options.surface);
   validate(options.cross_field);
   require(options.jet.rings >= 1 && options.jet.rings <= 10, "rings must be in [1, 10]");
+  require(options.most_intersections >= 0, "most_intersections must be at least 0");
   require(options.threads >= 0, "threads must be at least 0");
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "contour/curvature_curves.h"
+#include "contour/intersections.h"
 #include "field/cross_field.h"
 #include "hatch/place_hatches.h"
 #include "stroke/make_strokes.h"
@@ -19,7 +20,10 @@ struct PrepareOptions {
   JetOptions jet;  // curvature for hatching
   FieldOptions cross_field;
   bool field = true;  // false: hatching curvature and field wait until first needed
-  int threads = 0;    // 0: all cores
+  // Pairs of triangles that cross, beyond which objects have no curves where they pass through each
+  // other, or through themselves (contour/intersections.h).
+  std::int64_t most_intersections = most_crossing_triangles;
+  int threads = 0;  // 0: all cores
 };
 void validate(const PrepareOptions& options);  // throws InvalidInput naming the field
 

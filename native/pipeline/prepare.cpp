@@ -70,6 +70,7 @@ Prepared::Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions&
 bool Prepared::has_surface_of(const std::vector<MeshPointer>& meshes,
                               const PrepareOptions& options) const {
   if (meshes.size() != object_count() || !is_same(options.surface, options_.surface)) return false;
+  if (options.most_intersections != options_.most_intersections) return false;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     if (!is_same(*meshes[i], *geometry_->meshes[i])) return false;
   }
@@ -154,7 +155,8 @@ const Prepared::Search& Prepared::search(const Progress& progress) const {
     Search made{std::move(bvh), std::move(dual_surface), {}, {}};
     timed("intersections", [&] {
       made.intersections = illustrate::intersections(surface(), made.bvh, made.counts,
-                                                     progress.part(0.4, 1, "intersections"));
+                                                     progress.part(0.4, 1, "intersections"),
+                                                     options_.most_intersections);
     });
     return made;
   });

@@ -52,9 +52,13 @@ Surface surface_of(const Surface& whole, const std::vector<int>& sources,
 
 // A curve stays while both surfaces that meet in it do.
 IntersectionCurves intersections_of(const IntersectionCurves& whole,
-                                    const std::vector<int>& numbers) {
+                                    const std::vector<int>& numbers,
+                                    const std::vector<ObjectStyle>& styles) {
   IntersectionCurves part;
   part.insets = whole.insets;
+  for (const ObjectPair& pair : whole.left_out) {
+    if (!styles[idx(pair[0])].ignore && !styles[idx(pair[1])].ignore) part.left_out.push_back(pair);
+  }
   const auto number = [&](int t) { return t == none ? none : numbers[idx(t)]; };
   for (std::size_t c = 0; c < whole.curves.size(); ++c) {
     const Span<const IntersectionPoint> curve = whole.curves[c];
@@ -94,7 +98,7 @@ SeenScene::SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& s
   part_->surface = surface_of(prepared.surface(), part_->sources, numbers, styles);
   part_->bvh = Bvh(part_->surface.positions, part_->surface.triangles, threads);
   part_->features = feature_edges(part_->surface);
-  part_->intersections = intersections_of(whole_intersections, numbers);
+  part_->intersections = intersections_of(whole_intersections, numbers, styles);
   part_->intersections.triple_points = triple_points(part_->surface, part_->intersections);
   part_->numbers = std::move(numbers);
 }

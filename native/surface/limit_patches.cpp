@@ -27,7 +27,7 @@ constexpr int most_edges = 100;
 // What is kept for good of one mesh; beyond, only what was asked for last. All of a scan of 100,000
 // irregular faces would take five times as much.
 constexpr std::size_t most_kept_bytes = std::size_t{160} << 20;
-constexpr int recent_faces = 256;
+constexpr std::size_t recent_faces = 4096;  // more than a long contour passes, 30 MB of them
 // Of trees that wait for other faces of the same kind. Where every edge is semi-sharp in its own
 // way each face has one of its own, of about a megabyte.
 constexpr std::size_t most_tree_bytes = std::size_t{128} << 20;
@@ -220,8 +220,8 @@ struct LimitPatches::Data {
   std::mutex making;
   std::vector<std::shared_ptr<const FacePatches>> kept;
   std::size_t kept_bytes = 0;
-  std::vector<std::atomic<const FacePatches*>> faces;  // those that are kept
-  std::array<std::pair<int, std::shared_ptr<const FacePatches>>, recent_faces> recent;
+  std::vector<std::atomic<const FacePatches*>> faces;                      // those that are kept
+  std::vector<std::pair<int, std::shared_ptr<const FacePatches>>> recent;  // once no more are kept
 
   Data(const SoundMesh& mesh, Scheme s, std::size_t leaf_bytes)
       : scheme(s),
@@ -235,7 +235,6 @@ struct LimitPatches::Data {
     for (std::size_t f = 0; f + 1 < ptex_faces.size(); ++f) {
       base_faces.resize(idx(ptex_faces[f + 1]), static_cast<int>(f));
     }
-    recent.fill({none, nullptr});
   }
 
   std::optional<LimitPoint> evaluate(int f, const BasePlace& place) {
@@ -248,24 +247,42 @@ struct LimitPatches::Data {
   }
 
   std::shared_ptr<const FacePatches> find_or_make(int f) {
-    const std::lock_guard<std::mutex> lock(making);
-    auto& [recent_face, recent_patches] = recent[idx(f % recent_faces)];
-    if (recent_face == f) return recent_patches;
+    if (std::shared_ptr<const FacePatches> found = find_recent(f)) return found;
     std::shared_ptr<const FacePatches> patches = make(f);
-    recent_face = f;
-    recent_patches = patches;
-    if (kept_bytes < most_kept_bytes) {
-      kept_bytes += patches->bytes();
-      kept.push_back(patches);
-      faces[idx(f)].store(patches.get(), std::memory_order_release);
-    }
+    remember(f, patches);
     return patches;
   }
 
-  // Under lock.
-  std::unique_ptr<const FacePatches> make(int f) {
-    FaceSurface made = is_small_enough(f) ? maker->make(f) : FaceSurface{};
-    return std::make_unique<const FacePatches>(std::move(made), room, points);
+  std::shared_ptr<const FacePatches> find_recent(int f) {
+    const std::lock_guard<std::mutex> lock(making);
+    if (recent.empty()) return nullptr;
+    const auto& [face, patches] = recent[idx(f) % recent_faces];
+    return face == f ? patches : nullptr;
+  }
+
+  // Two threads may have made the same.
+  void remember(int f, const std::shared_ptr<const FacePatches>& patches) {
+    const std::lock_guard<std::mutex> lock(making);
+    std::atomic<const FacePatches*>& slot = faces[idx(f)];
+    if (slot.load(std::memory_order_relaxed)) return;
+    if (kept_bytes < most_kept_bytes) {
+      kept_bytes += patches->bytes();
+      kept.push_back(patches);
+      slot.store(patches.get(), std::memory_order_release);
+    } else {
+      if (recent.empty()) recent.resize(recent_faces, {none, nullptr});
+      recent[idx(f) % recent_faces] = {f, patches};
+    }
+  }
+
+  // What faces share is made by one thread at a time, the points of their own patches by all.
+  std::shared_ptr<const FacePatches> make(int f) {
+    return std::make_shared<const FacePatches>(surface_of(f), room, points);
+  }
+
+  FaceSurface surface_of(int f) {
+    const std::lock_guard<std::mutex> lock(making);
+    return is_small_enough(f) ? maker->make(f) : FaceSurface{};
   }
 
   // What the patches of a face need grows with the square of the edges round its corners.
@@ -307,7 +324,6 @@ std::optional<LimitPoint> LimitPatches::Pass::evaluate(const BasePlace& place) {
   const int face = data.base_face(place.ptex_face);
   if (face == none) return {};
   if (face != face_) {
-    const std::lock_guard<std::mutex> lock(data.making);
     made_ = data.make(face);
     face_ = face;
   }

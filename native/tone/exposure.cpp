@@ -35,7 +35,8 @@ double suitable_exposure(const ToneOptions& options, std::vector<double> light) 
   const double lightest = quantile(light, 1 - most_of_one_tone);
   if (lightest * factor > options.highlight_threshold) {
     const double weaker = options.highlight_threshold / lightest * (1 - clear_of);
-    if (darkest * weaker > options.shadow_threshold) factor = weaker;
+    const bool has_lighter = white * weaker > options.highlight_threshold;
+    if (has_lighter && darkest * weaker > options.shadow_threshold) factor = weaker;
   }
   return std::isfinite(factor) && factor > 0 ? factor : 1;
 }

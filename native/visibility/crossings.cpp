@@ -73,8 +73,13 @@ class CrossingFinder {
 
   using Grid = std::vector<GridPoint>;
 
+  bool is_covered(const StrandSegment& s) const {
+    return network_.strands[idx(s.strand)].sight == Sight::covered;
+  }
+
+  // Where two covered curves cross nothing is asked of either.
   bool cross(const StrandSegment& s, const StrandSegment& t) const {
-    return cross(strands_.grid, s, t);
+    return !(is_covered(s) && is_covered(t)) && cross(strands_.grid, s, t);
   }
   static bool cross(const Grid& grid, const StrandSegment& s, const StrandSegment& t) {
     const GridPoint &a = grid[idx(s.a)], &b = grid[idx(s.b)];

@@ -36,8 +36,10 @@ std::vector<LabelledPath> label_paths(Arrangement& arrangement, LayerRays& rays,
 LabelledGraph label_network(const CurveNetwork& network, const Surface& surface, const Bvh& bvh,
                             const Camera& camera, Counts& counts, const Progress& progress,
                             int threads, const Points& insets) {
-  std::optional<Arrangement> settled =
-      arrange(network, camera, most_settled, inset_points(network, surface, insets));
+  std::optional<Arrangement> settled;
+  if (!network.is_incomplete) {
+    settled = arrange(network, camera, most_settled, inset_points(network, surface, insets));
+  }
   counts["sampled_views"] += !settled;
   if (!settled) return label_pile(network, surface, camera, threads);
   Arrangement& arrangement = *settled;

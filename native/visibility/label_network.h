@@ -21,8 +21,9 @@
 
 namespace illustrate {
 
-// A view of more than 200,000 crossings is sampled instead (label_pile.h), and says so:
-// "sampled_views" counts it. The result is the same for any number of threads (0: all cores).
+// A view of more than 200,000 crossings, or of an incomplete network, is sampled instead
+// (label_pile.h), and says so: "sampled_views" counts it. The result is the same for any number of
+// threads (0: all cores).
 //
 // insets: IntersectionCurves', by which surfaces that touch are told apart.
 //

@@ -329,6 +329,28 @@ TEST(Intersections, SoupsOfDegenerateTrianglesAreHarmless) {
   }
 }
 
+// Two spheres through each other, and a small one through the first.
+TEST(Intersections, OfWhatCrossesMostAreLeftOutWhereThereAreTooMany) {
+  const Surface crossing = shapes::joined(
+      shapes::joined(shapes::sphere_surface(1, 4), shapes::sphere_surface(1, 4, Vec3(.3, .2, .1))),
+      shapes::sphere_surface(.2, 1, Vec3(-1, 0, 0)));
+  const Bvh bvh(crossing.positions, crossing.triangles);
+  Counts all, few, none_left;
+  const IntersectionCurves whole = intersections(crossing, bvh, all);
+  EXPECT_TRUE(whole.left_out.empty());
+  EXPECT_EQ(whole.curves.size(), 2U);
+  const auto segments = static_cast<std::int64_t>(whole.curves.values.size());
+  EXPECT_TRUE(intersections(crossing, bvh, all, {}, segments).left_out.empty());
+  const IntersectionCurves part = intersections(crossing, bvh, few, {}, segments - 1);
+  EXPECT_EQ(part.left_out, (std::vector<ObjectPair>{{0, 1}}));
+  EXPECT_EQ(few["intersections_left_out"], 1);
+  ASSERT_EQ(part.curves.size(), 1U);
+  EXPECT_LT(part.curves[0].front().position.x(), -.7);
+  const IntersectionCurves empty = intersections(crossing, bvh, none_left, {}, 0);
+  EXPECT_EQ(empty.left_out, (std::vector<ObjectPair>{{0, 1}, {0, 2}}));
+  EXPECT_TRUE(empty.curves.empty());
+}
+
 TEST(Intersections, CanBeCancelled) {
   const Surface surface = shapes::torus_surface(3, 1, 200, 100);
   const Bvh bvh(surface.positions, surface.triangles);

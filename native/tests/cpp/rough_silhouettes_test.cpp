@@ -4,7 +4,9 @@
 
 #include "cameras.h"
 #include "check_graph.h"
+#include "contour/exact_silhouettes.h"
 #include "contour/network.h"
+#include "contour/unseen.h"
 #include "surface_checks.h"
 #include "visibility/label_network.h"
 
@@ -50,6 +52,72 @@ TEST(RoughSilhouettes, NeedFewRepairs) {
   EXPECT_GT(nodes, 1000U);
   EXPECT_LT(50 * counts["unbalanced_loops"], counts["loops"]);
   EXPECT_LT(10 * counts["repairs"], static_cast<std::int64_t>(nodes));
+}
+
+Silhouettes exact(const Surface& surface, const Camera& camera, Counts& counts, int threads = 1,
+                  bool leave_out_unseen = false) {
+  const ContourFunctions functions(surface, camera);
+  LinearSilhouettes linear = linear_silhouettes(surface, functions);
+  if (leave_out_unseen) {
+    mark_unseen_segments(Unseen(surface, camera, Unseen::Evidence::certain, threads), linear);
+  }
+  return exact_silhouettes(surface, LimitSurface(surface), functions, camera, linear, false, counts,
+                           {}, threads);
+}
+
+Surface level_0(const std::vector<PolygonMesh>& meshes) {
+  Counts report;
+  return refined(meshes, at_level(0), report);
+}
+
+const Camera from_above = cameras::orthographic(Vec3(.02, .01, 1), 4);
+
+TEST(RoughSilhouettes, AreTheSameAtAnyNumberOfThreads) {
+  const Surface surface = level_0({rough_sphere(4, .05), rough_sphere(5, .01)});
+  Counts counts;
+  const Silhouettes one = exact(surface, from_above, counts);
+  EXPECT_GT(counts["troubled_triangles"], 0);
+  for (const int threads : {2, 5}) {
+    const Silhouettes many = exact(surface, from_above, counts, threads);
+    EXPECT_EQ(many.chains.offsets, one.chains.offsets);
+    for (std::size_t i = 0; i < one.chains.values.size(); ++i) {
+      EXPECT_EQ(many.chains.values[i].position, one.chains.values[i].position);
+    }
+  }
+}
+
+TEST(RoughSilhouettes, DoNotDependOnWhatDoesNotMeetThem) {
+  const PolygonMesh left = rough_sphere(4, .05), right = shapes::moved(left, Vec3(2.5, .1, 0));
+  Counts of_both, of_each;
+  const Silhouettes both = exact(level_0({left, right}), from_above, of_both);
+  std::size_t chains = 0;
+  for (const PolygonMesh& mesh : {left, right}) {
+    chains += exact(level_0({mesh}), from_above, of_each).chains.size();
+  }
+  EXPECT_EQ(both.chains.size(), chains);
+  EXPECT_GT(of_both["troubled_triangles"], 0);
+  EXPECT_EQ(of_both["troubled_triangles"], of_each["troubled_triangles"]);
+  EXPECT_EQ(of_both["evaluations"], of_each["evaluations"]);
+}
+
+// A sphere that is half under a plate.
+TEST(RoughSilhouettes, AreMadeExactWhereTheyMayBeSeen) {
+  const PolygonMesh plate = shapes::polygon_mesh(
+      {{0, -1.5, 1.5}, {1.5, -1.5, 1.5}, {1.5, 1.5, 1.5}, {0, 1.5, 1.5}}, {{0, 1, 2, 3}});
+  const Surface surface = level_0({rough_sphere(5, .02), plate});
+  Counts all, seen;
+  const Silhouettes whole = exact(surface, from_above, all);
+  const Silhouettes part = exact(surface, from_above, seen, 1, true);
+  EXPECT_LT(10 * seen["evaluations"], 7 * all["evaluations"]);
+  const auto cusps = [](const Silhouettes& found, double sign) {
+    return std::count_if(
+        found.chains.values.begin(), found.chains.values.end(),
+        [sign](const ChainPoint& p) { return p.cusp_jump != 0 && sign * p.position.x() > .2; });
+  };
+  EXPECT_GT(cusps(whole, -1), 10);
+  EXPECT_EQ(cusps(part, -1), cusps(whole, -1));
+  EXPECT_GT(cusps(whole, 1), 10);
+  EXPECT_EQ(cusps(part, 1), 0);
 }
 
 }  // namespace

@@ -170,6 +170,13 @@ TEST_F(BlockOfBalls, HasNearlyTheSameLinesAsAPile) {
   EXPECT_LT(off, 0.02 * std::accumulate(settled.begin(), settled.end(), 0.));
 }
 
+TEST_F(BlockOfBalls, IsSampledWhereCurvesAreMissing) {
+  CurveNetwork incomplete = network;
+  incomplete.is_incomplete = true;
+  label(incomplete, counts);
+  EXPECT_EQ(counts["sampled_views"], 1);
+}
+
 TEST(Unseen, ChainsWithinWallsAreDropped) {
   const Surface surface =
       shapes::joined(plate(1), shapes::joined(shapes::sphere_surface(0.3, 2, Vec3(0, 0, -1)),

@@ -61,6 +61,14 @@ struct Scene {
   }
 };
 
+TEST(Crossings, OfTwoCoveredCurvesAreNotAskedFor) {
+  CurveNetwork network = square_before_triangle(2);
+  network.strands[0].sight = Sight::covered;
+  EXPECT_EQ(arrange(network, one_px).crossings.size(), 2U);
+  network.strands[1].sight = Sight::covered;
+  EXPECT_EQ(arrange(network, one_px).crossings.size(), 0U);
+}
+
 TEST(Extents, OfALensIsTheShortestWayBetweenItsCrossings) {
   const Scene scene(2);
   ASSERT_EQ(scene.arrangement.crossings.size(), 2U);

@@ -353,3 +353,16 @@ def test_polygons_show_hatching_curvature_as_theirs() -> None:
     np.testing.assert_array_equal(surface.k1, surface.hatch_k1)
     assert (np.abs(surface.k1) >= np.abs(surface.k2)).all()
     assert np.median(np.abs(surface.k1)) == pytest.approx(1 / 0.4, rel=0.02)
+
+
+def test_objects_that_cross_too_much_are_named_and_sampled() -> None:
+    ball = sphere()
+    meshes = [ball.mesh(), ball.moved((9, 0, 0)).mesh(), ball.moved((0.5, 0.1, 0)).mesh()]
+    prepared = ill.prepare(meshes, ill.PrepareOptions(field=False, most_intersections=3))
+    assert prepared.left_out_intersections == [(0, 2)]
+    without = [ill.ObjectStyle(), ill.ObjectStyle(), ill.ObjectStyle(ignore=True)]
+    for styles, sampled in ((None, 1), (without, 0)):
+        drawn = ill.draw(prepared, look_at(), ill.DrawOptions(hatching=False, styles=styles))
+        assert drawn.counts["sampled_views"] == sampled
+    with pytest.raises(ValueError, match="most_intersections"):
+        ill.prepare(meshes, ill.PrepareOptions(most_intersections=-1))

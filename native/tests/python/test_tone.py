@@ -196,7 +196,10 @@ def test_lights_keep_what_they_are_given() -> None:
 # --- reflectance, exposure, ambient light
 
 FRONT = ill.Camera(
-    np.diag([0.8, 0.8, -0.1, 1.0]), np.array([*np.eye(4)[:2], [0, 0, 1, -3], [0, 0, 0, 1]]), 100, 100
+    np.diag([0.8, 0.8, -0.1, 1.0]),
+    np.array([*np.eye(4)[:2], [0, 0, 1, -3], [0, 0, 0, 1]]),
+    100,
+    100,
 )
 SQUARE = [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]
 CORNERS = [[0, 0], [1, 0], [1, 1], [0, 1]]
