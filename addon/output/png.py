@@ -16,9 +16,7 @@ def png_of(page: Any) -> bytes:
     paper = (255, 255, 255, 0) if page.scene.render.film_transparent else png.WHITE
     camera = page.camera
     return bytes(
-        png.to_png(
-            page.drawing, camera.width_px, camera.height_px, page.width_mm, colours, paper
-        )
+        png.to_png(page.drawing, camera.width_px, camera.height_px, page.width_mm, colours, paper)
     )
 
 
@@ -32,8 +30,8 @@ def _inks(settings: Any, strokes: list[Any]) -> dict[str, tuple[int, int, int, i
 
 
 def _encoded(colour: tuple[float, ...]) -> tuple[int, int, int, int]:
-    """From linear light to bytes of sRGB; alpha stays."""
-    *light, alpha = (min(max(value, 0.0), 1.0) for value in (*colour[:3], *colour[3:4] or (1.0,)))
+    """From linear light, with alpha or without, to bytes of sRGB."""
+    *light, alpha = (min(max(value, 0.0), 1.0) for value in (*colour, 1.0)[:4])
     encoded = [12.92 * v if v <= 0.0031308 else 1.055 * v ** (1 / 2.4) - 0.055 for v in light]
     red, green, blue = (round(255 * value) for value in encoded)
     return red, green, blue, round(255 * alpha)

@@ -27,7 +27,7 @@ const Curvature& hatch_curvature(const SurfaceHandle& handle) {
 
 // Line curvature; objects of scheme none have only the hatching curvature.
 template <class Value>
-py::array line_curvature(const SurfaceHandle& handle, Value PrincipalCurvature::* member) {
+py::array line_curvature(const SurfaceHandle& handle, Value PrincipalCurvature::*member) {
   const Surface& surface = handle.surface();
   const auto& smooth = surface.object_is_smooth;
   if (std::find(smooth.begin(), smooth.end(), 0) == smooth.end()) {

@@ -49,7 +49,7 @@ struct IntersectionCurves {
   std::vector<std::array<int, 2>> segment_triangles;
   std::vector<TriplePoint> triple_points;  // triple_points.h
   Points insets;  // (vertices) by which each was moved inward; what hides what is decided there too
-  std::vector<ObjectPair> left_out;        // too much to follow, ascending
+  std::vector<ObjectPair> left_out;  // too much to follow, ascending
 };
 
 // Pairs of triangles that cross: crumpled meshes of tens of thousands of triangles have fewer, fur

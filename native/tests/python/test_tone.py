@@ -235,7 +235,7 @@ def test_corners_shade_a_face_evenly() -> None:
 
 def test_a_texture_is_seen_where_its_uv_lie() -> None:
     checks = np.kron(np.indices((4, 4)).sum(0) % 2, np.ones((8, 8)))
-    mesh = {"uv": CORNERS, "textures": [ill.Texture(checks)], "face_textures": [0]}
+    mesh: dict[str, Any] = {"uv": CORNERS, "textures": [ill.Texture(checks)], "face_textures": [0]}
     brightness = tone_of_square([FACING], **mesh).brightness
     for row in range(4):
         for column in range(4):
