@@ -179,6 +179,8 @@ LIGHT = (
     switch("undercuts", "light", "Undercuts", True,
             "Hatch densely what lies just behind a fold"),
     paper("undercut_px", "light", "Width", 14.0, "Width of undercuts", 0.0, 100.0, 50.0),
+    share("undercut_contact", "light", "Contact", 0.5,
+          "How near what lies behind a fold must be for an undercut: at 0 anywhere, at 1 touching"),
     pixels("cell_px", "light", "Cells", 64.0, "Largest cells that light is measured in",
             min=0.25, max=64.0),
 )  # fmt: skip

@@ -27,6 +27,7 @@ NEEDS = {
     "hidden_width_scale": "hidden",
     "mach_band_px": "mach_bands",
     "undercut_px": "undercuts",
+    "undercut_contact": "undercuts",
     "undercut_spacing_px": "undercuts",
     "spacing_px": "hatching",
     "guide_weight": "guides",

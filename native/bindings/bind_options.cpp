@@ -166,6 +166,8 @@ void bind_tone_options(Class& bound) {
   OPTION("undercuts", values.tone.undercuts, "Dense hatching beyond folds");
   OPTION("mach_band_px", values.tone.mach_band_px, "Width of Mach bands");
   OPTION("undercut_px", values.tone.undercut_px, "Width of undercuts");
+  OPTION("undercut_contact", values.tone.undercut_contact,
+         "How near what lies beyond a fold must be for an undercut: 0: anywhere, 1: touching");
   OPTION("cell_px", values.cell_px, "Largest cells of the tone map, [0.25, 64]");
 }
 

@@ -422,6 +422,8 @@ class DrawOptions:
     """Dense hatching beyond folds."""
     mach_band_px: float
     """Width of Mach bands."""
+    undercut_contact: float
+    """How near what lies beyond a fold must be for an undercut: 0: anywhere, 1: touching."""
     undercut_px: float
     """Width of undercuts."""
     cell_px: float

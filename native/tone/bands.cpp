@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "surface/parts.h"
 #include "tone/step_along.h"
 
 namespace illustrate {
@@ -15,13 +16,18 @@ namespace {
 constexpr double behind = 3;
 constexpr double recession = 3;
 
+constexpr double usual_gap = 0.25;   // of a part's diagonal, at which undercuts end
+constexpr double whole_share = 0.2;  // of that, up to which they are whole
+
 enum class Side : std::uint8_t { neither, left, right };
 
 struct FoldSample {
   Vec2 image;
   Vec2 beyond;  // unit, across the curve, away from the fold
   double depth;
-  double cell;  // world length of a cell there
+  double cell;             // world length of a cell there
+  int triangle;            // on the fold
+  double undercut_px = 0;  // how wide the undercut is
 };
 
 // To the left of a curve as the viewer sees it run, y pointing down.
@@ -38,6 +44,8 @@ class BandMarker {
         options_(options),
         band_(band),
         map_(image_map(camera)),
+        parts_(options.undercuts && options.undercut_contact > 0 ? surface_parts(surface)
+                                                                 : SurfaceParts{}),
         nearest_(band.size(), std::numeric_limits<float>::infinity()) {}
 
   void mark(int arc) {
@@ -49,7 +57,9 @@ class BandMarker {
     if (beyond == Side::neither) return;
     for (FoldSample sample : samples) {
       if (beyond == Side::right) sample.beyond = -sample.beyond;
-      if (meets ? !std::isfinite(depth_at(sample, 2)) : !covers_another(sample)) continue;
+      const double gap = meets ? depth_at(sample, 2) - sample.depth : gap_beyond(sample);
+      if (!std::isfinite(gap)) continue;
+      sample.undercut_px = options_.undercut_px * (meets ? 1 : closeness(gap, sample.triangle));
       mark_round(sample, meets ? -std::numeric_limits<double>::infinity() : behind);
     }
   }
@@ -73,7 +83,8 @@ class BandMarker {
                  const Vec3& a = points[at.segment].position;
                  const Vec3 p = a + at.fraction * (points[next].position - a);
                  samples.push_back({at.image, left_of(at.heading), camera_.project(p).depth,
-                                    visible_.cell_px * camera_.pixel_size(p)});
+                                    visible_.cell_px * camera_.pixel_size(p),
+                                    points[at.segment].on.triangle});
                });
     return samples;
   }
@@ -85,12 +96,22 @@ class BandMarker {
     return cell == none ? std::numeric_limits<double>::infinity() : visible_.depth[cell];
   }
 
-  bool covers_another(const FoldSample& sample) const {
+  // How far another surface is behind the fold, just beyond it; infinite where there is none.
+  double gap_beyond(const FoldSample& sample) const {
     for (const double cells : {2.0, 3.5}) {
-      const double depth = depth_at(sample, cells);
-      if (std::isfinite(depth) && depth > sample.depth + behind * sample.cell) return true;
+      const double gap = depth_at(sample, cells) - sample.depth;
+      if (std::isfinite(gap) && gap > behind * sample.cell) return gap;
     }
-    return false;
+    return std::numeric_limits<double>::infinity();
+  }
+
+  // 1 where what lies beyond a fold is so near that its undercut is whole, 0 where it has none.
+  double closeness(double gap, int triangle) const {
+    const double contact = options_.undercut_contact;
+    if (parts_.diagonals.empty() || triangle == none) return 1;
+    const double size = parts_.diagonals[idx(parts_.of_triangle[idx(triangle)])];
+    const double end = usual_gap * size * (1 - contact) / contact;
+    return end > 0 ? std::clamp((1 - gap / end) / (1 - whole_share), 0.0, 1.0) : 0;
   }
 
   // |n . view| of what is seen at an image point, 1 where nothing is.
@@ -137,7 +158,7 @@ class BandMarker {
     const bool is_undercut = is_beyond && deeper > least_depth;
     Band mark = Band::nothing;
     if (is_fold && distance <= options_.mach_band_px) mark = Band::mach_band;
-    if (is_undercut && distance <= options_.undercut_px) mark = Band::undercut;
+    if (is_undercut && distance <= sample.undercut_px) mark = Band::undercut;
     if (mark == Band::nothing) return;
     band_[cell] = mark;
     nearest_[cell] = static_cast<float>(distance);
@@ -150,6 +171,7 @@ class BandMarker {
   const ToneOptions& options_;
   std::vector<Band>& band_;
   ImageMap map_;
+  SurfaceParts parts_;          // empty: undercuts are anywhere, or nowhere
   std::vector<float> nearest_;  // distance to the curve that marked a cell
 };
 

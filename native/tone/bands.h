@@ -10,6 +10,10 @@ namespace illustrate {
 // become Mach band, cells of the other surface within undercut_px undercut. A cell near several
 // folds goes with the nearest.
 //
+// The farther the surface beyond is behind, the narrower its undercut, until there is none: light
+// gets in between. How far is measured against the part that folds: at undercut_contact c there are
+// none from a gap of (1 - c) / c quarters of its diagonal on, and whole ones up to a fifth of that.
+//
 // A visible self-intersection hides nothing: two sheets meet there. Over the whole arc the sheet
 // that is turned farther from the viewer takes the undercut, the other one the Mach band.
 //

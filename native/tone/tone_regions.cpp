@@ -191,6 +191,8 @@ void validate(const ToneOptions& options) {
           "mach_band_px must be in [0, 100]");
   require(options.undercut_px >= 0 && options.undercut_px <= 100,
           "undercut_px must be in [0, 100]");
+  require(options.undercut_contact >= 0 && options.undercut_contact <= 1,
+          "undercut_contact must be in [0, 1]");
 }
 
 int ToneMap::cell_of(const Vec2& image) const {

@@ -31,6 +31,9 @@ struct ToneOptions {
   bool undercuts = true;
   double mach_band_px = 6;  // in [0, 100]
   double undercut_px = 14;  // in [0, 100]
+  // How near a fold must be to what lies beyond it for an undercut: 0: anywhere (the paper), 1:
+  // they touch; in [0, 1] (tone/bands.h).
+  double undercut_contact = 0.5;
   int threads = 0;
 };
 void validate(const ToneOptions& options);  // throws InvalidInput naming the field

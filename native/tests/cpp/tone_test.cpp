@@ -255,7 +255,10 @@ struct Fold {
                      shapes::plain_surface(shapes::moved(shapes::plane(2, 2), Vec3(1, 0, 0.5))));
   std::vector<std::uint8_t> hidden;
 
-  ToneMap tone(const LabelledGraph& graph, const ToneOptions& options = {}) const {
+  double contact = 0;
+
+  ToneMap tone(const LabelledGraph& graph, ToneOptions options = {}) const {
+    options.undercut_contact = contact;
     return tone_regions(surface, render_visible(surface, camera, 1, hidden, 1), graph, camera, {},
                         options);
   }
@@ -283,6 +286,27 @@ TEST(Bands, FoldHasAMachBandAndBeyondItAnUndercut) {
 
   const ToneMap wrong_side = fold.tone(straight_arc(fold.camera, Kind::boundary, 0.5, 1, 0));
   EXPECT_EQ(columns(wrong_side, Band::undercut).second, -1) << "nothing behind on the other side";
+}
+
+// The fold is half a unit in front of what lies beyond; the part's diagonal is the root of eight.
+TEST(Bands, UndercutsNarrowAsTheGapGrows) {
+  Fold fold;
+  LabelledGraph edge = straight_arc(fold.camera, Kind::boundary, 0.5, 0, 1);
+  for (CurvePoint& p : edge.points.values) {
+    p.on.triangle = static_cast<int>(fold.surface.triangles.size()) - 1;
+  }
+  const auto width = [&](double contact) {
+    fold.contact = contact;
+    const auto [first, last] = columns(fold.tone(edge), Band::undercut);
+    return last < 0 ? 0 : last - first + 1;
+  };
+  EXPECT_EQ(width(0), 14);
+  EXPECT_EQ(width(0.2), 14) << "the gap is less than a fifth of what would end it";
+  const double end = 0.25 * std::sqrt(8.0);
+  EXPECT_NEAR(width(0.5), 14 * (1 - 0.5 / end) / 0.8, 1);
+  EXPECT_EQ(width(0.7), 0);
+  EXPECT_EQ(width(1), 0);
+  EXPECT_EQ(columns(fold.tone(edge), Band::mach_band), std::make_pair(100, 105));
 }
 
 TEST(Bands, OptionsAndCurvesThatCoverNothing) {
