@@ -239,7 +239,7 @@ class LightnessReader:
         values = np.array([look.value / PAPER for look in looks])
         if not any(looks[i].value < PAPER or not looks[i].is_plain for i in used):
             return
-        arrays.reflectance = np.minimum(values, 1.0)[of_faces]
+        arrays.reflectance = values[of_faces]
         of_corners = np.repeat(of_faces, arrays.face_sizes)
         for i in sorted(used):
             if looks[i].attribute is not None:

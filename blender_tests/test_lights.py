@@ -34,7 +34,7 @@ def test_lights_are_read_with_their_place_and_direction(scene: Any) -> None:
     assert set(lights) == {"sun", "spot", "point", "area"}
     assert lights["sun"].vector == pytest.approx([0, -1, 0], abs=1e-6)
     assert lights["spot"].blend == pytest.approx(0.15)
-    assert lights["sun"].strength == 1  # the strongest
+    assert lights["sun"].strength == pytest.approx(2 / math.pi)
     assert lights["spot"].vector == pytest.approx([0, 0, 5])
     assert lights["spot"].direction == pytest.approx([0, 0, -1])
     assert lights["spot"].angle_rad == pytest.approx(math.radians(30))
@@ -42,14 +42,34 @@ def test_lights_are_read_with_their_place_and_direction(scene: Any) -> None:
     assert not read(scene, use_lights=False).lights
 
 
-def test_the_strongest_light_is_white_in_the_middle(scene: Any) -> None:
+def test_lamps_without_strength_and_with_too_much_are_left_out(scene: Any) -> None:
     tools.add_camera(scene)
     tools.add_cube()
-    add_light(scene, "POINT", (0, 0, 2), 50)
-    add_light(scene, "POINT", (0, 0, 4), 50)
-    lights = read(scene).lights
-    assert [light.strength for light in lights] == pytest.approx([4, 4])
-    assert [light.strength_at([0, 0, 0]) for light in lights] == pytest.approx([1, 0.25])
+    for energy in (0.0, -5.0, math.inf):
+        add_light(scene, "POINT", (0, 0, 2), energy)
+    assert not read(scene).lights
+
+
+def add_world(scene: Any, colour: Any, strength: float) -> Any:
+    scene.world = bpy.data.worlds.new("Sky")
+    scene.world.use_nodes = True
+    background = next(n for n in scene.world.node_tree.nodes if n.type == "BACKGROUND")
+    background.inputs["Color"].default_value = (*colour, 1.0)
+    background.inputs["Strength"].default_value = strength
+    return background
+
+
+def test_the_world_is_light_from_everywhere(scene: Any) -> None:
+    tools.add_camera(scene)
+    tools.add_cube()
+    add_world(scene, (0.5, 0.5, 0.5), 0.4)
+    (light,) = read(scene).lights
+    assert (light.kind, light.casts_shadows) == ("ambient", False)
+    assert light.strength == pytest.approx(0.2)
+    scene.view_settings.exposure = 1.0
+    assert read(scene).lights[0].strength == pytest.approx(0.4)
+    add_world(scene, (0, 0, 0), 1.0)
+    assert not read(scene).lights
 
 
 def test_an_area_light_has_its_extent(scene: Any) -> None:
@@ -117,7 +137,7 @@ def test_brightness_is_what_the_render_shows(scene: Any, kind: str, tmp_path: An
         setattr(lamp.data, name, value)
     bpy.context.view_layer.update()
     depsgraph = bpy.context.evaluated_depsgraph_get()
-    arrays = read_scene(scene, depsgraph, auto_exposure=False)
+    arrays = read_scene(scene, depsgraph)
     ill = native.load()
     prepared = ill.prepare([ill.PolygonMesh(**vars(mesh)) for mesh in arrays.meshes])
     lights = [ill.Light(**vars(light)) for light in arrays.lights]

@@ -32,7 +32,8 @@ def test_settings_mirror_the_native_options(scene: Any, kind: str) -> None:
         option_names(default)
     )
     chosen = native_options.values(NATIVE[kind], scene.illustrate, 0.0)
-    assert chosen == {name: getattr(default, name) for name in rows}
+    own = {"cast_shadows": True} if kind == "DrawOptions" else {}  # scenes have lamps
+    assert chosen == {name: getattr(default, name) for name in rows} | own
     assert set(native_options.FROM_ELSEWHERE) <= option_names(
         native.load().PrepareOptions()
     ) | option_names(native.load().DrawOptions())

@@ -34,7 +34,7 @@ double in_unit(double value) { return value > 0 ? std::min(value, 1.0) : 0; }
 
 FaceLightness::FaceLightness(const PolygonMesh& mesh, std::size_t face, std::size_t first_corner) {
   const Reflectance& given = mesh.reflectance;
-  if (!given.faces.empty()) whole_ = in_unit(given.faces[face]);
+  if (!given.faces.empty()) whole_ = given.faces[face];
   const int number = given.face_textures.empty() ? none : given.face_textures[face];
   if (given.corners.empty() && number == none) return;
   flatten(mesh, first_corner, static_cast<std::size_t>(mesh.face_sizes[face]));
@@ -80,7 +80,7 @@ void FaceLightness::find_texels() {
 }
 
 double FaceLightness::at(const Vec3& position, double size) const {
-  if (shades_.empty() && uv_.empty()) return whole_;
+  if (shades_.empty() && uv_.empty()) return in_unit(whole_);
   const Vec3 off = position - origin_;
   const Vec2 flat(right_.dot(off), up_.dot(off));
   double share = whole_;

@@ -67,6 +67,9 @@ TEST(Lightness, IsTheProductOfWhatIsGivenAndEndsAtWhite) {
   mesh.reflectance.uv.assign(4, Vec2(0.5, 0.5));
   mesh.reflectance.face_textures = {0};
   EXPECT_DOUBLE_EQ(FaceLightness(mesh, 0, 0).at(mesh.positions[0], 1), 0.25);
+  mesh.reflectance.faces = {1.25};
+  EXPECT_DOUBLE_EQ(FaceLightness(mesh, 0, 0).at(mesh.positions[0], 1), 0.625);
+  mesh.reflectance.faces = {0.5};
   mesh.reflectance.face_textures = {none};
   EXPECT_DOUBLE_EQ(FaceLightness(mesh, 0, 0).at(mesh.positions[0], 1), 0.5);
   mesh.reflectance.faces = {7};

@@ -1,0 +1,166 @@
+"""How light materials are: base colours, textures and attributes, as Blender has them."""
+
+from typing import Any
+
+import bpy
+import numpy as np
+import pytest
+from illustrate import illustration, lightness
+
+import tools
+from tools import read
+
+GREY = 0.4
+
+
+def material(colour: Any = (GREY, GREY, GREY, 1)) -> tuple[Any, Any]:
+    """A material and its Principled node."""
+    made = bpy.data.materials.new("Ink")
+    made.use_nodes = True
+    shader = next(n for n in made.node_tree.nodes if n.type == "BSDF_PRINCIPLED")
+    shader.inputs["Base Color"].default_value = colour
+    return made, shader
+
+
+def link(made: Any, kind: str, to: Any) -> Any:
+    node = made.node_tree.nodes.new(kind)
+    output = next(o for o in node.outputs if o.name in ("Color", "Result") and o.enabled)
+    made.node_tree.links.new(output, to)
+    return node
+
+
+def checks(name: str = "Checks") -> Any:
+    """4 x 4 texels, black and white in turn, black at the origin."""
+    image = bpy.data.images.new(name, 4, 4)
+    grey = (np.indices((4, 4)).sum(0) % 2).astype(float)
+    image.pixels.foreach_set(
+        np.stack([grey, grey, grey, np.ones_like(grey)], axis=2).astype(np.float32).ravel()
+    )
+    return image
+
+
+def board(scene: Any, made: Any, place: Any = (0, 0, 5)) -> Any:
+    """A plane of two units, seen from above."""
+    tools.add_camera(scene, place, (200, 200), type="ORTHO", ortho_scale=2.5)
+    bpy.ops.mesh.primitive_plane_add(size=2)
+    thing = bpy.context.object
+    thing.data.materials.append(made)
+    return thing
+
+
+def test_base_colours_are_lightness_and_white_stays_white(scene: Any) -> None:
+    thing = board(scene, None)
+    assert read(scene).meshes[0].reflectance is None  # Blender's own grey is paper
+    thing.data.materials[0] = material()[0]
+    assert read(scene).meshes[0].reflectance == pytest.approx([GREY / lightness.PAPER])
+    thing.data.materials[0] = material((1, 1, 1, 1))[0]
+    assert read(scene).meshes[0].reflectance is None
+
+
+def test_the_material_of_a_slot_counts_where_it_is_the_objects(scene: Any) -> None:
+    thing = board(scene, material((1, 1, 1, 1))[0])
+    thing.material_slots[0].link = "OBJECT"
+    thing.material_slots[0].material = material()[0]
+    assert read(scene).meshes[0].reflectance == pytest.approx([GREY / lightness.PAPER])
+
+
+def test_without_nodes_the_viewport_colour_counts(scene: Any) -> None:
+    made = bpy.data.materials.new("Plain")
+    made.diffuse_color = (0.2, 0.2, 0.2, 1)
+    if bpy.app.version < (5, 0, 0):
+        made.use_nodes = False
+        board(scene, made)
+        assert read(scene).meshes[0].reflectance == pytest.approx([0.25])
+
+
+def test_a_texture_is_seen_where_its_map_lies(scene: Any) -> None:
+    made, shader = material()
+    node = link(made, "ShaderNodeTexImage", shader.inputs["Base Color"])
+    node.image = checks()
+    board(scene, made)
+    scene.illustrate.lighting = "HEADLIGHT"
+    drawn = illustration.illustrate(scene, bpy.context.evaluated_depsgraph_get())
+    tone = drawn.drawing.tone
+    side = 200 / 2.5 / 2 / tone.cell_px  # cells of a texel
+    start = 20 / tone.cell_px
+    for row in range(4):
+        for column in range(4):
+            y = int(tone.brightness.shape[0] - start - (row + 0.5) * side)
+            x = int(start + (column + 0.5) * side)
+            assert tone.brightness[y, x] == pytest.approx((row + column) % 2, abs=0.05)
+    assert not drawn.warnings
+
+
+def test_a_mapping_moves_the_texture(scene: Any) -> None:
+    made, shader = material()
+    image = link(made, "ShaderNodeTexImage", shader.inputs["Base Color"])
+    image.image = checks()
+    nodes, links = made.node_tree.nodes, made.node_tree.links
+    mapping, source = nodes.new("ShaderNodeMapping"), nodes.new("ShaderNodeTexCoord")
+    links.new(mapping.outputs[0], image.inputs["Vector"])
+    links.new(source.outputs["UV"], mapping.inputs["Vector"])
+    mapping.inputs["Scale"].default_value = (2, 3, 1)
+    mapping.inputs["Location"].default_value = (0.25, 0, 0)
+    board(scene, made)
+    uv = read(scene).meshes[0].uv
+    assert uv.min(axis=0) == pytest.approx([0.25, 0])
+    assert uv.max(axis=0) == pytest.approx([2.25, 3])
+
+
+def test_a_colour_attribute_shades_corners(scene: Any) -> None:
+    made, shader = material()
+    link(made, "ShaderNodeVertexColor", shader.inputs["Base Color"]).layer_name = "Shade"
+    thing = board(scene, made)
+    colours = thing.data.color_attributes.new("Shade", "FLOAT_COLOR", "POINT")
+    for k, datum in enumerate(colours.data):
+        datum.color = (0.2 * k, 0.2 * k, 0.2 * k, 1)
+    mesh = read(scene).meshes[0]
+    expected = 0.2 * mesh.corner_vertices / lightness.PAPER
+    assert mesh.reflectance == pytest.approx(expected, abs=1e-6)
+
+
+def test_what_is_not_followed_is_named_once(scene: Any) -> None:
+    made, shader = material()
+    link(made, "ShaderNodeTexNoise", shader.inputs["Base Color"])
+    made.diffuse_color = (0.08, 0.08, 0.08, 1)
+    board(scene, made)
+    assert read(scene).meshes[0].reflectance == pytest.approx([0.1])
+    drawn = illustration.illustrate(scene, bpy.context.evaluated_depsgraph_get())
+    (warning,) = [w for w in drawn.warnings if "nodes" in w]
+    assert '"Ink"' in warning
+
+
+def test_a_missing_image_counts_as_white_and_is_named(scene: Any, tmp_path: Any) -> None:
+    made, shader = material()
+    node = link(made, "ShaderNodeTexImage", shader.inputs["Base Color"])
+    node.image = bpy.data.images.new("Lost", 4, 4)
+    node.image.source = "FILE"
+    node.image.filepath = str(tmp_path / "nowhere.png")
+    board(scene, made)
+    drawn = illustration.illustrate(scene, bpy.context.evaluated_depsgraph_get())
+    (warning,) = [w for w in drawn.warnings if "Lost" in w]
+    assert "white" in warning
+
+
+def test_large_images_are_averaged() -> None:
+    pixels = np.zeros((3, 5000, 4), np.float32)
+    pixels[..., 0] = np.arange(5000)
+    small = lightness._averaged(pixels)
+    assert small.shape == (1, 1666, 4)
+    assert small[0, :, 0] == pytest.approx(1 + 3 * np.arange(1666))
+
+
+def test_frames_of_a_sequence_are_exposed_alike(scene: Any) -> None:
+    board(scene, material()[0])
+    lamp = bpy.data.objects.new("Lamp", bpy.data.lights.new("Lamp", "SUN"))
+    scene.collection.objects.link(lamp)
+    lamp.data.energy = 1
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    first = illustration.illustrate(scene, depsgraph)
+    lamp.data.energy = 3
+    second = illustration.illustrate(scene, bpy.context.evaluated_depsgraph_get())
+    assert second.drawing.tone.exposure == pytest.approx(first.drawing.tone.exposure / 3)
+    third = illustration.illustrate(
+        scene, bpy.context.evaluated_depsgraph_get(), exposed_as=first.drawing
+    )
+    assert third.drawing.tone.exposure == pytest.approx(first.drawing.tone.exposure)
