@@ -60,6 +60,8 @@ def read_shown(scene: Any, depsgraph: Any, is_wanted: Callable[[Any], bool]) -> 
         if style.get("ignore") or not is_wanted(owner):
             continue
         thing = instance.object
+        if thing.type == "MESH" and shown.lightness.is_clear(_materials(thing)):
+            style = {**style, "see_through": True}
         for kind in _without_surface(thing, instance.is_instance):
             shown.leave_out(kind, thing.name)
         if thing.type == "MESH":
@@ -67,6 +69,12 @@ def read_shown(scene: Any, depsgraph: Any, is_wanted: Callable[[Any], bool]) -> 
             pending.append((place, thing.original, reader.read(thing, surface)))
     _place(pending, shown, scene)
     return shown
+
+
+def _materials(thing: Any) -> list[Any]:
+    """Of an evaluated object or instance."""
+    slots = [slot.material for slot in thing.material_slots]
+    return slots or list(thing.data.materials)
 
 
 def _place(pending: list[_Pending], shown: Shown, scene: Any) -> None:

@@ -24,7 +24,8 @@ COLOURED = {
     "SUBSURFACE_SCATTERING": "Color",
     "EMISSION": "Color",
 }
-CLEAR = {"BSDF_GLASS", "BSDF_TRANSPARENT", "BSDF_REFRACTION", "BSDF_TRANSLUCENT"}
+CLEAR = {"BSDF_GLASS", "BSDF_TRANSPARENT", "BSDF_REFRACTION"}
+HALF = 0.5  # of the light that goes through: more is clear
 
 
 @dataclass(frozen=True)
@@ -38,6 +39,7 @@ class Look:
     mapping: tuple[float, ...] = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0)  # rows of a (2, 3) matrix
     attribute: str | None = None  # of colours; empty: the one that is rendered
     is_whole: bool = True  # False: its nodes do more than is followed
+    is_clear: bool = False  # seen through
 
     @property
     def is_plain(self) -> bool:
@@ -77,7 +79,7 @@ def _source(socket: Any) -> Any:
 def _shader(node: Any) -> Look | None:
     """The look of a shader; None where it is not followed."""
     if node.type in CLEAR:
-        return Look()
+        return Look(is_clear=True)
     if node.type == "MIX_SHADER":
         return _mixed_shaders(node)
     if node.type not in COLOURED:
@@ -85,6 +87,8 @@ def _shader(node: Any) -> Look | None:
     look = _colour(node.inputs[COLOURED[node.type]])
     if look is None:
         return None
+    if _passing(node) >= HALF:
+        return replace(look, is_clear=True)
     if node.type == "EMISSION":
         return replace(look, value=look.value * _constant(node.inputs["Strength"], 1.0))
     shining = _emission(node)
@@ -102,11 +106,20 @@ def _emission(node: Any) -> float:
     return luminance(colour.default_value) * float(strength.default_value)
 
 
+def _passing(node: Any) -> float:
+    """The share of light that a shader lets through, as far as it is constant."""
+    passing = node.inputs.get("Transmission Weight") or node.inputs.get("Transmission")
+    alpha = node.inputs.get("Alpha")
+    through = 0.0 if passing is None else _constant(passing, 0.0)
+    return max(through, 0.0 if alpha is None else 1.0 - _constant(alpha, 1.0))
+
+
 def _mixed_shaders(node: Any) -> Look | None:
     sides = [_shader(_source(s)) if s.links else None for s in node.inputs[1:3]]
     if node.inputs[0].links:
         known = [side for side in sides if side is not None]
-        return replace(known[0], is_whole=False) if known else None
+        clear = len(known) == len(sides) and all(side.is_clear for side in known)
+        return replace(known[0], is_whole=False, is_clear=clear) if known else None
     return _mixed(sides[0], sides[1], float(node.inputs[0].default_value))
 
 
@@ -117,7 +130,8 @@ def _mixed(a: Look | None, b: Look | None, share: float) -> Look | None:
         return found and replace(found, is_whole=False)
     if a.is_plain and b.is_plain:
         value = (1 - share) * a.value + share * b.value
-        return Look(value, is_whole=a.is_whole and b.is_whole)
+        clear = (1 - share) * a.is_clear + share * b.is_clear >= HALF
+        return Look(value, is_whole=a.is_whole and b.is_whole, is_clear=clear)
     if share in (0.0, 1.0):
         return b if share else a
     return replace(b if share > 0.5 else a, is_whole=False)
@@ -229,6 +243,7 @@ class LightnessReader:
     def __init__(self) -> None:
         self.unread: dict[str, str] = {}  # what is wrong with an image, by its name
         self.partly: list[str] = []  # names of materials
+        self._looks: dict[Any, Look] = {}
         self._textures: dict[tuple[Any, str], TextureArrays | None] = {}
 
     def read(self, arrays: Any, mesh: Any, materials: Iterable[Any]) -> None:
@@ -246,8 +261,13 @@ class LightnessReader:
                 self._tint(arrays, mesh, looks[i].attribute, of_corners == i)
         self._cover(arrays, mesh, looks, of_faces, of_corners)
 
+    def is_clear(self, materials: list[Any]) -> bool:
+        """True where there are materials and all are seen through."""
+        return bool(materials) and all(self._look(material).is_clear for material in materials)
+
     def _look(self, material: Any) -> Look:
-        look = look_of(material)
+        look = self._looks.get(material) or look_of(material)
+        self._looks[material] = look
         if material is not None and not look.is_whole and material.name not in self.partly:
             self.partly.append(material.name)
         return look

@@ -193,6 +193,7 @@ WIDTHS = ("line_width_px", "feature_width_px", "hatch_width_px", "hidden_width_s
 STYLE_DEFAULTS = {
     "ignore": False,
     "occlude_only": False,
+    "see_through": False,
     "lines": True,
     "hatching": True,
     "loose_edges": False,

@@ -37,6 +37,12 @@ OPTIONS: dict[str, Any] = {
         default=False,
         description="Hide what is behind it, but do not draw it",
     ),
+    "see_through": BoolProperty(
+        name="See Through",
+        default=False,
+        description="Hide nothing behind it and hatch it not, as glass; objects whose materials "
+        "are all transparent are drawn so too",
+    ),
     "lines": BoolProperty(name="Lines", default=True, description="Draw its lines"),
     "hatching": BoolProperty(name="Hatching", default=True, description="Hatch it"),
     "loose_edges": BoolProperty(

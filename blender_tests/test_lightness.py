@@ -164,3 +164,22 @@ def test_frames_of_a_sequence_are_exposed_alike(scene: Any) -> None:
         scene, bpy.context.evaluated_depsgraph_get(), exposed_as=first.drawing
     )
     assert third.drawing.tone.exposure == pytest.approx(first.drawing.tone.exposure)
+
+
+@pytest.mark.parametrize("kind", ["alpha", "transmission", "glass", "half"])
+def test_objects_of_transparent_materials_are_seen_through(scene: Any, kind: str) -> None:
+    made, shader = material()
+    name = "Transmission Weight" if bpy.app.version >= (4, 0, 0) else "Transmission"
+    if kind == "alpha":
+        shader.inputs["Alpha"].default_value = 0.3
+    elif kind == "transmission":
+        shader.inputs[name].default_value = 1.0
+    else:
+        surface = shader.outputs[0].links[0].to_socket
+        glass = made.node_tree.nodes.new("ShaderNodeBsdfGlass")
+        made.node_tree.links.new(glass.outputs[0], surface)
+    thing = board(scene, made)
+    if kind == "half":
+        thing.data.materials.append(material()[0])
+    (style,) = read(scene).styles
+    assert style.get("see_through", False) == (kind != "half")

@@ -139,6 +139,7 @@ void bind_object_style(py::module_& m) {
   bound.def(py::init(&from_keywords<ObjectStyle>));
   OPTION("ignore", ignore, "Left out entirely: neither drawn nor in front of anything");
   OPTION("occlude_only", occlude_only, "Hides what is behind it, but is not drawn");
+  OPTION("see_through", see_through, "Hides nothing and is not hatched, as glass");
   OPTION("lines", lines, "Whether its lines are drawn");
   OPTION("hatching", hatching, "Whether it is hatched");
   OPTION("loose_edges", loose_edges, "Its edges of no face are drawn in any case");

@@ -359,6 +359,8 @@ class ObjectStyle:
 
     ignore: bool
     """Left out entirely: neither drawn nor in front of anything."""
+    see_through: bool
+    """Hides nothing and is not hatched, as glass. Its own lines are drawn, but not in the graph."""
     occlude_only: bool
     """Hides what is behind it, but is not drawn."""
     lines: bool

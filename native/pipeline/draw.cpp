@@ -10,6 +10,7 @@
 #include "hatch/even_hatches.h"
 #include "hatch/reduce_hatches.h"
 #include "occlusion/visible_image.h"
+#include "pipeline/see_through.h"
 #include "pipeline/seen_scene.h"
 #include "pipeline/stopwatch.h"
 #include "visibility/label_network.h"
@@ -280,6 +281,9 @@ DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOption
                 const Drawing* previous) {
   validate(options, prepared.object_count());
   for (std::size_t i = 0; i < lights.size(); ++i) validate(lights[i], i);
+  if (any_is_seen_through(options.styles)) {
+    return draw_seen_through(prepared, camera, options, lights, progress, previous);
+  }
   const bool hatching = anything_is_hatched(options);
   const SeenScene scene(prepared, options.styles, options.threads, progress.part(0, 0.1));
   const CrossField* field = hatching ? &prepared.field(progress.part(0.1, 0.3)) : nullptr;

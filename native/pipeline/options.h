@@ -31,6 +31,7 @@ void validate(const PrepareOptions& options);  // throws InvalidInput naming the
 struct ObjectStyle {
   bool ignore = false;        // left out entirely: neither drawn nor in front of anything
   bool occlude_only = false;  // hides what is behind it, but is not drawn
+  bool see_through = false;   // hides nothing and is not hatched, as glass (pipeline/see_through.h)
   bool lines = true;
   bool hatching = true;
   bool loose_edges = false;  // drawn too, whatever the options say

@@ -377,6 +377,24 @@ def test_hidden_lines_are_drawn_by_their_layers() -> None:
         drawn(3, 2)
 
 
+def test_glass_hides_nothing_and_keeps_its_own_outlines() -> None:
+    """A torus before a sphere; a third shape hides a part of the torus."""
+    shapes = [torus().moved((0.0, -2.0, 0.1)), sphere(), sphere().moved((1.2, -4.0, 0.4))]
+    camera = look_at((0.15, -1.0, 0.2), 3.6, size_px=LARGE_PX)
+    prepared = prepared_of(*shapes)
+
+    def drawn(*styles: ill.ObjectStyle) -> ill.Drawing:
+        return ill.draw(prepared, camera, ill.DrawOptions(styles=styles, **ALIKE))
+
+    usual, ignored = ill.ObjectStyle(), ill.ObjectStyle(ignore=True)
+    glass = drawn(ill.ObjectStyle(see_through=True), usual, usual)
+    without, whole = drawn(ignored, usual, usual), drawn(usual, usual, usual)
+    is_glass = glass.objects == 0
+    assert strokes(glass, ~is_glass) == strokes(without, without.objects > 0)
+    assert strokes(glass, is_glass) == strokes(whole, whole.objects == 0)
+    assert is_glass.any() and (~is_glass).any()
+
+
 def test_styles_change_no_line_of_others() -> None:
     """Three shapes, each partly behind the one before."""
     shapes = [sphere(), torus().moved((-0.6, 1.9, 0.2)), sphere().moved((-1.5, 4.2, -0.9))]

@@ -1,0 +1,67 @@
+#include "pipeline/see_through.h"
+
+#include <algorithm>
+
+namespace illustrate {
+namespace {
+
+constexpr double first_share = 0.75;  // of the progress
+
+DrawOptions without_glass(DrawOptions options) {
+  for (ObjectStyle& style : options.styles) {
+    style.ignore |= style.see_through;
+    style.see_through = false;
+  }
+  return options;
+}
+
+DrawOptions glass_alone(DrawOptions options) {
+  options.hatching = false;
+  for (ObjectStyle& style : options.styles) {
+    style.occlude_only |= !style.see_through;
+    style.see_through = false;
+  }
+  return options;
+}
+
+template <class T>
+void append(std::vector<T>& values, const std::vector<T>& more) {
+  values.insert(values.end(), more.begin(), more.end());
+}
+
+void append(Drawing& drawing, const Drawing& more) {
+  const int points = drawing.offsets.back();
+  for (std::size_t s = 1; s < more.offsets.size(); ++s) {
+    drawing.offsets.push_back(points + more.offsets[s]);
+  }
+  append(drawing.points, more.points);
+  append(drawing.image, more.image);
+  append(drawing.widths, more.widths);
+  append(drawing.on, more.on);
+  append(drawing.kinds, more.kinds);
+  append(drawing.closed, more.closed);
+  append(drawing.objects, more.objects);
+  append(drawing.invisibility, more.invisibility);
+}
+
+}  // namespace
+
+bool any_is_seen_through(const std::vector<ObjectStyle>& styles) {
+  return std::any_of(styles.begin(), styles.end(),
+                     [](const ObjectStyle& s) { return s.see_through && !s.ignore; });
+}
+
+DrawResult draw_seen_through(const Prepared& prepared, const Camera& camera,
+                             const DrawOptions& options, const std::vector<Light>& lights,
+                             const Progress& progress, const Drawing* previous) {
+  DrawResult result = draw(prepared, camera, without_glass(options), lights,
+                           progress.part(0, first_share), previous);
+  const DrawResult glass =
+      draw(prepared, camera, glass_alone(options), lights, progress.part(first_share, 1));
+  append(result.drawing, glass.drawing);
+  for (const auto& [name, count] : glass.counts) result.counts[name] += count;
+  for (const auto& [name, seconds] : glass.timings) result.timings[name] += seconds;
+  return result;
+}
+
+}  // namespace illustrate
