@@ -72,7 +72,8 @@ double Texture::at(const Level& level, const Vec2& uv) const {
 double Texture::mean_at(const Vec2& uv, double texels) const {
   if (!uv.allFinite() || uv.cwiseAbs().maxCoeff() > farthest_uv) return 0;
   const double highest = static_cast<double>(levels_.size() - 1);
-  const double level = std::clamp(std::log2(std::max(texels, 1.0)), 0.0, highest);
+  const double halvings = std::log(std::max(texels, 1.0)) / std::log(2.0);
+  const double level = std::clamp(halvings, 0.0, highest);
   const auto fine = static_cast<std::size_t>(level);
   const double share = level - std::floor(level);
   const double value = at(levels_[fine], uv);
