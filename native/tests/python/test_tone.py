@@ -54,7 +54,7 @@ def check_bands(
 
 
 def test_overlapping_balls_have_both_bands(balls: ill.Prepared) -> None:
-    drawing = ill.draw(balls, CAMERA)
+    drawing = ill.draw(balls, CAMERA, ill.DrawOptions(undercut_contact=0))
     outside = distance_to_outline(balls, drawing)
     check_bands(outside, drawing.tone.band, 6, 14)
     check_drawing(drawing, CAMERA)
@@ -65,7 +65,7 @@ def test_overlapping_balls_have_both_bands(balls: ill.Prepared) -> None:
 def test_bands_may_be_given_in_millimetres(balls: ill.Prepared) -> None:
     lengths = ill.lengths_in_pixels(SIZE_PX / 64, mach_band_mm=2.0, undercut_mm=4.5)
     assert lengths == {"mach_band_px": 8, "undercut_px": 18}
-    drawing = ill.draw(balls, CAMERA, ill.DrawOptions(**lengths))
+    drawing = ill.draw(balls, CAMERA, ill.DrawOptions(undercut_contact=0, **lengths))
     check_bands(distance_to_outline(balls, drawing), drawing.tone.band, 8, 18)
 
 
@@ -92,7 +92,9 @@ def hatch_points(drawing: ill.Drawing) -> NDArray[np.float64]:
 
 
 def test_hatches_keep_out_of_mach_bands_and_fill_undercuts(balls: ill.Prepared) -> None:
-    options = ill.DrawOptions(mach_band_px=8, undercut_px=16, highlight_threshold=0.5)
+    options = ill.DrawOptions(
+        mach_band_px=8, undercut_px=16, highlight_threshold=0.5, undercut_contact=0
+    )
     drawing = ill.draw(balls, CAMERA, options)
     outside = distance_to_outline(balls, drawing)
     points = hatch_points(drawing)
