@@ -77,6 +77,11 @@ class Assembler {
     return planes.empty() ? none : planes[idx(mesh_.base_faces[idx(face)])];
   }
 
+  int input_face(int face) const {
+    const std::vector<int>& sources = object_.base.source_faces;
+    return sources.empty() ? none : sources[idx(mesh_.base_faces[idx(face)])];
+  }
+
   void find_drawn_corners() {
     for (int f = 0; f < faces(); ++f) {
       if (!is_drawn(f)) continue;
@@ -152,8 +157,7 @@ class Assembler {
     for (const Triangle& local : split(face, work)) {
       for (int k = 0; k < 3; ++k) add_corner(face, local, 3 * number + k, work);
       surface_.triangle_planes[idx(number)] = plane_of(face);
-      surface_.triangle_faces[idx(number)] =
-          object_.base.source_faces[idx(mesh_.base_faces[idx(face)])];
+      surface_.triangle_faces[idx(number)] = input_face(face);
       surface_.patches[idx(number++)] = patch_triangle(face, local);
     }
     connect_diagonals(work.diagonals);
