@@ -142,7 +142,7 @@ def read_request(scene: Any, depsgraph: Any) -> Request:
     if chosen.lighting == "SIDE":
         arrays.lights = [LightArrays("side", None, 1.0)]
     draw = settings.draw_values(chosen, arrays.camera.width_px)
-    draw["auto_exposure"] = chosen.lighting == "SCENE" and chosen.auto_exposure
+    draw["auto_exposure"] = shares_exposure(chosen)
     return Request(
         scene.name,
         arrays,
@@ -152,6 +152,11 @@ def read_request(scene: Any, depsgraph: Any) -> Request:
         _guide_warnings(scene, arrays),
         time.perf_counter() - start,
     )
+
+
+def shares_exposure(chosen: Any) -> bool:
+    """True where the settings have the exposure found, once for the frames of a sequence."""
+    return bool(chosen.lighting == "SCENE" and chosen.auto_exposure)
 
 
 def compute(

@@ -257,6 +257,26 @@ def test_frames_of_one_command_share_an_exposure(tmp_path: Any) -> None:
     assert len(set(exposures(whole))) == 1
 
 
+@pytest.mark.usefixtures("shot")
+def test_a_frame_to_expose_as_that_cannot_be_drawn(tmp_path: Any, capsys: Any) -> None:
+    bad_at(2)
+    assert draw(tmp_path / "out", "--frames", "3-4", "--expose-as", "2") == 1
+    errors = capsys.readouterr().err
+    assert "error: frame 3: frame 2, of --expose-as: Nothing in scene" in errors
+    assert "failed frames: 3, 4 (2 of 2 frames)" in errors
+    bpy.context.scene.illustrate.auto_exposure = False
+    assert draw(tmp_path / "out", "--frames", "3-4", "--expose-as", "2") == 0
+
+
+@pytest.mark.usefixtures("shot")
+def test_frames_that_are_all_there_cost_nothing(tmp_path: Any, seeds: list[Any]) -> None:
+    arguments = ("--frames", "1-2", "--skip-existing", "--expose-as", "3", "--warm-up", "1")
+    assert draw(tmp_path, *arguments) == 0
+    seeds.clear()
+    assert draw(tmp_path, *arguments) == 0
+    assert not seeds
+
+
 @pytest.fixture
 def seeds(monkeypatch: Any) -> list[Any]:
     """Drawings that others were started from, None for each that was not."""

@@ -14,7 +14,7 @@ from typing import Any
 import bpy
 
 from .. import native, output
-from ..illustration import Illustration, compute, read_request
+from ..illustration import Illustration, compute, read_request, shares_exposure
 from ..messages import IllustrateError, counted
 from ..output import files, stamps
 from .lines import Progress, complain, say, time_text
@@ -40,10 +40,9 @@ class Sequence:
         self._exposure: float | None = None
 
     def draw(self) -> list[int]:
-        """Draws and writes all frames; those that failed. Raises IllustrateError."""
+        """Draws and writes all frames; those that failed."""
         failed = []
         for frame in self._frames:
-            self._find_exposure(frame)
             if not self._succeeds(frame):
                 failed.append(frame)
             self._progress.end()
@@ -71,6 +70,7 @@ class Sequence:
             self._last = None
             return
         start = time.perf_counter()
+        self._find_exposure(frame)
         self._warm_up(frame)
         name = file_name(self._chosen.name, frame)
         made = self._drawn(frame, name)
@@ -107,14 +107,18 @@ class Sequence:
 
     def _find_exposure(self, frame: int) -> None:
         """That of --expose-as, or of files that are there, where it is not known yet."""
-        if self._exposure is not None:
+        asked, settings = self._chosen.expose_as, self._scene.illustrate
+        if self._exposure is not None or not shares_exposure(settings):
             return
-        if self._chosen.expose_as is not None:
-            self._drawn(self._chosen.expose_as, f"exposing as frame {self._chosen.expose_as}")
+        if asked is not None:
+            try:
+                self._drawn(asked, f"exposing as frame {asked}")
+            except IllustrateError as error:
+                raise IllustrateError(f"frame {asked}, of --expose-as: {error}") from error
             self._last = None
         elif self._chosen.skip_existing:
-            rest = self._frames[self._frames.index(frame) :]
-            stamp = next(filter(None, map(self._existing, rest)), None)
+            others = (self._existing(other) for other in self._frames if other != frame)
+            stamp = next(filter(None, others), None)
             self._exposure = None if stamp is None else stamp["exposure"]
 
     def _existing(self, frame: int) -> dict[str, Any] | None:

@@ -17,7 +17,8 @@ from ..cache import digest
 
 _LOOK = ("resolution_x", "resolution_y", "resolution_percentage", "pixel_aspect_x",
          "pixel_aspect_y", "film_transparent")  # fmt: skip
-_NO_LOOK = {"frame_start", "frame_end", "frame_step", "use_scene_range", "keep_frames", "threads"}
+_NO_LOOK = {"frame_start", "frame_end", "frame_step", "use_scene_range", "keep_frames", "threads",
+            "rna_type"}  # fmt: skip
 _SKIPPED = 0x184D2A50  # begins a frame that Zstandard passes over; plain files have ended before it
 _TITLE = b"illustrate-stamp "
 _MOST = 4096  # bytes of a stamp in a .blend
@@ -41,8 +42,8 @@ def stamp_of(scene: Any, width_mm: float, svg_style: str) -> dict[str, Any]:
 
 def _values(settings: Any) -> list[tuple[str, str]]:
     """Names and values of a group of properties, as text."""
-    names = sorted(type(settings).__annotations__.keys() - _NO_LOOK)
-    return [(name, _text(getattr(settings, name))) for name in names]
+    names = {prop.identifier for prop in settings.bl_rna.properties} - _NO_LOOK
+    return [(name, _text(getattr(settings, name))) for name in sorted(names)]
 
 
 def _text(value: Any) -> str:
