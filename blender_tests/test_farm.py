@@ -383,6 +383,17 @@ def test_two_workers_on_the_same_frames(shot: Any, tmp_path: Any) -> None:
     assert sorted(p.name for p in tmp_path.iterdir()) == ["out", "shot.blend"]
 
 
+def test_nothing_is_written_elsewhere(shot: Any, tmp_path: Any) -> None:
+    home = tmp_path / "home"
+    home.mkdir()
+    arguments = ("--out", str(tmp_path / "out"), "--frames", "1-2", *FORMATS)
+    ran = tools.run_script(SCRIPT, *arguments, blend=shot, variables={"HOME": str(home)})
+    assert ran.returncode == 0, ran.stdout + ran.stderr
+    assert len(contents(tmp_path / "out")) == 8
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["home", "out", "shot.blend"]
+    assert not [path for path in home.rglob("*") if path.suffix in (".png", ".blend", ".txt")]
+
+
 @pytest.mark.usefixtures("shot")
 def test_many_frames_leave_nothing_behind(tmp_path: Any) -> None:
     assert draw(tmp_path, "--frames", "1-3", "--name", "same_#") == 0

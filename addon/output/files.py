@@ -66,10 +66,21 @@ def write_blend(path: str, made_by: dict[str, Any] | None = None) -> None:
 
     Raises OSError or RuntimeError.
     """
-    with _whole(path) as unfinished:
+    with _whole(path) as unfinished, _no_preview():
         bpy.ops.wm.save_as_mainfile(filepath=unfinished, copy=True, check_existing=False)
         if made_by is not None:
             append_stamp(unfinished, made_by)
+
+
+@contextmanager
+def _no_preview() -> Iterator[None]:
+    """Meanwhile Blender puts no picture of what it saves into the user's cache of thumbnails."""
+    paths = bpy.context.preferences.filepaths
+    before, paths.file_preview_type = paths.file_preview_type, "NONE"
+    try:
+        yield
+    finally:
+        paths.file_preview_type = before
 
 
 @contextmanager
