@@ -13,6 +13,7 @@ from . import (
     ui,
     viewport,
 )
+from .farm import operator as farm_operator
 from .worker import stop_all
 
 bl_info = {
@@ -33,6 +34,7 @@ PARTS = (
     cache,
     operators,
     bake,
+    farm_operator,
     *viewport.PARTS,
     *ui.PARTS,
     translations,

@@ -62,8 +62,12 @@ class Request:
 
         Nothing where the exposure is not automatic, and where there is no other drawing.
         """
-        if drawing is not None and self.draw["auto_exposure"]:
-            self.draw |= {"auto_exposure": False, "exposure": drawing.tone.exposure}
+        self.expose(None if drawing is None else drawing.tone.exposure)
+
+    def expose(self, exposure: float | None) -> None:
+        """The same with the exposure that another drawing had (ToneMap.exposure), or None."""
+        if exposure is not None and self.draw["auto_exposure"]:
+            self.draw |= {"auto_exposure": False, "exposure": exposure}
 
     @cached_property
     def meshes_key(self) -> str:
@@ -108,18 +112,13 @@ class Illustration:
         return [mesh.name for mesh in self.arrays.meshes]
 
 
-def illustrate(
-    scene: Any, depsgraph: Any, progress: Progress | None = None, exposed_as: Any = None
-) -> Illustration:
+def illustrate(scene: Any, depsgraph: Any, progress: Progress | None = None) -> Illustration:
     """Draws a scene with its own settings (scene.illustrate); nothing is written.
 
-    progress(fraction of the whole, stage) is called now and then; False stops. exposed_as: the
-    drawing of another frame of the same sequence, for Request.expose_as.
+    progress(fraction of the whole, stage) is called now and then; False stops.
     Raises IllustrateError when there is no drawing to be made.
     """
-    request = read_request(scene, depsgraph)
-    request.expose_as(exposed_as)
-    return compute(request, progress)
+    return compute(read_request(scene, depsgraph), progress)
 
 
 def prepare_scene(scene: Any, depsgraph: Any, progress: Progress | None = None) -> Any:
@@ -143,7 +142,7 @@ def read_request(scene: Any, depsgraph: Any) -> Request:
     if chosen.lighting == "SIDE":
         arrays.lights = [LightArrays("side", None, 1.0)]
     draw = settings.draw_values(chosen, arrays.camera.width_px)
-    draw["auto_exposure"] = chosen.lighting == "SCENE" and chosen.auto_exposure
+    draw["auto_exposure"] = shares_exposure(chosen)
     return Request(
         scene.name,
         arrays,
@@ -153,6 +152,11 @@ def read_request(scene: Any, depsgraph: Any) -> Request:
         _guide_warnings(scene, arrays),
         time.perf_counter() - start,
     )
+
+
+def shares_exposure(chosen: Any) -> bool:
+    """True where the settings have the exposure found, once for the frames of a sequence."""
+    return bool(chosen.lighting == "SCENE" and chosen.auto_exposure)
 
 
 def compute(

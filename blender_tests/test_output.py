@@ -177,7 +177,7 @@ def test_files_appear_whole_or_not_at_all(scene: Any, tmp_path: Any, monkeypatch
     def fail(*_: Any) -> None:
         raise OSError("disk full")
 
-    monkeypatch.setattr(files, "_text", fail)
+    monkeypatch.setattr(files.os, "replace", fail)
     with pytest.raises(IllustrateError, match=r"cube\.svg.*disk full"):
         files.write_file(str(tmp_path / "cube.svg"), cube)
     assert [path.name for path in tmp_path.iterdir()] == ["cube.svg"]

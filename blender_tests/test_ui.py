@@ -136,7 +136,7 @@ def test_styles_have_panels(scene: Any) -> None:
 
 def test_menus_have_an_entry() -> None:
     assert draw(menus.ILLUSTRATE_MT_main) == [
-        "illustrate.illustrate", "illustrate.bake", "illustrate.clear",
+        "illustrate.illustrate", "illustrate.bake", "illustrate.import_frames", "illustrate.clear",
     ]  # fmt: skip
     for name in menus.MENUS:
         entries = getattr(bpy.types, name)._dyn_ui_initialize()

@@ -23,18 +23,23 @@ def read(scene: Any, **options: Any) -> Any:
 
 
 def run_script(
-    script: Any, *arguments: str, blend: Any = None, user: Any = None
+    script: Any,
+    *arguments: str,
+    blend: Any = None,
+    user: Any = None,
+    variables: dict[str, str] | None = None,
 ) -> subprocess.CompletedProcess[str]:
     """Runs a script in another process of this Blender, program or module.
 
     blend: a file to open. user: a folder for the settings of a new user; else those of this one.
+    variables: of the environment, besides those of this process.
     """
     opened = [] if blend is None else [str(blend)]
     command = [sys.executable, str(script), *opened, *arguments]
     if bpy.app.binary_path:
         start = [bpy.app.binary_path, "-b", "--factory-startup", *opened]
         command = [*start, "--python-exit-code", "3", "--python", str(script), "--", *arguments]
-    variables = dict(os.environ)
+    variables = {**os.environ, **(variables or {})}
     for name in ("RESOURCES", "CONFIG", "SCRIPTS") if user else ():
         folder = pathlib.Path(user) / name.lower()
         folder.mkdir(parents=True, exist_ok=True)

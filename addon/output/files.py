@@ -1,17 +1,20 @@
 """Files of an illustration: each appears whole or not at all."""
 
 import os
+import signal
 import tempfile
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from typing import Any
+from uuid import uuid4
 
 import bpy
 
 from .. import native
 from ..messages import IllustrateError
 from .png import png_of
+from .stamps import append_stamp
 
 FORMATS = ("svg", "png", "json", "blend")
 
@@ -27,6 +30,7 @@ class Page:
     strokes: list[Any]  # the objects that hold the strokes
     width_mm: float = 200.0
     svg_style: str = "centerline"
+    made_by: dict[str, Any] | None = None  # the stamp (stamps.py)
 
 
 def prepare_folder(folder: str) -> None:
@@ -48,52 +52,98 @@ def write_file(path: str, page: Page) -> None:
     Raises IllustrateError when the file cannot be written; then there is none.
     """
     file_format = os.path.splitext(path)[1][1:]
-    write = {"svg": _svg, "png": _png, "json": _json, "blend": _blend}[file_format]
     try:
-        with _whole(path) as unfinished:
-            write(unfinished, page)
+        if file_format == "blend":
+            write_blend(path, page.made_by)
+        else:
+            _write(path, {"svg": _svg, "png": png_of, "json": _json}[file_format](page))
     except (OSError, RuntimeError) as error:
         raise IllustrateError(f'"{path}" cannot be written: {error}') from error
 
 
+def write_blend(path: str, made_by: dict[str, Any] | None = None) -> None:
+    """A copy of the open file as it is, illustration and all; the open file stays the open file.
+
+    Raises OSError or RuntimeError.
+    """
+    with _whole(path) as unfinished, _no_preview():
+        bpy.ops.wm.save_as_mainfile(filepath=unfinished, copy=True, check_existing=False)
+        if made_by is not None:
+            append_stamp(unfinished, made_by)
+
+
+@contextmanager
+def _no_preview() -> Iterator[None]:
+    """Meanwhile Blender puts no picture of what it saves into the user's cache of thumbnails."""
+    paths = bpy.context.preferences.filepaths
+    before, paths.file_preview_type = paths.file_preview_type, "NONE"
+    try:
+        yield
+    finally:
+        paths.file_preview_type = before
+
+
 @contextmanager
 def _whole(path: str) -> Iterator[str]:
-    """A name beside `path` to write to, which becomes `path` at the end when all went well."""
+    """A name beside `path` to write to, which becomes `path` at the end when all went well.
+
+    No other process has that name, on whatever machine.
+    """
     folder, name = os.path.split(os.path.abspath(path))
     stem, extension = os.path.splitext(name)
-    unfinished = os.path.join(folder, f".{stem}.{os.getpid()}.unfinished{extension}")
-    try:
+    unfinished = os.path.join(folder, f".{stem}.{uuid4().hex[:12]}.unfinished{extension}")
+    with _removed_at_the_end(unfinished):
         yield unfinished
         os.replace(unfinished, path)
+
+
+@contextmanager
+def _removed_at_the_end(path: str) -> Iterator[None]:
+    """Removes the file, also when SIGTERM ends the process, which it does at once elsewhere."""
+
+    def end(number: int, _frame: Any) -> None:
+        _remove(path)
+        signal.signal(number, before)
+        os.kill(os.getpid(), number)
+
+    before = signal.signal(signal.SIGTERM, end) or signal.SIG_DFL
+    try:
+        yield
     finally:
-        if os.path.exists(unfinished):
-            os.remove(unfinished)
+        _remove(path)
+        signal.signal(signal.SIGTERM, before)
 
 
-def _svg(path: str, page: Page) -> None:
-    text = native.load_part("svg").to_svg(
-        page.drawing, page.camera.width_px, page.camera.height_px, page.width_mm, page.svg_style
+def _remove(path: str) -> None:
+    with suppress(FileNotFoundError):
+        os.remove(path)
+
+
+def _write(path: str, data: bytes) -> None:
+    with _whole(path) as unfinished, open(unfinished, "wb") as file:
+        file.write(data)
+
+
+def _svg(page: Page) -> bytes:
+    camera = page.camera
+    text: str = native.load_part("svg").to_svg(
+        page.drawing,
+        camera.width_px,
+        camera.height_px,
+        page.width_mm,
+        page.svg_style,
+        page.made_by,
     )
-    _text(path, text)
+    return text.encode()
 
 
-def _json(path: str, page: Page) -> None:
-    text = native.load_part("drawing_json").to_json(
-        page.drawing, page.camera.width_px, page.camera.height_px, page.names
+def _json(page: Page) -> bytes:
+    """With the camera, without which the width of strokes in the world is not known."""
+    camera, made_by = page.camera, page.made_by
+    if made_by is not None:
+        matrices = {name: getattr(camera, name).tolist() for name in ("projection", "view")}
+        made_by = {**made_by, "camera": matrices}
+    text: str = native.load_part("drawing_json").to_json(
+        page.drawing, camera.width_px, camera.height_px, page.names, made_by
     )
-    _text(path, text)
-
-
-def _text(path: str, text: str) -> None:
-    with open(path, "w", encoding="utf-8", newline="\n") as file:
-        file.write(text)
-
-
-def _png(path: str, page: Page) -> None:
-    with open(path, "wb") as file:
-        file.write(png_of(page))
-
-
-def _blend(path: str, _page: Page) -> None:
-    """A copy of the open file as it is, illustration and all; the open file stays the open file."""
-    bpy.ops.wm.save_as_mainfile(filepath=path, copy=True, check_existing=False)
+    return text.encode()

@@ -15,8 +15,9 @@ def png_of(page: Any) -> bytes:
     png = native.load_part("png")
     paper = (255, 255, 255, 0) if page.scene.render.film_transparent else png.WHITE
     camera = page.camera
+    size = camera.width_px, camera.height_px
     return bytes(
-        png.to_png(page.drawing, camera.width_px, camera.height_px, page.width_mm, colours, paper)
+        png.to_png(page.drawing, *size, page.width_mm, colours, paper, made_by=page.made_by)
     )
 
 

@@ -6,8 +6,8 @@ Needs numpy only. Numbers are written so that reading gives the same floats agai
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -34,23 +34,31 @@ class StoredDrawing:
     closed: NDArray[np.bool_]  # (s,)
     objects: NDArray[np.int32]  # (s,)
     invisibility: NDArray[np.int32]  # (s,)
+    made_by: dict[str, Any] = field(default_factory=dict)  # as given to `to_json`
 
 
 def to_json(
-    drawing: DrawingArrays, width_px: int, height_px: int, object_names: Sequence[str] = ()
+    drawing: DrawingArrays,
+    width_px: int,
+    height_px: int,
+    object_names: Sequence[str] = (),
+    made_by: Mapping[str, Any] | None = None,
 ) -> str:
     """JSON text of a drawing made for an image of width_px by height_px; one stroke a line.
 
-    object_names: what drawing.objects number, in that order.
+    object_names: what drawing.objects number, in that order. made_by: what the file is to say of
+    its making, of JSON's types.
     Raises ValueError for numbers that are not finite.
     """
-    head = {
+    head: dict[str, Any] = {
         "format": FORMAT,
         "version": VERSION,
         "width_px": int(width_px),
         "height_px": int(height_px),
         "objects": list(object_names),
     }
+    if made_by is not None:
+        head["made_by"] = dict(made_by)
     strokes = ",\n".join(
         json.dumps(_stroke(drawing, i), allow_nan=False) for i in range(len(drawing.kinds))
     )
@@ -115,4 +123,5 @@ def _from_strokes(data: dict[str, Any], strokes: list[dict[str, Any]]) -> Stored
         closed=each("closed", np.bool_),
         objects=each("object", np.int32),
         invisibility=each("invisibility", np.int32),
+        made_by=dict(data.get("made_by", {})),
     )

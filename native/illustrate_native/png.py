@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import json
 import struct
 import zlib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +19,7 @@ WHITE = (255, 255, 255, 255)
 _SIGNATURE = b"\x89PNG\r\n\x1a\n"
 _TRUE_COLOUR, _WITH_ALPHA = 2, 6
 _PIXELS_PER_METRE = 1
+_KEYWORD = b"Illustrate\0"  # of the text that says how the picture was made
 
 Colour = tuple[int, int, int, int]
 """Red, green, blue, alpha in [0, 255], encoded as in sRGB."""
@@ -29,11 +32,13 @@ def to_png(
     width_mm: float = 200.0,
     colours: Mapping[str, Colour] | None = None,
     paper: Colour = WHITE,
+    made_by: Mapping[str, Any] | None = None,
 ) -> bytes:
     """PNG of a drawing made for an image of width_px by height_px, which is its size.
 
     width_mm: of the page, for its resolution in print. colours: of groups of lines, by their
     titles (line_groups); black where none is given. paper: may be transparent.
+    made_by: what the file is to say of its making, of JSON's types; it is in a text chunk.
     Raises InvalidInput for a size that cannot be used.
     """
     pixels = to_pixels(drawing, width_px, height_px, colours or {}, paper)
@@ -42,6 +47,7 @@ def to_png(
     rows = np.zeros((height_px, 1 + width_px * pixels.shape[2]), np.uint8)  # each with filter 0
     rows[:, 1:] = pixels.reshape(height_px, -1)
     kind = _TRUE_COLOUR if pixels.shape[2] == 3 else _WITH_ALPHA
+    told = [] if made_by is None else [_chunk(b"tEXt", _KEYWORD + json.dumps(made_by).encode())]
     density = round(1000 * width_px / width_mm)
     return b"".join(
         (
@@ -49,6 +55,7 @@ def to_png(
             _chunk(b"IHDR", struct.pack(">IIBBBBB", width_px, height_px, 8, kind, 0, 0, 0)),
             _chunk(b"sRGB", b"\0"),
             _chunk(b"pHYs", struct.pack(">IIB", density, density, _PIXELS_PER_METRE)),
+            *told,
             _chunk(b"IDAT", zlib.compress(rows.tobytes(), 6)),
             _chunk(b"IEND", b""),
         )
@@ -87,3 +94,26 @@ def to_pixels(
 
 def _chunk(name: bytes, data: bytes) -> bytes:
     return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+
+
+def read_made_by(data: bytes) -> dict[str, Any]:
+    """What `to_png` was given as made_by. Raises ValueError where there is none, or damage."""
+    chunks = list(_chunks(data))
+    told = [body for name, body in chunks if name == b"tEXt" and body.startswith(_KEYWORD)]
+    if not told or chunks[-1][0] != b"IEND":
+        raise ValueError("not a whole drawing that says how it was made")
+    return dict(json.loads(told[0][len(_KEYWORD) :]))
+
+
+def _chunks(data: bytes) -> Iterator[tuple[bytes, bytes]]:
+    """Names and bodies. Raises ValueError for bytes that are no PNG, or a damaged one."""
+    if not data.startswith(_SIGNATURE):
+        raise ValueError("not a PNG")
+    start = len(_SIGNATURE)
+    while start < len(data):
+        size = int.from_bytes(data[start : start + 4], "big")
+        name, body = data[start + 4 : start + 8], data[start + 8 : start + 8 + size]
+        if data[start : start + 12 + size] != _chunk(name, body):
+            raise ValueError("a damaged PNG")
+        yield name, body
+        start += 12 + size

@@ -5,7 +5,11 @@ Needs numpy only. The same drawing gives the same bytes.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import json
+import re
+from collections.abc import Iterator, Mapping
+from typing import Any
+from xml.sax.saxutils import escape, unescape
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +23,8 @@ _HEAD = """<?xml version="1.0" encoding="UTF-8"?>
 <svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"
      version="1.1" width="{width}mm" height="{height}mm" viewBox="0 0 {width_px} {height_px}">"""
 _GROUP = '<g id="{id}" inkscape:groupmode="layer" inkscape:label="{title}" {paint}>'
+_METADATA = '<metadata id="illustrate">{}</metadata>'
+_END = "</svg>"
 _PAINT = {
     "centerline": 'fill="none" stroke="#000" stroke-linecap="round" stroke-linejoin="round"',
     "tapered": 'fill="#000" stroke="none"',
@@ -31,12 +37,14 @@ def to_svg(
     height_px: int,
     width_mm: float = 200.0,
     style: str = "centerline",
+    made_by: Mapping[str, Any] | None = None,
 ) -> str:
     """SVG text of a drawing made for an image of width_px by height_px.
 
     The page is width_mm wide, its height follows; user units are pixels of the image. style
     'centerline': one path per stroke along its middle, as wide as the stroke's mean width;
     'tapered': the filled outline of each stroke, as wide as the stroke is at every point.
+    made_by: what the file is to say of its making, of JSON's types; it is in its metadata.
     Raises ValueError naming the argument that cannot be used.
     """
     if style not in STYLES:
@@ -54,12 +62,22 @@ def to_svg(
             height_px=height_px,
         )
     ]
+    if made_by is not None:
+        lines.append(_METADATA.format(escape(json.dumps(made_by))))
     for group in line_groups(drawing):
         name = group.title.lower().replace(" ", "-")
         lines.append(_GROUP.format(id=name, title=group.title, paint=_PAINT[style]))
         lines.extend(_paths(drawing, group, style))
         lines.append("</g>")
-    return "\n".join([*lines, "</svg>", ""])
+    return "\n".join([*lines, _END, ""])
+
+
+def read_made_by(text: str) -> dict[str, Any]:
+    """What `to_svg` was given as made_by. Raises ValueError where there is none, or no end."""
+    found = re.search(_METADATA.format("(.*)"), text)
+    if found is None or not text.endswith(f"{_END}\n"):
+        raise ValueError("not a whole drawing that says how it was made")
+    return dict(json.loads(unescape(found[1])))
 
 
 def _paths(drawing: DrawingArrays, group: LineGroup, style: str) -> Iterator[str]:

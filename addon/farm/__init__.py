@@ -1,0 +1,1 @@
+"""Many frames without a window, on one machine or many: drawn one by one, then merged."""

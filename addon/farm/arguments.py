@@ -1,0 +1,160 @@
+"""The command lines of the headless command."""
+
+import argparse
+import pathlib
+import re
+from typing import Any
+
+from ..output.files import FORMATS
+from .lines import PROGRESS
+
+PROGRAM = "illustrate"
+MERGE = "merge"
+_PART = re.compile(r"(-?\d+)(?:-(-?\d+)(?:[x:](\d+))?)?")
+
+
+def parse(arguments: list[str]) -> Any:
+    """What the command line asks to be drawn. Raises SystemExit for a wrong one."""
+    parser = _draw_parser()
+    chosen = parser.parse_args(arguments)
+    if len(chosen.frames or ()) > 1 and "#" not in chosen.name:
+        parser.error(
+            f"--name {chosen.name} is one name for {len(chosen.frames)} frames: "
+            "put #### for the frame's number"
+        )
+    return chosen
+
+
+def parse_merge(arguments: list[str]) -> Any:
+    """What the command line asks to be merged: out, into, frames, partial."""
+    parser = argparse.ArgumentParser(
+        prog=f"{PROGRAM} {MERGE}",
+        description="Makes keyframes of the JSON files of drawn frames.",
+    )
+    parser.add_argument("out", metavar="OUT", help="the folder that the frames were written to")
+    parser.add_argument(
+        "--into", required=True, metavar="FILE.blend", help="the file that gets the keyframes"
+    )
+    _add_frames(parser, "which frames must be there; those from the first to the last if left out")
+    parser.add_argument(
+        "--partial",
+        action="store_true",
+        help="merge what is whole and of the same settings, though some is not",
+    )
+    return parser.parse_args(arguments)
+
+
+def _draw_parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog=PROGRAM,
+        description="Illustrates frames of a scene and writes the drawings to files.",
+        epilog=f"{PROGRAM} {MERGE} --help tells how their JSON files become keyframes.",
+    )
+    parser.add_argument("blend", nargs="?", help="the file to open; the open one when left out")
+    _add_frames(parser, "which frames; the scene's current one when left out")
+    _add_files(parser)
+    _add_look(parser)
+    _add_sequence(parser)
+    return parser
+
+
+def _add_frames(parser: argparse.ArgumentParser, words: str) -> None:
+    parser.add_argument("--frames", type=frames, metavar="1-20x2,30", help=words)
+
+
+def _add_files(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--out", required=True, metavar="DIR", help="the folder to write to")
+    parser.add_argument("--format", type=_formats, default=["svg"], metavar=",".join(FORMATS))
+    parser.add_argument(
+        "--name",
+        type=_name,
+        default="FILE_####",
+        help="what files are called: FILE is the .blend, # the frame's number",
+    )
+    parser.add_argument(
+        "--skip-existing",
+        action="store_true",
+        help="leave frames whose files are whole, of the same settings and version",
+    )
+
+
+def _add_look(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--width-mm",
+        type=_millimetres,
+        help="the width of the page of an SVG; that of the scene's settings when left out",
+    )
+    parser.add_argument(
+        "--preset", metavar="NAME", help="settings to draw with in place of the scene's own"
+    )
+    parser.add_argument(
+        "--svg-style",
+        choices=("centerline", "tapered"),
+        default="centerline",
+        help="paths along the strokes, or outlines as wide as they are",
+    )
+
+
+def _add_sequence(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--warm-up",
+        type=_count,
+        default=0,
+        metavar="N",
+        help="where strokes follow the frame before, draw N frames before the first, unwritten",
+    )
+    parser.add_argument(
+        "--expose-as",
+        type=int,
+        metavar="FRAME",
+        help="draw this frame first, unwritten: the light is as strong in all frames",
+    )
+    parser.add_argument(
+        "--progress", choices=PROGRESS, default="plain", help="how progress is printed"
+    )
+
+
+def frames(text: str) -> list[int]:
+    """'1', '1-10', '1-20x2' (every second; 1-20:2 says the same) or '1-20x2,30' as numbers."""
+    numbers: list[int] = []
+    for part in text.split(","):
+        found = _PART.fullmatch(part.strip())
+        if found is None:
+            raise argparse.ArgumentTypeError(f"{part!r} is no frame and no range")
+        first, last, step = int(found[1]), int(found[2] or found[1]), int(found[3] or 1)
+        if last < first:
+            raise argparse.ArgumentTypeError(f"{part!r} ends before it begins")
+        if not step:
+            raise argparse.ArgumentTypeError(f"{part!r} never ends: its step is 0")
+        numbers.extend(range(first, last + 1, step))
+    return list(dict.fromkeys(numbers))
+
+
+def _count(text: str) -> int:
+    if not text.isdecimal():
+        raise argparse.ArgumentTypeError(f"{text!r} is no number of frames")
+    return int(text)
+
+
+def _name(text: str) -> str:
+    if not text or pathlib.PurePath(text).name != text:
+        raise argparse.ArgumentTypeError(f"{text!r} is not the name of a file")
+    return text
+
+
+def _formats(text: str) -> list[str]:
+    formats = text.split(",")
+    for name in formats:
+        if name not in FORMATS:
+            raise argparse.ArgumentTypeError(f"{name!r} is not one of {', '.join(FORMATS)}")
+    return formats
+
+
+def _millimetres(text: str) -> float:
+    try:
+        width = float(text)
+    except ValueError:
+        width = 0.0
+    if not 0 < width < float("inf"):
+        raise argparse.ArgumentTypeError(f"{text!r} is no width in millimetres")
+    return width

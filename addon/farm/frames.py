@@ -1,0 +1,181 @@
+"""Draws frames of the open file and writes them, one after the other.
+
+A frame that cannot be drawn is named and gone past. All frames of a command have the exposure of
+the first one; where the scene keeps strokes, each starts from the strokes of the one before.
+"""
+
+import os
+import pathlib
+import re
+import time
+import traceback
+from typing import Any
+
+import bpy
+
+from .. import native, output
+from ..illustration import Illustration, compute, read_request, shares_exposure
+from ..messages import IllustrateError, counted
+from ..output import files, stamps
+from .lines import Progress, complain, say, time_text
+
+
+def file_name(pattern: str, frame: int) -> str:
+    """The pattern with the open file's name for FILE and the frame's number, padded, for ####."""
+    name = pattern.replace("FILE", pathlib.Path(bpy.data.filepath).stem or "untitled")
+    return re.sub("#+", lambda marks: f"{frame:0{len(marks[0])}}", name)
+
+
+class Sequence:
+    """The frames that one command draws."""
+
+    def __init__(self, chosen: Any, summaries: list[str]) -> None:
+        self._scene, self._chosen, self._summaries = bpy.context.scene, chosen, summaries
+        self._frames = chosen.frames or [self._scene.frame_current]
+        self._width_mm = chosen.width_mm or self._scene.illustrate.page_width_mm
+        self._stamp = stamps.stamp_of(self._scene, self._width_mm, chosen.svg_style)
+        self._progress = Progress(chosen.progress, len(self._frames))
+        self._follows = self._scene.illustrate.keep_strokes and native.can_seed()
+        self._last: Any = None  # the drawing that the next one starts from
+        self._exposure: float | None = None
+
+    def draw(self) -> list[int]:
+        """Draws and writes all frames; those that failed."""
+        failed = []
+        for frame in self._frames:
+            if not self._succeeds(frame):
+                failed.append(frame)
+            self._progress.end()
+        if failed:
+            numbers = ", ".join(map(str, failed))
+            of_all = f"of {counted(len(self._frames), 'frame')}"
+            self._progress.fail(f"failed frames: {numbers} ({len(failed)} {of_all})")
+        return failed
+
+    def _succeeds(self, frame: int) -> bool:
+        try:
+            self._frame(frame)
+        except IllustrateError as error:
+            complain(f"error: frame {frame}: {error}")
+            return False
+        except Exception:
+            complain(f"error: frame {frame}:")
+            traceback.print_exc()
+            return False
+        return True
+
+    def _frame(self, frame: int) -> None:
+        if self._chosen.skip_existing and self._existing(frame):
+            say(f"skipping existing frame {frame}")
+            self._last = None
+            return
+        start = time.perf_counter()
+        self._find_exposure(frame)
+        self._warm_up(frame)
+        name = file_name(self._chosen.name, frame)
+        made = self._drawn(frame, name)
+        for warning in made.warnings:
+            complain(f"warning: {warning}")
+        self._write(made, name)
+        seconds = time.perf_counter() - start
+        say(f"Time: {time_text(seconds)}")
+        self._summaries.append(summary(name, made, seconds))
+        say(self._summaries[-1])
+
+    def _drawn(self, frame: int, name: str) -> Illustration:
+        """The illustration of a frame, exposed and begun as the frames before it ask for."""
+        self._progress.begin(name)
+        self._scene.frame_set(frame)
+        request = read_request(self._scene, bpy.context.evaluated_depsgraph_get())
+        request.expose(self._exposure)
+        request.previous = self._last
+        made = compute(request, self._progress)
+        if self._exposure is None:
+            self._exposure = made.drawing.tone.exposure
+        self._last = made.drawing if self._follows else None
+        return made
+
+    def _warm_up(self, frame: int) -> None:
+        """Draws the frames before one whose predecessor was not drawn by this command."""
+        if not self._follows or self._last is not None:
+            return
+        for earlier in frames_before(self._frames, frame, self._chosen.warm_up):
+            try:
+                self._drawn(earlier, f"warming up on frame {earlier}")
+            except IllustrateError as error:
+                complain(f"warning: no warming up on frame {earlier}: {error}")
+
+    def _find_exposure(self, frame: int) -> None:
+        """That of --expose-as, or of files that are there, where it is not known yet."""
+        asked, settings = self._chosen.expose_as, self._scene.illustrate
+        if self._exposure is not None or not shares_exposure(settings):
+            return
+        if asked is not None:
+            try:
+                self._drawn(asked, f"exposing as frame {asked}")
+            except IllustrateError as error:
+                raise IllustrateError(f"frame {asked}, of --expose-as: {error}") from error
+            self._last = None
+        elif self._chosen.skip_existing:
+            others = (self._existing(other) for other in self._frames if other != frame)
+            stamp = next(filter(None, others), None)
+            self._exposure = None if stamp is None else stamp["exposure"]
+
+    def _existing(self, frame: int) -> dict[str, Any] | None:
+        """The stamp of a frame whose files are all there, whole and made as this command would."""
+        wanted = {**self._stamp, "frame": frame}
+        name, stamp = file_name(self._chosen.name, frame), None
+        for extension in self._chosen.format:
+            stamp = stamps.read_if_same(self._path(name, extension), wanted)
+            if stamp is None:
+                return None
+        return stamp
+
+    def _write(self, made: Illustration, name: str) -> None:
+        scene, begun = self._scene, time.perf_counter()
+        strokes = output.write_drawing(
+            scene, made.drawing, made.arrays.camera, scene.illustrate.output, made.names
+        )
+        made.seconds["strokes"] = time.perf_counter() - begun
+        exposure = float(made.drawing.tone.exposure)
+        page = files.Page(
+            scene,
+            made.drawing,
+            made.arrays.camera,
+            made.names,
+            strokes,
+            self._width_mm,
+            self._chosen.svg_style,
+            {**self._stamp, "frame": scene.frame_current, "exposure": exposure},
+        )
+        for extension in self._chosen.format:
+            begun, path = time.perf_counter(), self._path(name, extension)
+            files.write_file(path, page)
+            made.seconds[extension] = time.perf_counter() - begun
+            say(f"Saved: '{path}'")
+
+    def _path(self, name: str, extension: str) -> str:
+        return os.path.join(self._chosen.out, f"{name}.{extension}")
+
+
+def frames_before(frames: list[int], frame: int, count: int) -> list[int]:
+    """The last `count` frames before one of `frames`; before the first, in their first step.
+
+    [5, 7, 9], 7, 3 gives [1, 3, 5].
+    """
+    step = frames[1] - frames[0] if len(frames) > 1 else 1
+    earlier = [frames[0] - step * i for i in range(count, 0, -1)]
+    sequence = [*earlier, *frames]
+    place = len(earlier) + frames.index(frame)
+    return sequence[place - count : place]
+
+
+def summary(name: str, made: Illustration, seconds: float) -> str:
+    """One line: strokes by kind, seconds per stage."""
+    groups = native.load_part("line_groups").line_groups(made.drawing)
+    strokes = ", ".join(f"{len(group.strokes)} {group.title}" for group in reversed(groups))
+    stages = ", ".join(f"{stage} {spent:.2f}" for stage, spent in made.seconds.items())
+    return (
+        f"{name}: {len(made.drawing.kinds)} strokes ({strokes or 'none'}) "
+        f"in {seconds:.2f} s ({stages})"
+    )

@@ -1,0 +1,50 @@
+"""What the headless command does with its arguments."""
+
+import os
+from typing import Any
+
+import bpy
+
+from ..messages import IllustrateError
+from ..output.files import prepare_folder
+from ..ui import presets
+from .arguments import MERGE, parse, parse_merge
+from .frames import Sequence
+from .lines import complain
+from .merge import merge_into
+
+
+def main(arguments: list[str], summaries: list[str] | None = None) -> int:
+    """Draws or merges; the exit code. `summaries` gets a line for each frame drawn.
+
+    Raises SystemExit for a wrong command line.
+    """
+    try:
+        if arguments[:1] == [MERGE]:
+            return _merge(parse_merge(arguments[1:]))
+        return _draw(parse(arguments), [] if summaries is None else summaries)
+    except IllustrateError as error:
+        complain(f"error: {error}")
+        return 1
+
+
+def _draw(chosen: Any, summaries: list[str]) -> int:
+    if chosen.blend:
+        _open(chosen.blend)
+    if chosen.preset:
+        presets.apply(chosen.preset)
+    prepare_folder(chosen.out)
+    return 1 if Sequence(chosen, summaries).draw() else 0
+
+
+def _merge(chosen: Any) -> int:
+    _open(chosen.into)
+    merge_into(chosen.into, chosen.out, chosen.frames, chosen.partial)
+    return 0
+
+
+def _open(path: str) -> None:
+    try:
+        bpy.ops.wm.open_mainfile(filepath=os.path.abspath(path))
+    except RuntimeError as error:
+        raise IllustrateError(f'"{path}" cannot be opened: {error}') from error
