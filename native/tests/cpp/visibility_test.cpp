@@ -57,6 +57,8 @@ TEST(Crossings, OfClosedCurvesAreEvenInNumber) {
       network.points.close_list();
       network.strands.push_back({});
     }
+    strands.places = strands.grid;
+    strands.decided_depth = strands.depth;
     int between = 0;
     const std::vector<Crossing> crossings = *find_crossings(network, strands);
     for (const Crossing& c : crossings) {
