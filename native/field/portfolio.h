@@ -11,8 +11,8 @@
 
 namespace illustrate {
 
-// graph: connected. starts: fields of it that are tried besides the random ones. Returns a field near a good
-// minimum; the same for the same input.
+// graph: connected. starts: fields of it that are tried besides the random ones. Returns a field
+// near a good minimum; the same for the same input.
 CrossNumbers portfolio_start(const FieldGraph& graph, const std::vector<CrossNumbers>& starts,
                              const Progress& progress);
 
