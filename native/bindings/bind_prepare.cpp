@@ -164,24 +164,29 @@ void bind_field(py::module_& m) {
 }
 
 struct HatchCurvesHandle {
-  std::shared_ptr<const SurfaceCurves> curves;
+  std::shared_ptr<const Ragged<SurfacePoint>> curves;
   PreparedPointer prepared;
 };
 
 HatchCurvesHandle hatch_curves_of(const PreparedPointer& prepared) {
   const py::gil_scoped_release release;
-  return {{prepared, &prepared->hatch_curves()}, prepared};
+  auto curves = std::make_shared<Ragged<SurfacePoint>>();
+  const std::vector<double> finest(prepared->object_count(), 0);
+  for (const SurfaceCurves* of_object : prepared->hatch_curves(finest)) {
+    for (std::size_t c = 0; c < of_object->curves.size(); ++c) curves->add(of_object->curves[c]);
+  }
+  return {curves, prepared};
 }
 
 void bind_hatch_curves(py::module_& m) {
-  py::class_<HatchCurvesHandle>(m, "HatchCurves", "Ranked curves on the surface.")
+  py::class_<HatchCurvesHandle>(m, "HatchCurves", "Ranked curves on the surface, object by object.")
       .def_property_readonly(
           "offsets",
-          [](const HatchCurvesHandle& h) { return view_of(h.curves, h.curves->curves.offsets); })
+          [](const HatchCurvesHandle& h) { return view_of(h.curves, h.curves->offsets); })
       .def_property_readonly("points",
                              [](const HatchCurvesHandle& h) {
                                Points points;
-                               for (const SurfacePoint& on : h.curves->curves.values) {
+                               for (const SurfacePoint& on : h.curves->values) {
                                  points.push_back(position_at(h.prepared->surface(), on));
                                }
                                return array_of(std::move(points));
@@ -189,14 +194,14 @@ void bind_hatch_curves(py::module_& m) {
       .def_property_readonly("triangles",
                              [](const HatchCurvesHandle& h) {
                                std::vector<int> triangles;
-                               for (const SurfacePoint& on : h.curves->curves.values) {
+                               for (const SurfacePoint& on : h.curves->values) {
                                  triangles.push_back(on.triangle);
                                }
                                return array_of(std::move(triangles));
                              })
       .def_property_readonly("barycentrics", [](const HatchCurvesHandle& h) {
         ImagePoints weights;
-        for (const SurfacePoint& on : h.curves->curves.values) weights.emplace_back(on.b1, on.b2);
+        for (const SurfacePoint& on : h.curves->values) weights.emplace_back(on.b1, on.b2);
         return array_of(std::move(weights));
       });
 }

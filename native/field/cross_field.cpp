@@ -2,11 +2,9 @@
 
 #include "core/errors.h"
 #include "core/parallel.h"
-#include "field/change.h"
 #include "field/last_field.h"
-#include "field/minimise.h"
-#include "field/portfolio.h"
 #include "field/problem.h"
+#include "field/search.h"
 #include "field/singularities.h"
 
 namespace illustrate {
@@ -14,14 +12,6 @@ namespace {
 
 // A part leaves its start only for a share of energy that rounding cannot explain.
 constexpr double least_gain = 1e-9;
-
-// Near the last field, a search that takes longer needs to look at all scales.
-constexpr int few_evaluations = 8;
-
-struct Solution {
-  CrossNumbers z;
-  MinimiseResult result;
-};
 
 enum class Pulls { all, guides, none };  // all: of features, too
 
@@ -52,36 +42,24 @@ FieldGraph graph_of(const FieldProblem& p, Pulls used, const std::vector<std::ui
 
 // A minimum near `nearby` (n), or where that is empty, the best that the search finds. Settled
 // vertices stay as they are at the start.
-Solution solve(const FieldProblem& p, Pulls pulls, const CrossNumbers& nearby,
-               const std::vector<std::uint8_t>& is_settled, const FieldOptions& options,
-               const Progress& progress) {
+SearchResult solve(const FieldProblem& p, Pulls pulls, const CrossNumbers& nearby,
+                   const std::vector<std::uint8_t>& is_settled, const FieldOptions& options,
+                   const Progress& progress) {
   progress.report(0);
   std::vector<int> vertices;
   const FieldGraph graph =
       graph_of(p, pulls, is_settled, p.initial, vertices, progress.part(0, 0.02));
   const auto of_free = [&](const CrossNumbers& z) {
     CrossNumbers result;
-    result.reserve(vertices.size());
+    if (z.empty()) return result;
     for (const int vertex : vertices) result.push_back(z[idx(vertex)]);
     return result;
   };
-  Solution solution{p.initial, {}};
-  CrossNumbers z = of_free(nearby.empty() ? p.initial : nearby);
-  if (nearby.empty()) {
-    z = portfolio_start(graph, {of_free(p.principal.z), z}, progress.part(0.02, 0.7));
-  } else if (options.start == FieldStart::search) {
-    solution.result =
-        minimise(graph, few_evaluations, options.threads, z, progress.part(0.02, 0.1));
-    if (!solution.result.converged) relax_at_all_scales(graph, z, progress.part(0.1, 0.7));
-  }
-  if (!solution.result.converged) {
-    const MinimiseResult last =
-        minimise(graph, options.max_evaluations, options.threads, z, progress.part(0.7, 1));
-    solution.result = {last.converged, solution.result.evaluations + last.evaluations};
-  }
-  progress.report(1);
-  for (std::size_t i = 0; i < vertices.size(); ++i) solution.z[idx(vertices[i])] = z[i];
-  return solution;
+  const SearchStarts starts{of_free(p.initial), of_free(p.principal.z), of_free(nearby)};
+  const SearchResult found = search_crosses(graph, starts, options, progress.part(0.02, 1));
+  SearchResult whole{p.initial, found.minimise};
+  for (std::size_t i = 0; i < vertices.size(); ++i) whole.z[idx(vertices[i])] = found.z[i];
+  return whole;
 }
 
 // Takes over into z the parts in which the solution has clearly less energy, and marks them.
@@ -98,17 +76,28 @@ void keep_better_parts(const FieldProblem& p, const CrossNumbers& solution, Cros
   }
 }
 
-// Parts that features have kept from improving, although they are not parallel.
-bool features_are_in_the_way(const FieldProblem& p, const CrossNumbers& z,
-                             const std::vector<std::uint8_t>& improved) {
+// (n) 0: in a part that features have kept from improving, although it is not parallel.
+std::vector<std::uint8_t> settled_or_improved(const FieldProblem& p, const CrossNumbers& z,
+                                              const std::vector<std::uint8_t>& is_settled,
+                                              const std::vector<std::uint8_t>& improved) {
   const std::vector<std::uint8_t> has_features = parts_with_features(p);
-  if (std::find(has_features.begin(), has_features.end(), 1) == has_features.end()) return false;
   const std::vector<double> energies = part_energies(p, z), least = least_energies(p);
-  for (std::size_t part = 0; part < energies.size(); ++part) {
+  std::vector<std::uint8_t> is_done = is_settled;
+  for (std::size_t i = 0; i < is_done.size(); ++i) {
+    const std::size_t part = idx(p.parts.of_vertex[i]);
     const bool is_parallel = energies[part] <= least[part] * (1 - least_gain);
-    if (has_features[part] && !improved[part] && !is_parallel) return true;
+    if (!has_features[part] || improved[part] || is_parallel) is_done[i] = 1;
   }
-  return false;
+  return is_done;
+}
+
+// A part that has more energy than at the start goes back there.
+void keep_initial_where_better(const FieldProblem& p, CrossNumbers& z) {
+  const std::vector<double> initial = part_energies(p, p.initial), energies = part_energies(p, z);
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    const std::size_t part = idx(p.parts.of_vertex[i]);
+    if (energies[part] > initial[part]) z[i] = p.initial[i];
+  }
 }
 
 // Where the energy leaves the angle of a whole part open, features decide, else the principal
@@ -281,21 +270,26 @@ CrossField solve_cross_field(const Surface& surface, const Curvature& curvature,
   const std::vector<std::uint8_t> is_settled = settled_vertices(p);
   CrossNumbers z = p.initial;
   std::vector<std::uint8_t> improved(idx(p.parts.count), 0);
-  Solution solution = solve(p, Pulls::all, nearby, is_settled, options, progress.part(0.2, 0.7));
-  keep_better_parts(p, solution.z, z, improved);
-  progress.report(0.7);
   CrossField field;
-  field.evaluations = solution.result.evaluations;
-  if (options.alignment_weight > 0 && features_are_in_the_way(p, z, improved)) {
-    solution = solve(p, Pulls::guides, nearby, is_settled, options, progress.part(0.7, 0.85));
-    keep_better_parts(p, solution.z, z, improved);
-    field.evaluations += solution.result.evaluations;
+  const auto improve = [&](Pulls pulls, const std::vector<std::uint8_t>& is_done,
+                           const Progress& part) {
+    if (std::find(is_done.begin(), is_done.end(), 0) == is_done.end()) return;
+    const SearchResult found = solve(p, pulls, nearby, is_done, options, part);
+    keep_better_parts(p, found.z, z, improved);
+    field.converged = field.converged && found.minimise.converged;
+    field.evaluations += found.minimise.evaluations;
+  };
+  field.converged = true;
+  improve(Pulls::all, is_settled, progress.part(0.2, 0.7));
+  progress.report(0.7);
+  if (options.alignment_weight > 0) {
+    improve(Pulls::guides, settled_or_improved(p, z, is_settled, improved),
+            progress.part(0.7, 0.85));
   }
-  field.converged = solution.result.converged;
   progress.report(0.85);
   turn_improved_parts(p, curvature, improved, z);
+  keep_initial_where_better(p, z);
   field.energy_initial = total(part_energies(p, p.initial));
-  if (total(part_energies(p, z)) > field.energy_initial) z = p.initial;
   progress.report(0.87);
   if (!p.turns.empty()) obey_prescription(surface, p, options, z, progress.part(0.87, 0.9));
   field.energy = total(part_energies(p, z));

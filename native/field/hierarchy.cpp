@@ -163,13 +163,4 @@ CrossNumbers Hierarchy::prolonged(const CrossNumbers& z, std::size_t level) cons
   return finer;
 }
 
-std::vector<int> Hierarchy::prolonged(const std::vector<int>& parts, std::size_t level) const {
-  std::vector<int> finer;
-  finer.reserve(gauges_[level].size());
-  for (const Gauge& gauge : gauges_[level]) {
-    finer.push_back(parts[static_cast<std::size_t>(gauge.aggregate)]);
-  }
-  return finer;
-}
-
 }  // namespace illustrate

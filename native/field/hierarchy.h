@@ -41,9 +41,8 @@ class Hierarchy {
 
   // Crosses of level 0 to the coarsest level.
   CrossNumbers restricted(CrossNumbers z) const;
-  // Crosses, or numbers of parts, of level + 1 to this level.
+  // Crosses of level + 1 to this level.
   CrossNumbers prolonged(const CrossNumbers& z, std::size_t level) const;
-  std::vector<int> prolonged(const std::vector<int>& parts, std::size_t level) const;
 
  private:
   const FieldGraph* finest_;

@@ -44,6 +44,18 @@ double evaluate(unsigned n, const double* u, double* gradient, void* data) {
   }
 }
 
+// Whether a step down the gradient, of the length that suits each vertex, gains less than is seen:
+// line searches that start at a minimum may fail.
+bool is_minimum(const FieldGraph& graph, const std::vector<double>& u, int threads) {
+  std::vector<double> gradient(u.size());
+  const double value = energy(graph, u.data(), gradient.data(), threads);
+  double gain = 0;
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    if (graph.weights[i] > 0) gain += gradient[i] * gradient[i] / (2 * graph.weights[i]);
+  }
+  return gain <= energy_tolerance * std::abs(value);
+}
+
 }  // namespace
 
 MinimiseResult minimise(const FieldGraph& graph, int max_evaluations, int threads, CrossNumbers& z,
@@ -68,7 +80,10 @@ MinimiseResult minimise(const FieldGraph& graph, int max_evaluations, int thread
       z[i] = {std::cos(search.best[i]), std::sin(search.best[i])};
     }
   }
-  return {result > 0 && result != NLOPT_MAXEVAL_REACHED, search.evaluations};
+  const bool has_ended = result > 0 && result != NLOPT_MAXEVAL_REACHED;
+  const bool has_failed = result < 0;
+  return {has_ended || (has_failed && is_minimum(graph, search.best, threads)),
+          search.evaluations};
 }
 
 }  // namespace illustrate

@@ -12,7 +12,7 @@ struct MinimiseResult {
 };
 
 // Moves z (n) to a minimum of the graph's energy nearby; never to a point with more energy.
-// When NLopt gives up, the best point so far is kept and `converged` is false.
+// When NLopt gives up, the best point so far is kept; `converged` is whether it is a minimum.
 MinimiseResult minimise(const FieldGraph& graph, int max_evaluations, int threads, CrossNumbers& z,
                         const Progress& progress);
 

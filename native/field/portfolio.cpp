@@ -12,11 +12,12 @@ namespace {
 // The coarsest graph: few enough vertices for many starts, enough for a singularity of every bump
 // of an organic mesh; aggregates of too many vertices mislead about the energy of their fields.
 constexpr std::size_t vertices_per_aggregate = 10;
-constexpr std::size_t least_coarse_size = 2500, most_coarse_size = 8000;
+constexpr std::size_t least_coarse_size = 300, most_coarse_size = 8000;
 
 // No more starts than touch so many crosses, more where the whole graph is large and all else takes
-// longer; one in three is shaken.
+// longer, fewer where it is small, since it may be one of many; one in three is shaken.
 constexpr std::size_t least_pool_crosses = 100000;
+constexpr std::size_t pool_crosses_per_vertex = 4;
 constexpr std::size_t vertices_per_pool_cross = 4;
 constexpr std::size_t most_random_starts = 40;
 constexpr std::size_t starts_per_shake = 3;
@@ -35,48 +36,26 @@ constexpr double shaking_heat = 0.5;
 constexpr int shaking_sweeps = 60;
 
 // On the way down: sweeps for each level; how many crosses all the fields that are carried on may
-// have together; the largest graph that they are diffused on once more.
+// have together; the largest graph that they are diffused on once more. Less on small graphs.
 constexpr int sweeps_per_level = 6;
 constexpr int final_coarse_sweeps = 20;
 constexpr std::size_t carried_crosses = 120000;
 constexpr std::size_t diffused_size = 8000;
+constexpr std::size_t carried_crosses_per_vertex = 3;
+constexpr std::size_t vertices_per_diffused = 4;
 
 // Fields whose energies above the least possible differ by a smaller share found the same minimum.
 constexpr double same_energy = 1e-4;
 
 using Pool = std::vector<CrossNumbers>;
 
-// (n) number of each vertex's connected part.
-std::vector<int> parts_of(const FieldGraph& graph, int& count) {
-  std::vector<int> parts(graph.size(), none), stack;
-  count = 0;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (parts[i] != none) continue;
-    stack.push_back(static_cast<int>(i));
-    parts[i] = count;
-    while (!stack.empty()) {
-      const auto top = static_cast<std::size_t>(stack.back());
-      stack.pop_back();
-      for (const Link& link : graph.links[top]) {
-        int& part = parts[static_cast<std::size_t>(link.vertex)];
-        if (part != none) continue;
-        part = count;
-        stack.push_back(link.vertex);
-      }
-    }
-    ++count;
-  }
-  return parts;
-}
-
-std::vector<double> part_energies(const FieldGraph& graph, const std::vector<int>& parts, int count,
-                                  const CrossNumbers& z) {
-  std::vector<double> sums(static_cast<std::size_t>(count), 0);
+double energy_of(const FieldGraph& graph, const CrossNumbers& z) {
+  double sum = 0;
   for (std::size_t i = 0; i < z.size(); ++i) {
     const CrossNumber attraction = graph.attraction(i, z) + graph.pulls[i];
-    sums[static_cast<std::size_t>(parts[i])] -= 0.5 * product(std::conj(z[i]), attraction).real();
+    sum -= 0.5 * product(std::conj(z[i]), attraction).real();
   }
-  return sums;
+  return sum;
 }
 
 // The places in `energies` of the best of them, each clearly different from the others, best first;
@@ -96,33 +75,18 @@ std::vector<std::size_t> distinct_best(const std::vector<double>& energies, doub
   return chosen;
 }
 
-// The pool with its crosses exchanged part by part, so that the first field has the best of each
-// part, the second the second best, and so on; only the first `kept` stay, and of those that found
-// the same minimum one.
-Pool ranked(const FieldGraph& graph, const std::vector<int>& parts, int count, const Pool& pool,
-            std::size_t kept) {
-  std::vector<std::vector<double>> energies(static_cast<std::size_t>(count));
-  for (const CrossNumbers& z : pool) {
-    const std::vector<double> sums = part_energies(graph, parts, count, z);
-    for (std::size_t part = 0; part < sums.size(); ++part) energies[part].push_back(sums[part]);
-  }
-  std::vector<double> least(energies.size(), 0);
+// The best fields of the pool, best first; only `kept` stay, and of those that found the same
+// minimum one.
+Pool ranked(const FieldGraph& graph, Pool pool, std::size_t kept) {
+  std::vector<double> energies;
+  for (const CrossNumbers& z : pool) energies.push_back(energy_of(graph, z));
+  double least = 0;
   for (std::size_t i = 0; i < graph.size(); ++i) {
-    least[static_cast<std::size_t>(parts[i])] -=
-        0.5 * (graph.weights[i] + std::abs(graph.pulls[i]));
+    least -= 0.5 * (graph.weights[i] + std::abs(graph.pulls[i]));
   }
-  std::vector<std::vector<std::size_t>> chosen(energies.size());
-  std::size_t most = 1;
-  for (std::size_t part = 0; part < chosen.size(); ++part) {
-    chosen[part] = distinct_best(energies[part], least[part], kept);
-    most = std::max(most, chosen[part].size());
-  }
-  Pool result(most, CrossNumbers(graph.size()));
-  for (std::size_t k = 0; k < most; ++k) {
-    for (std::size_t i = 0; i < graph.size(); ++i) {
-      const std::vector<std::size_t>& best = chosen[static_cast<std::size_t>(parts[i])];
-      result[k][i] = pool[best[std::min(k, best.size() - 1)]][i];
-    }
+  Pool result;
+  for (const std::size_t k : distinct_best(energies, least, kept)) {
+    result.push_back(std::move(pool[k]));
   }
   return result;
 }
@@ -134,8 +98,8 @@ CrossNumbers random_field(std::size_t size, SeededNumbers& numbers) {
 }
 
 // The pool of the coarsest graph: given starts, random ones, then the best of them shaken.
-Pool coarse_pool(const FieldGraph& graph, const std::vector<int>& parts, int count,
-                 const Pool& given, std::size_t pool_crosses, const Progress& progress) {
+Pool coarse_pool(const FieldGraph& graph, const Pool& given, std::size_t pool_crosses,
+                 const Progress& progress) {
   SeededNumbers numbers(seed);
   Pool pool;
   const auto diffused = [&](CrossNumbers z, double tau) {
@@ -157,16 +121,21 @@ Pool coarse_pool(const FieldGraph& graph, const std::vector<int>& parts, int cou
     diffuse_once(graph, eigenvector_tau, z);
     pool.push_back(diffused(std::move(z), far_tau));
   }
-  pool = ranked(graph, parts, count, pool, kept_starts);
+  pool = ranked(graph, std::move(pool), kept_starts);
   const std::size_t shakes = random_starts / starts_per_shake;
   for (std::size_t k = 0; k < shakes; ++k) {
     progress.report(0.7 + 0.3 * static_cast<double>(k) / static_cast<double>(shakes));
     CrossNumbers& shaken = pool[k % pool.size()];
     CrossNumbers z = shaken;
     anneal(graph, shaking_heat, shaking_sweeps, numbers, z);
-    shaken = ranked(graph, parts, count, {shaken, diffused(std::move(z), near_tau)}, 1)[0];
+    shaken = ranked(graph, {shaken, diffused(std::move(z), near_tau)}, 1)[0];
   }
-  return ranked(graph, parts, count, pool, kept_starts);
+  return ranked(graph, std::move(pool), kept_starts);
+}
+
+std::size_t pool_crosses(std::size_t vertices) {
+  const std::size_t large = std::max(least_pool_crosses, vertices / vertices_per_pool_cross);
+  return std::min(large, pool_crosses_per_vertex * vertices);
 }
 
 }  // namespace
@@ -183,24 +152,21 @@ CrossNumbers portfolio_start(const FieldGraph& graph, const std::vector<CrossNum
     given.push_back(hierarchy.restricted(start));
   }
   progress.report(0.2);
-  int count = 0;
-  std::vector<int> parts = parts_of(coarsest, count);
-  const std::size_t pool_crosses =
-      std::max(least_pool_crosses, graph.size() / vertices_per_pool_cross);
-  Pool pool = coarse_pool(coarsest, parts, count, given, pool_crosses, progress.part(0.2, 0.6));
+  Pool pool = coarse_pool(coarsest, given, pool_crosses(graph.size()), progress.part(0.2, 0.6));
   const Progress way_down = progress.part(0.6, 1);
+  const std::size_t carried = std::min(carried_crosses, carried_crosses_per_vertex * graph.size());
+  const std::size_t diffused = std::min(diffused_size, graph.size() / vertices_per_diffused);
   for (std::size_t level = hierarchy.coarsest(); level-- > 0;) {
     const FieldGraph& finer = hierarchy.graph(level);
-    parts = hierarchy.prolonged(parts, level);
     const double done = static_cast<double>(finer.size()) / static_cast<double>(2 * graph.size());
     way_down.report(done);
     for (CrossNumbers& z : pool) {
       z = hierarchy.prolonged(z, level);
-      if (finer.size() <= diffused_size) diffuse(finer, near_tau, z);
+      if (finer.size() <= diffused) diffuse(finer, near_tau, z);
       sweep(finer, sweeps_per_level, z, way_down.part(done, done));
     }
-    const std::size_t kept = std::max<std::size_t>(1, carried_crosses / finer.size());
-    if (pool.size() > 1) pool = ranked(finer, parts, count, pool, kept);
+    const std::size_t kept = std::max<std::size_t>(1, carried / finer.size());
+    if (pool.size() > 1) pool = ranked(finer, std::move(pool), kept);
   }
   return std::move(pool[0]);
 }

@@ -75,24 +75,50 @@ CrossNumbers initial_field(const FieldProblem& p) {
   return z;
 }
 
-// (m) 1 / length, 1 in the mean; edges much shorter than the others are not let rule them.
+// Of the edges of each object.
+class ObjectMeans {
+ public:
+  ObjectMeans(const Surface& surface, const TriangleEdges& edges)
+      : surface_(surface),
+        edges_(edges),
+        sums_(surface.object_is_smooth.size(), 0),
+        counts_(sums_.size(), 0) {}
+
+  void add(std::size_t edge, double value) {
+    sums_[object(edge)] += value;
+    counts_[object(edge)] += 1;
+  }
+  double of(std::size_t edge) const { return sums_[object(edge)] / counts_[object(edge)]; }
+
+ private:
+  std::size_t object(std::size_t edge) const {
+    return idx(surface_.objects[idx(edges_.vertices[edge][0])]);
+  }
+
+  const Surface& surface_;
+  const TriangleEdges& edges_;
+  std::vector<double> sums_, counts_;
+};
+
+// (m) 1 / length, 1 in the mean of each object; edges much shorter than the others are not let
+// rule them.
 std::vector<double> inverse_lengths(const Surface& surface, const TriangleEdges& edges) {
   constexpr double most = 100;
   std::vector<double> weights(edges.size());
-  double sum = 0;
+  ObjectMeans lengths(surface, edges), means(surface, edges);
   for (std::size_t e = 0; e < weights.size(); ++e) {
     const auto [i, j] = edges.vertices[e];
     weights[e] = (surface.positions[idx(j)] - surface.positions[idx(i)]).norm();
-    if (std::isfinite(weights[e])) sum += weights[e];
+    lengths.add(e, std::isfinite(weights[e]) ? weights[e] : 0);
   }
-  const double mean = sum / static_cast<double>(std::max<std::size_t>(1, weights.size()));
-  double total = 0;
-  for (double& weight : weights) {
+  for (std::size_t e = 0; e < weights.size(); ++e) {
+    const double mean = lengths.of(e);
+    double& weight = weights[e];
     weight = std::isfinite(weight) ? std::min(most, mean / std::max(weight, mean / most)) : 0;
     if (!(mean > 0)) weight = 1;
-    total += weight;
+    means.add(e, weight);
   }
-  for (double& weight : weights) weight *= static_cast<double>(weights.size()) / total;
+  for (std::size_t e = 0; e < weights.size(); ++e) weights[e] /= means.of(e);
   return weights;
 }
 

@@ -26,27 +26,30 @@ constexpr double finest_radius = 0.8;
 // Of the lattice of the image that helps where seeds on the surface are too few, in spacings.
 constexpr double lattice_step = 0.5;
 
-// World length of a spacing, on average over what is seen and hatched; 0 where nothing is.
-double mean_spacing(const HatchScene& scene, double spacing_px) {
-  const VisibleImage& visible = scene.visible;
-  const int step = std::max(1, static_cast<int>(spacing_px / visible.cell_px));
-  double sum = 0, count = 0;
-  for (int row = step / 2; row < visible.height; row += step) {
-    for (int column = step / 2; column < visible.width; column += step) {
-      const int triangle = visible.triangle[idx(visible.index(column, row))];
-      if (triangle == none) continue;
-      const int object = scene.surface.triangle_objects[idx(triangle)];
-      if (!scene.is_hatched(object)) continue;
+// (objects) world length of a spacing, on average over what is seen; 0 where nothing is seen and
+// hatched.
+std::vector<double> mean_spacings(const HatchScene& scene, double spacing_px) {
+  const std::size_t objects = scene.surface.object_is_smooth.size();
+  std::vector<double> sums(objects, 0), counts(objects, 0);
+  int last = none;
+  double spacing = 0;
+  for (const int triangle : scene.visible.triangle) {
+    if (triangle == none) continue;
+    const int object = scene.surface.triangle_objects[idx(triangle)];
+    if (!scene.is_hatched(object)) continue;
+    if (triangle != last) {
       const Vec3& p = scene.surface.positions[idx(scene.surface.triangles[idx(triangle)][0])];
-      sum += scene.camera.pixel_size(p) * scene.spacing_on(object, spacing_px);
-      count += 1;
+      spacing = scene.camera.pixel_size(p) * scene.spacing_on(object, spacing_px);
+      last = triangle;
     }
+    sums[idx(object)] += spacing;
+    counts[idx(object)] += 1;
   }
-  return count > 0 ? sum / count : 0;
+  for (std::size_t i = 0; i < objects; ++i) sums[i] /= std::max(1.0, counts[i]);
+  return sums;
 }
 
-std::size_t seed_count(const HatchScene& scene, double area, double spacing_px) {
-  const double spacing = mean_spacing(scene, spacing_px);
+std::size_t seed_count(double area, double spacing) {
   const double count = spacing > 0 ? seeds_per_square * area / (spacing * spacing) : 0;
   return static_cast<std::size_t>(std::min(count, 1e9));
 }
@@ -63,22 +66,49 @@ std::vector<SurfacePoint> lattice_places(const HatchScene& scene, const HatchVie
   return places;
 }
 
-// From places fixed on the surface; so near that they lie too far apart, from the image too.
+void append(std::vector<StreamlineNode>& seeds, const std::vector<StreamlineNode>& more) {
+  seeds.insert(seeds.end(), more.begin(), more.end());
+}
+
+// From places fixed on the surface; on objects so near that they lie too far apart, from the image
+// too.
 std::vector<StreamlineNode> all_seeds(const HatchScene& scene, const HatchView& view,
-                                      const SurfaceCurves& curves, double spacing_px) {
-  const std::size_t count = seed_count(scene, curves.area, spacing_px);
-  std::vector<StreamlineNode> seeds = seed_nodes(view, curves.seeds, count);
-  if (count <= curves.seeds.size()) return seeds;
-  const std::vector<SurfacePoint> more = lattice_places(scene, view, lattice_step * spacing_px);
-  const std::vector<StreamlineNode> nodes = seed_nodes(view, more, more.size());
-  seeds.insert(seeds.end(), nodes.begin(), nodes.end());
+                                      const CurvesOfObjects& curves, double spacing_px) {
+  const std::vector<double> spacings = mean_spacings(scene, spacing_px);
+  std::vector<StreamlineNode> seeds;
+  std::vector<std::uint8_t> is_near(curves.size(), 0);
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    if (!curves[i]) continue;
+    const std::size_t count = seed_count(curves[i]->area, spacings[i]);
+    append(seeds, seed_nodes(view, curves[i]->seeds, count));
+    is_near[i] = count > curves[i]->seeds.size();
+  }
+  if (std::find(is_near.begin(), is_near.end(), 1) == is_near.end()) return seeds;
+  std::vector<SurfacePoint> places = lattice_places(scene, view, lattice_step * spacing_px);
+  const auto is_far = [&](const SurfacePoint& on) {
+    return !is_near[idx(scene.surface.triangle_objects[idx(on.triangle)])];
+  };
+  places.erase(std::remove_if(places.begin(), places.end(), is_far), places.end());
+  append(seeds, seed_nodes(view, places, places.size()));
   return seeds;
 }
 
+// Of each object, one after another: none hinders another.
+void place_surface_curves(StreamlineSet& set, const HatchView& view, const CurvesOfObjects& curves,
+                          const Progress& progress) {
+  const auto count = static_cast<double>(curves.size());
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const auto done = static_cast<double>(i);
+    if (!curves[i]) continue;
+    place_curves(set, view, curves[i]->curves, {},
+                 progress.part(done / count, (done + 1) / count));
+  }
+}
+
 // A drawing that stands alone.
-void place_anew(StreamlineSet& set, const HatchView& view, const Ragged<SurfacePoint>& curves,
+void place_anew(StreamlineSet& set, const HatchView& view, const CurvesOfObjects& curves,
                 const std::vector<StreamlineNode>& seeds, int threads, const Progress& progress) {
-  place_curves(set, view, curves, {}, progress.part(0, 0.3));
+  place_surface_curves(set, view, curves, progress.part(0, 0.3));
   fill_streamlines(set, view, seeds, {0.9, 0.6, 1.5}, progress.part(0.3, 0.4));
   merge_streamlines(set, view);
   relax_streamlines(set, view, 5, threads, progress.part(0.4, 0.7));
@@ -126,12 +156,15 @@ void finish_ends(StreamlineSet& set, const HatchView& view,
 
 }  // namespace
 
-double wanted_radius(const HatchScene& scene, const HatchOptions& options) {
-  const double spacing = mean_spacing(scene, options.spacing_px);
-  return spacing > 0 ? finest_radius * spacing : std::numeric_limits<double>::infinity();
+std::vector<double> wanted_radii(const HatchScene& scene, const HatchOptions& options) {
+  std::vector<double> radii = mean_spacings(scene, options.spacing_px);
+  for (double& radius : radii) {
+    radius = radius > 0 ? finest_radius * radius : std::numeric_limits<double>::infinity();
+  }
+  return radii;
 }
 
-Hatches even_hatches(const HatchScene& scene, const SurfaceCurves& curves,
+Hatches even_hatches(const HatchScene& scene, const CurvesOfObjects& curves,
                      const Ragged<SurfacePoint>& first, const HatchOptions& options, int threads,
                      Counts& counts, const Progress& progress) {
   validate(options);
@@ -141,7 +174,7 @@ Hatches even_hatches(const HatchScene& scene, const SurfaceCurves& curves,
   const std::vector<StreamlineNode> seeds = all_seeds(scene, view, curves, options.spacing_px);
   StreamlineSet set(view);
   if (first.empty()) {
-    place_anew(set, view, curves.curves, seeds, threads, progress.part(0.1, 0.7));
+    place_anew(set, view, curves, seeds, threads, progress.part(0.1, 0.7));
   } else {
     place_after(set, view, first, seeds, threads, progress.part(0.1, 0.7));
   }

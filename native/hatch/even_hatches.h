@@ -14,13 +14,14 @@
 
 namespace illustrate {
 
-// How fine curves a view asks for: `curves` below are to be those down to this radius, world units.
-double wanted_radius(const HatchScene& scene, const HatchOptions& options);
+// (objects) how fine curves a view asks for: `curves` below are to be those down to these radii,
+// world units; infinite where nothing of an object is seen and hatched.
+std::vector<double> wanted_radii(const HatchScene& scene, const HatchOptions& options);
 
 // `first`: strokes of the drawing before this one, as points on this surface; where there are any,
 // they are placed instead of the curves. The rules of HatchOptions hold for
 // both kinds of seeding. Adds "hatch_steps" and "hatches" to `counts`. Throws as place_hatches.
-Hatches even_hatches(const HatchScene& scene, const SurfaceCurves& curves,
+Hatches even_hatches(const HatchScene& scene, const CurvesOfObjects& curves,
                      const Ragged<SurfacePoint>& first, const HatchOptions& options, int threads,
                      Counts& counts, const Progress& progress = {});
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "hatch/curve_cells.h"
 #include "hatch/field_walk.h"
@@ -10,7 +11,7 @@
 namespace illustrate {
 namespace {
 
-// So many squares of the finest radius cover the surface; radii grow by sqrt(2) a level.
+// So many squares of the finest radius cover the object; radii grow by sqrt(2) a level.
 constexpr double finest_squares = 60'000;
 constexpr int levels = 9;
 
@@ -51,9 +52,11 @@ using SeedBounds = std::vector<std::array<float, 2>>;
 // Places spread evenly over the surface by area.
 class EvenPlaces {
  public:
-  explicit EvenPlaces(const Surface& surface) {
+  EvenPlaces(const Surface& surface, std::vector<int> triangles)
+      : triangles_(std::move(triangles)) {
     double sum = 0;
-    for (const Triangle& corner : surface.triangles) {
+    for (const int t : triangles_) {
+      const Triangle& corner = surface.triangles[idx(t)];
       const Vec3& origin = surface.positions[idx(corner[0])];
       const Vec3 u = surface.positions[idx(corner[1])] - origin;
       const Vec3 v = surface.positions[idx(corner[2])] - origin;
@@ -72,11 +75,12 @@ class EvenPlaces {
     const auto found = std::upper_bound(area_to_.begin(), area_to_.end() - 1, turn(0) * area());
     double b1 = turn(1), b2 = turn(2);
     if (b1 + b2 > 1) b1 = 1 - b1, b2 = 1 - b2;
-    return {static_cast<int>(found - area_to_.begin()), b1, b2};
+    return {triangles_[static_cast<std::size_t>(found - area_to_.begin())], b1, b2};
   }
 
  private:
-  std::vector<double> area_to_;  // (t) of all triangles up to and with each one
+  std::vector<int> triangles_;
+  std::vector<double> area_to_;  // of all triangles up to and with each one
 };
 
 // The curves of one radius between those of all greater ones. Radius, steps and nodes are in finest
@@ -192,12 +196,16 @@ class LevelBuilder {
 
 class RankedCurves::Builder {
  public:
-  Builder(const Surface& surface, const CrossField& field)
-      : surface_(surface), walker_(surface, field), places_(surface) {
-    for (const Vec3& p : surface.positions) {
-      if (p.allFinite()) box_.extend(p);
+  Builder(const Surface& surface, const CrossField& field, std::vector<int> triangles)
+      : surface_(surface), walker_(surface, field) {
+    for (const int t : triangles) {
+      for (const int vertex : surface.triangles[idx(t)]) {
+        const Vec3& p = surface.positions[idx(vertex)];
+        if (p.allFinite()) box_.extend(p);
+      }
     }
-    const double area = places_.area();
+    places_.emplace(surface, std::move(triangles));
+    const double area = places_->area();
     finest_ = area > 0 && std::isfinite(area) ? std::sqrt(area / finest_squares) : 0;
   }
 
@@ -219,7 +227,7 @@ class RankedCurves::Builder {
       done += share;
     }
     SurfaceCurves result;
-    result.area = places_.area();
+    result.area = places_->area();
     result.step = step();
     for (std::size_t c = 0; c < ends_[idx(level)]; ++c) {
       for (const CurvePlace& place : lines_[c]) result.curves.push(place.on);
@@ -257,7 +265,7 @@ class RankedCurves::Builder {
   }
 
   CurveSeed seed(std::size_t i) const {
-    const SurfacePoint on = places_.place(i);
+    const SurfacePoint on = places_->place(i);
     const Vec3 normal = normal_at(surface_, on);
     const Vec3 along = cross_direction(surface_, walker_.field(), on, normal.unitOrthogonal());
     return {on, along, normal.cross(along)};
@@ -267,7 +275,7 @@ class RankedCurves::Builder {
 
   const Surface& surface_;
   FieldWalker walker_;
-  EvenPlaces places_;
+  std::optional<EvenPlaces> places_;
   Eigen::AlignedBox3d box_;
   double finest_ = 0;
   std::vector<CurveSeed> seeds_;
@@ -276,8 +284,9 @@ class RankedCurves::Builder {
   std::vector<std::size_t> ends_;  // of each of them, in `lines_`
 };
 
-RankedCurves::RankedCurves(const Surface& surface, const CrossField& field)
-    : builder_(std::make_unique<Builder>(surface, field)), made_(levels) {}
+RankedCurves::RankedCurves(const Surface& surface, const CrossField& field,
+                           std::vector<int> triangles)
+    : builder_(std::make_unique<Builder>(surface, field, std::move(triangles))), made_(levels) {}
 
 RankedCurves::~RankedCurves() = default;
 
@@ -293,9 +302,27 @@ const SurfaceCurves& RankedCurves::down_to(double radius, const Progress& progre
   return *made_[idx(level)];
 }
 
-SurfaceCurves surface_curves(const Surface& surface, const CrossField& field,
-                             const Progress& progress) {
-  return RankedCurves(surface, field).down_to(0, progress);
+ObjectCurves::ObjectCurves(const Surface& surface, const CrossField& field) {
+  std::vector<std::vector<int>> triangles(surface.object_is_smooth.size());
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    triangles[idx(surface.triangle_objects[t])].push_back(static_cast<int>(t));
+  }
+  for (std::vector<int>& of_object : triangles) {
+    objects_.push_back(std::make_unique<RankedCurves>(surface, field, std::move(of_object)));
+  }
+}
+
+CurvesOfObjects ObjectCurves::down_to(const std::vector<double>& radii, const Progress& progress) {
+  CurvesOfObjects curves(objects_.size(), nullptr);
+  const auto count = static_cast<double>(curves.size());
+  progress.report(0);
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    if (!std::isfinite(radii[i])) continue;
+    const auto done = static_cast<double>(i);
+    curves[i] = &objects_[i]->down_to(radii[i], progress.part(done / count, (done + 1) / count));
+  }
+  progress.report(1);
+  return curves;
 }
 
 }  // namespace illustrate

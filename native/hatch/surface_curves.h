@@ -17,23 +17,25 @@
 
 namespace illustrate {
 
+// The curves of one object.
 struct SurfaceCurves {
   Ragged<SurfacePoint> curves;  // in rank order; points about `step` apart along a curve
   double step = 0;              // world units
   // Places to fill gaps from: the first n are spread evenly by area, for any n.
   std::vector<SurfacePoint> seeds;
-  double area = 0;  // of the surface
+  double area = 0;  // of the object
 };
 
-// All curves of a surface, made radius by radius, no further than anybody has asked.
+// All curves of one object, made radius by radius, no further than anybody has asked. They depend
+// on nothing but its surface and field.
 class RankedCurves {
  public:
-  // Refers to both.
-  RankedCurves(const Surface& surface, const CrossField& field);
+  // Refers to surface and field. `triangles`: those of the object.
+  RankedCurves(const Surface& surface, const CrossField& field, std::vector<int> triangles);
   ~RankedCurves();
 
   // The curves of all radii down to the first that is not above `radius` (world units), or to the
-  // finest, of whose squares about 60,000 cover the surface; with 2.5 seeds for each square. The
+  // finest, of whose squares about 60,000 cover the object; with 2.5 seeds for each square. The
   // same whatever was asked before. Stays where it is. May be called by several threads; the work
   // is done on one core. Throws Cancelled through `progress` and can then be asked again.
   const SurfaceCurves& down_to(double radius, const Progress& progress = {});
@@ -45,8 +47,20 @@ class RankedCurves {
   std::vector<std::unique_ptr<const SurfaceCurves>> made_;  // down to each radius, null until asked
 };
 
-// Down to the finest. Nothing for a surface without area.
-SurfaceCurves surface_curves(const Surface& surface, const CrossField& field,
-                             const Progress& progress = {});
+// Of each object; null where none are wanted.
+using CurvesOfObjects = std::vector<const SurfaceCurves*>;
+
+// The ranked curves of all objects.
+class ObjectCurves {
+ public:
+  // Refers to both.
+  ObjectCurves(const Surface& surface, const CrossField& field);
+
+  // Of each object down to its own radius, as above; infinite: none of it.
+  CurvesOfObjects down_to(const std::vector<double>& radii, const Progress& progress = {});
+
+ private:
+  std::vector<std::unique_ptr<RankedCurves>> objects_;
+};
 
 }  // namespace illustrate

@@ -211,7 +211,7 @@ class View {
     const Progress hatch_progress = progress.part(0.4, 1, "hatch");
     if (options_.hatch.seeding == HatchSeeding::surface_curves) {
       curves_ =
-          &scene_.hatch_curves(wanted_radius(hatch_scene, options_.hatch), progress.part(0.3, 0.4));
+          scene_.hatch_curves(wanted_radii(hatch_scene, options_.hatch), progress.part(0.3, 0.4));
     }
     hatches_ = timed(result_.timings["hatch"], [&] {
       const bool has_extra = options_.tone.extra_levels > 0;
@@ -241,7 +241,7 @@ class View {
     if (options_.hatch.seeding == HatchSeeding::critical_curves) {
       return place_hatches(scene, options_.hatch, result_.counts, progress);
     }
-    return even_hatches(scene, *curves_, previous_, options_.hatch, options_.threads,
+    return even_hatches(scene, curves_, previous_, options_.hatch, options_.threads,
                         result_.counts, progress);
   }
 
@@ -269,7 +269,7 @@ class View {
   const Camera& camera_;
   const DrawOptions& options_;
   Ragged<SurfacePoint> previous_;
-  const SurfaceCurves* curves_ = nullptr;
+  CurvesOfObjects curves_;
   Hatches hatches_;
   DrawResult result_;
 };

@@ -46,7 +46,7 @@ Prepared::Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions&
       placed_curvature_(std::make_shared<Lazy<Curvature>>()),
       field_(std::make_shared<Lazy<CrossField>>()),
       placed_field_(std::make_shared<Lazy<CrossField>>()),
-      hatch_curves_(std::make_shared<Lazy<std::unique_ptr<RankedCurves>>>()),
+      hatch_curves_(std::make_shared<Lazy<std::unique_ptr<ObjectCurves>>>()),
       derivative_(std::make_shared<Lazy<CurvatureDerivative>>()) {
   timings_ = {{"sanitize", 0}, {"surface", 0},       {"dual_surface", 0}, {"curvature", 0},
               {"field", 0},    {"intersections", 0}, {"hatch_curves", 0}};
@@ -214,13 +214,14 @@ CrossField Prepared::solve_field(const Progress& progress) const {
   return solved;
 }
 
-const SurfaceCurves& Prepared::hatch_curves(const Progress& progress, double radius) const {
+CurvesOfObjects Prepared::hatch_curves(const std::vector<double>& radii,
+                                       const Progress& progress) const {
   const auto& curves = hatch_curves_->get([&] {
     const CrossField& cross_field = field(progress.part(0, 0.5));
-    return std::make_unique<RankedCurves>(surface(), cross_field);
+    return std::make_unique<ObjectCurves>(surface(), cross_field);
   });
   const Progress curve_progress = progress.part(0.5, 1, "hatch curves");
-  return *timed("hatch_curves", [&] { return &curves->down_to(radius, curve_progress); });
+  return timed("hatch_curves", [&] { return curves->down_to(radii, curve_progress); });
 }
 
 const CurvatureDerivative& Prepared::curvature_derivative(const Progress& progress) const {

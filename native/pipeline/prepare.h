@@ -45,8 +45,9 @@ class Prepared {
   }
   const Curvature& hatch_curvature(const Progress& progress = {}) const;
   const CrossField& field(const Progress& progress = {}) const;
-  // Down to the finest, or to a radius (hatch/surface_curves.h).
-  const SurfaceCurves& hatch_curves(const Progress& progress = {}, double radius = 0) const;
+  // Of each object, down to its radius (hatch/surface_curves.h). They stay where they are.
+  CurvesOfObjects hatch_curves(const std::vector<double>& radii,
+                               const Progress& progress = {}) const;
   const CurvatureDerivative& curvature_derivative(const Progress& progress = {}) const;
 
   const std::vector<MeshReport>& mesh_reports() const { return geometry_->mesh_reports; }
@@ -101,7 +102,7 @@ class Prepared {
   std::shared_ptr<Lazy<Curvature>> curvature_, placed_curvature_;
   std::shared_ptr<Lazy<CrossField>> field_, placed_field_;
   mutable LastField last_field_;  // until this field is solved
-  std::shared_ptr<Lazy<std::unique_ptr<RankedCurves>>> hatch_curves_;
+  std::shared_ptr<Lazy<std::unique_ptr<ObjectCurves>>> hatch_curves_;
   std::shared_ptr<Lazy<CurvatureDerivative>> derivative_;
   mutable std::mutex timings_mutex_;
   mutable Timings timings_;

@@ -103,13 +103,29 @@ SeenScene::SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& s
   part_->numbers = std::move(numbers);
 }
 
-SurfaceCurves SeenScene::seen_curves(const SurfaceCurves& whole) const {
-  SurfaceCurves part{seen_parts(whole.curves), whole.step, {}, whole.area};
-  for (const SurfacePoint& on : whole.seeds) {
-    const int triangle = part_->numbers[idx(on.triangle)];
-    if (triangle != none) part.seeds.push_back({triangle, on.b1, on.b2});
-  }
+// Of an object that is seen.
+SurfaceCurves SeenScene::renumbered(const SurfaceCurves& whole) const {
+  SurfaceCurves part = whole;
+  for (SurfacePoint& on : part.curves.values) on.triangle = part_->numbers[idx(on.triangle)];
+  for (SurfacePoint& on : part.seeds) on.triangle = part_->numbers[idx(on.triangle)];
   return part;
+}
+
+CurvesOfObjects SeenScene::hatch_curves(const std::vector<double>& radii,
+                                        const Progress& progress) const {
+  CurvesOfObjects curves = prepared_.hatch_curves(radii, progress);
+  if (!part_) return curves;
+  const std::vector<SurfaceCurves>& parts = part_->hatch_curves.get([&] {
+    std::vector<SurfaceCurves> made;
+    for (const SurfaceCurves* whole : curves) {
+      made.push_back(whole ? renumbered(*whole) : SurfaceCurves{});
+    }
+    return made;
+  });
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    if (curves[i]) curves[i] = &parts[i];
+  }
+  return curves;
 }
 
 Ragged<SurfacePoint> SeenScene::seen_parts(const Ragged<SurfacePoint>& curves) const {

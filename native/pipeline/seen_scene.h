@@ -34,12 +34,8 @@ class SeenScene {
   // Curves on the whole surface, as far as their triangles are in this scene, with their numbers in
   // it.
   Ragged<SurfacePoint> seen_parts(const Ragged<SurfacePoint>& curves) const;
-  // Down to a radius, world units.
-  const SurfaceCurves& hatch_curves(double radius, const Progress& progress) const {
-    const SurfaceCurves& whole = prepared_.hatch_curves(progress, radius);
-    if (!part_) return whole;
-    return part_->hatch_curves.get([&] { return seen_curves(whole); });
-  }
+  // Of each object down to its radius, world units.
+  CurvesOfObjects hatch_curves(const std::vector<double>& radii, const Progress& progress) const;
 
   // From triangles of this scene to those of `prepared`.
   void restore_triangles(std::vector<SurfacePoint>& points) const;
@@ -53,9 +49,9 @@ class SeenScene {
     Lazy<DualSurface> dual_surface;
     std::vector<FeatureEdge> features;
     IntersectionCurves intersections;
-    Lazy<SurfaceCurves> hatch_curves;
+    Lazy<std::vector<SurfaceCurves>> hatch_curves;  // (objects)
   };
-  SurfaceCurves seen_curves(const SurfaceCurves& whole) const;
+  SurfaceCurves renumbered(const SurfaceCurves& whole) const;
 
   const Prepared& prepared_;
   int threads_;

@@ -173,7 +173,7 @@ TEST(EvenHatches, AreTheSameOnAllThreadsAndCanBeCancelled) {
   int calls = 0;
   const Progress progress([&](double, const std::string&) { return ++calls < 3; }, "hatch");
   const SurfaceCurves curves = surface_curves(scene.surface, scene.field);
-  EXPECT_THROW(even_hatches(scene.view(), curves, {}, {}, 1, scene.counts, progress), Cancelled);
+  EXPECT_THROW(even_hatches(scene.view(), {&curves}, {}, {}, 1, scene.counts, progress), Cancelled);
 }
 
 TEST(EvenHatches, NothingSeenGivesNothing) {

@@ -228,7 +228,7 @@ TEST(CrossFieldSolve, UnusedVerticesAreLeftAlone) {
 }
 
 TEST(CrossFieldSolve, StopsWhenAsked) {
-  const Surface surface = smooth_cube(3);
+  const Surface surface = smooth_cube(4);
   for (const int stop : {0, 3, 20, 60}) {
     int calls = 0;
     const Progress progress([&](double, const std::string&) { return calls++ < stop; }, "field");

@@ -1,6 +1,7 @@
 // Scenes of hatches, and what is measured of them.
 #pragma once
 
+#include <numeric>
 #include <optional>
 
 #include <gtest/gtest.h>
@@ -21,6 +22,17 @@ CrossField field_of(const Surface& surface, const Direction& direction) {
     field.directions.push_back((d - d.dot(n) * n).normalized());
   }
   return field;
+}
+
+// Of a surface that is one object.
+inline std::vector<int> all_triangles(const Surface& surface) {
+  std::vector<int> triangles(surface.triangles.size());
+  std::iota(triangles.begin(), triangles.end(), 0);
+  return triangles;
+}
+inline SurfaceCurves surface_curves(const Surface& surface, const CrossField& field,
+                                    const Progress& progress = {}) {
+  return RankedCurves(surface, field, all_triangles(surface)).down_to(0, progress);
 }
 
 inline Vec3 round_z(const Vec3& p) { return Vec3::UnitZ().cross(p) + Vec3(1e-9, 0, 0); }
@@ -58,7 +70,9 @@ struct Scene {
   }
   Hatches place() { return place_hatches(view(), options, counts); }
   Hatches even(const Ragged<SurfacePoint>& first = {}, int threads = 1) {
-    return even_hatches(view(), surface_curves(surface, field), first, options, threads, counts);
+    ObjectCurves curves_of_objects(surface, field);
+    const std::vector<double> finest(surface.object_is_smooth.size(), 0);
+    return even_hatches(view(), curves_of_objects.down_to(finest), first, options, threads, counts);
   }
   Hatches reduce(const Hatches& hatches) {
     return reduce_hatches(hatches, view(), options, counts);

@@ -154,7 +154,8 @@ TEST(SurfaceCurves, AreTheSameAtAnySize) {
 TEST(RankedCurves, AreMadeNoFurtherThanAskedAndTheSameInAnyOrder) {
   const Surface torus = shapes::torus_surface(1, 0.4, 40, 20);
   const CrossField field = field_of(torus, round_z);
-  RankedCurves zooming_in(torus, field), zooming_out(torus, field);
+  RankedCurves zooming_in(torus, field, all_triangles(torus)),
+      zooming_out(torus, field, all_triangles(torus));
   const double infinite = std::numeric_limits<double>::infinity();
   const std::vector<double> radii{infinite, 0.1, 0.05, 0.0};
   for (auto radius = radii.rbegin(); radius != radii.rend(); ++radius) zooming_out.down_to(*radius);
@@ -175,7 +176,7 @@ TEST(RankedCurves, AreMadeNoFurtherThanAskedAndTheSameInAnyOrder) {
 TEST(RankedCurves, CanBeAskedAgainAfterCancellingAndWhileReporting) {
   const Surface torus = shapes::torus_surface(1, 0.4, 40, 20);
   const CrossField field = field_of(torus, round_z);
-  RankedCurves curves(torus, field);
+  RankedCurves curves(torus, field, all_triangles(torus));
   int calls = 0;
   const auto cancel = [&](double, const std::string&) { return ++calls < 12; };
   EXPECT_THROW(curves.down_to(0.03, Progress(cancel, "hatch curves")), Cancelled);
