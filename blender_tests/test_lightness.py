@@ -160,9 +160,9 @@ def test_frames_of_a_sequence_are_exposed_alike(scene: Any) -> None:
     lamp.data.energy = 3
     second = illustration.illustrate(scene, bpy.context.evaluated_depsgraph_get())
     assert second.drawing.tone.exposure == pytest.approx(first.drawing.tone.exposure / 3)
-    third = illustration.illustrate(
-        scene, bpy.context.evaluated_depsgraph_get(), exposed_as=first.drawing
-    )
+    request = illustration.read_request(scene, bpy.context.evaluated_depsgraph_get())
+    request.expose_as(first.drawing)
+    third = illustration.compute(request)
     assert third.drawing.tone.exposure == pytest.approx(first.drawing.tone.exposure)
 
 
