@@ -82,8 +82,7 @@ MinimiseResult minimise(const FieldGraph& graph, int max_evaluations, int thread
   }
   const bool has_ended = result > 0 && result != NLOPT_MAXEVAL_REACHED;
   const bool has_failed = result < 0;
-  return {has_ended || (has_failed && is_minimum(graph, search.best, threads)),
-          search.evaluations};
+  return {has_ended || (has_failed && is_minimum(graph, search.best, threads)), search.evaluations};
 }
 
 }  // namespace illustrate

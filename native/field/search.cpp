@@ -25,8 +25,7 @@ SearchResult search_part(const FieldGraph& graph, const SearchStarts& starts,
   const bool is_wide = starts.nearby.empty();
   SearchResult found{is_wide ? starts.initial : starts.nearby, {}};
   if (is_wide) {
-    found.z =
-        portfolio_start(graph, {starts.principal, starts.initial}, progress.part(0, 0.7));
+    found.z = portfolio_start(graph, {starts.principal, starts.initial}, progress.part(0, 0.7));
   } else if (options.start == FieldStart::search) {
     found.minimise = minimise(graph, few_evaluations, threads, found.z, progress.part(0, 0.1));
     if (!found.minimise.converged) relax_at_all_scales(graph, found.z, progress.part(0.1, 0.7));

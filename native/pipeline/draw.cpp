@@ -241,8 +241,8 @@ class View {
     if (options_.hatch.seeding == HatchSeeding::critical_curves) {
       return place_hatches(scene, options_.hatch, result_.counts, progress);
     }
-    return even_hatches(scene, curves_, previous_, options_.hatch, options_.threads,
-                        result_.counts, progress);
+    return even_hatches(scene, curves_, previous_, options_.hatch, options_.threads, result_.counts,
+                        progress);
   }
 
   Hatches reduced(const Hatches& placed, const HatchScene& scene) {

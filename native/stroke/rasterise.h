@@ -3,7 +3,8 @@
 // A stroke is what a round pen covers whose width changes linearly from point to point. A pixel is
 // covered by the exact area that it shares with a straight strip of the stroke's width, so that a
 // line has the same ink in every direction, and one thinner than a pixel grows paler as it should;
-// at ends and corners the strip is the one across the way to the nearest point. Where pieces of one stroke meet or cross, the larger cover counts: no beads.
+// at ends and corners the strip is the one across the way to the nearest point. Where pieces of one
+// stroke meet or cross, the larger cover counts: no beads.
 #pragma once
 
 #include <array>
