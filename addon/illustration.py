@@ -78,7 +78,7 @@ class Request:
     def prepared_key(self) -> str:
         """A digest of all that preparing depends on."""
         values = {name: value for name, value in self.prepare.items() if name != "threads"}
-        looks = [(m.reflectance, m.uv, m.textures, m.face_textures) for m in self.arrays.meshes]
+        looks = [mesh.look for mesh in self.arrays.meshes]
         return digest(self.meshes_key, looks, self.arrays.guides, self.guide_weight, values)
 
     @cached_property
@@ -213,23 +213,29 @@ def native_meshes(ill: Any, arrays: SceneArrays) -> list[Any]:
 
     But mirrored objects: their front is on the other side.
     """
+    textures = {
+        id(texture): ill.Texture(texture.luminance, texture.wrap)
+        for mesh in arrays.meshes
+        for texture in mesh.textures
+    }
     if not arrays.copies:
-        return [_native_mesh(ill, mesh) for mesh in arrays.meshes]
-    keys = [digest(copy.mesh) for copy in arrays.copies]
+        return [_native_mesh(ill, mesh, textures) for mesh in arrays.meshes]
+    keys = [digest(copy.mesh.shape, copy.mesh.look) for copy in arrays.copies]
     counts, originals, meshes = Counter(keys), {}, []
     for key, copy, mesh in zip(keys, arrays.copies, arrays.meshes, strict=True):
         if counts[key] == 1 or not _can_share(copy.matrix):
-            meshes.append(_native_mesh(ill, mesh))
+            meshes.append(_native_mesh(ill, mesh, textures))
             continue
         if key not in originals:
-            originals[key] = _native_mesh(ill, copy.mesh)
+            originals[key] = _native_mesh(ill, copy.mesh, textures)
         meshes.append(originals[key].instance(copy.matrix, mesh.name, mesh.edge_length))
     return meshes
 
 
-def _native_mesh(ill: Any, mesh: MeshArrays) -> Any:
+def _native_mesh(ill: Any, mesh: MeshArrays, textures: dict[int, Any]) -> Any:
+    """textures: the native ones by the identity of their arrays."""
     values = dict(vars(mesh))
-    values["textures"] = [ill.Texture(**vars(texture)) for texture in mesh.textures]
+    values["textures"] = [textures[id(texture)] for texture in mesh.textures]
     return ill.PolygonMesh(**values)
 
 

@@ -10,7 +10,8 @@ from typing import Any
 
 import numpy as np
 
-LUMINANCE = (0.2126, 0.7152, 0.0722)
+from .lightness import luminance
+
 SKY = (0.5, 0.5, 0.5)  # what stands in for a sky or an image all round
 
 
@@ -33,7 +34,7 @@ class LightArrays:
 def read_light(data: Any, matrix: Any) -> LightArrays:
     """The light `data` placed by `matrix` (4, 4). Lights shine along their own -z."""
     watts = data.energy * 2.0 ** getattr(data, "exposure", 0.0)
-    watts *= float(np.dot(LUMINANCE, data.color))
+    watts *= luminance(data.color)
     position, backward = matrix[:3, 3], _unit(matrix[:3, 2])
     if data.type == "SUN":
         light = LightArrays("sun", backward, watts / math.pi)
@@ -65,7 +66,7 @@ def read_world(world: Any) -> list[LightArrays]:
             return []
         strength = float(node.inputs["Strength"].default_value)
         colour = SKY if node.inputs["Color"].links else node.inputs["Color"].default_value
-    grey = float(np.dot(LUMINANCE, tuple(colour)[:3])) * strength
+    grey = luminance(colour) * strength
     return [LightArrays("ambient", None, grey, casts_shadows=False)] if grey > 0 else []
 
 

@@ -6,9 +6,12 @@ times a constant, or mixed by one. Of anything else the viewport colour stands i
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
+
+from .cache import digest
 
 PAPER = 0.8  # Blender's own base colour: what is as light is white paper, and nothing is whiter
 LUMINANCE = (0.2126, 0.7152, 0.0722)
@@ -235,6 +238,11 @@ class TextureArrays:
 
     luminance: Any  # (h, w) float32
     wrap: str = "repeat"
+
+    @cached_property
+    def key(self) -> str:
+        """A name for what it shows, found once however many meshes share it."""
+        return f"{self.wrap} {digest(self.luminance)}"
 
 
 class LightnessReader:

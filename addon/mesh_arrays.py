@@ -39,6 +39,12 @@ class MeshArrays:
         """Without what shapes nothing."""
         return replace(self, reflectance=None, uv=None, textures=[], face_textures=None)
 
+    @property
+    def look(self) -> tuple[Any, ...]:
+        """What shapes nothing, textures by their names."""
+        keys = [texture.key for texture in self.textures]
+        return self.reflectance, self.uv, keys, self.face_textures
+
 
 def read_mesh(mesh: Any, name: str, cage: bool) -> MeshArrays:
     """Arrays of a Blender mesh, sharp where its edges and vertices are creased.

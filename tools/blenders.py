@@ -11,6 +11,7 @@ from pathlib import Path
 from suites import ROOT, Suite
 
 SHARED = Path(os.environ.get("ILLUSTRATE_SHARED", ROOT.parent / "shared"))
+MADE = ("build", "out")  # folders of the checkout that the tests do not read
 CHECKOUT_IN_ROOT = "srv/illustrate/main"
 SCREEN = ["xvfb-run", "--auto-servernum", "--server-args", "-screen 0 1280x800x24 +extension GLX"]
 PATH_IN_ROOT = "PATH=/usr/local/bin:/usr/bin:/bin:/usr/sbin:/sbin"
@@ -91,10 +92,11 @@ def set_up(blender: Blender) -> Place:
 
 
 def _stage(checkout: Path) -> None:
-    """Copies what the tests need into a root folder, which has no mounts."""
+    """Copies the checkout but what is made in it into a root folder, which has no mounts."""
     shutil.rmtree(checkout, ignore_errors=True)
-    for name in ("blender_tests", "examples", "dist"):
-        shutil.copytree(ROOT / name, checkout / name)
+    for path in ROOT.iterdir():
+        if path.is_dir() and path.name not in MADE and not path.name.startswith("."):
+            shutil.copytree(path, checkout / path.name)
     if SHARED.is_dir():
         meshes = checkout.parent / "shared" / "meshes"
         shutil.copytree(SHARED / "meshes", meshes, dirs_exist_ok=True)

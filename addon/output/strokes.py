@@ -53,10 +53,7 @@ def stroke_groups(drawing: Any, camera: Any) -> list[StrokeGroup]:
 
 
 def _gather(drawing: Any, group: Any, points: Any, radii: Any) -> StrokeGroup:
-    offsets = np.asarray(drawing.offsets)
-    first, sizes = offsets[group.strokes], np.diff(offsets)[group.strokes]
-    starts = np.cumsum(sizes) - sizes
-    chosen = np.arange(sizes.sum()) + np.repeat(first - starts, sizes)
+    chosen, sizes = native.load_part("line_groups").points_of(drawing, group.strokes)
 
     def of_strokes(values: Any, dtype: Any) -> Any:
         return np.asarray(values)[group.strokes].astype(dtype)

@@ -100,6 +100,16 @@ class LineGroup:
     strokes: NDArray[np.intp]  # indices, ascending
 
 
+def points_of(
+    drawing: DrawingArrays, strokes: NDArray[np.intp]
+) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Indices of the points of some strokes, one stroke after another, and how many each has."""
+    offsets = np.asarray(drawing.offsets).astype(np.intp)
+    first, sizes = offsets[strokes], np.diff(offsets)[strokes]
+    starts = np.cumsum(sizes) - sizes
+    return np.arange(sizes.sum()) + np.repeat(first - starts, sizes), sizes
+
+
 def line_groups(drawing: DrawingArrays) -> list[LineGroup]:
     """Groups of strokes, lowest first: hidden lines, hatching, lines. None is empty."""
     kinds = np.asarray(drawing.kinds).astype(int)

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._core import rasterise
-from .line_groups import DrawingArrays, line_groups
+from .line_groups import DrawingArrays, line_groups, points_of
 
 BLACK = (0, 0, 0, 255)
 WHITE = (255, 255, 255, 255)
@@ -76,14 +76,11 @@ def to_pixels(
         ink = np.array(colours.get(group.title, BLACK), np.uint8)
         inks.append(np.tile(ink, (len(group.strokes), 1)))
     strokes = np.concatenate(order)
-    offsets = np.asarray(drawing.offsets)
-    sizes = np.diff(offsets)[strokes]
-    ends = np.cumsum(sizes)
-    points = np.arange(sizes.sum()) + np.repeat(offsets[strokes] - (ends - sizes), sizes)
+    points, sizes = points_of(drawing, strokes)
     return rasterise(
         np.asarray(drawing.image)[points],
         np.asarray(drawing.widths)[points],
-        np.concatenate([[0], ends]),
+        np.concatenate([[0], np.cumsum(sizes)]),
         np.asarray(drawing.closed)[strokes],
         np.concatenate(inks),
         width_px,

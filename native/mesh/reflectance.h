@@ -23,7 +23,6 @@ class Texture {
   double mean_at(const Vec2& uv, double texels) const;
   // Texels that a distance of 1 in uv has, in the geometric mean of both directions.
   double size() const;
-  Wrap wrap() const { return wrap_; }
 
  private:
   struct Level {

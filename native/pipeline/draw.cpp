@@ -125,12 +125,6 @@ void to_pixels(LabelledGraph& graph, double unit) {
   graph.unit_px = unit;
 }
 
-std::vector<const PolygonMesh*> pointers_to(const std::vector<MeshPointer>& meshes) {
-  std::vector<const PolygonMesh*> pointers;
-  for (const MeshPointer& mesh : meshes) pointers.push_back(mesh.get());
-  return pointers;
-}
-
 // The stages of one view, each with its time.
 class View {
  public:
@@ -197,7 +191,7 @@ class View {
     ToneOptions tone_options = options_.tone;
     tone_options.threads = options_.threads;
     const Mask unhatched = unhatched_objects(options_.styles);
-    const Lightness lightness(surface, pointers_to(scene_.meshes()));
+    const Lightness lightness(surface, scene_.meshes());
     result_.tone = timed(result_.timings["tone"], [&] {
       return tone_regions(surface, visible, result_.graph, camera_, lights, tone_options,
                           &scene_.bvh(), unhatched, &lightness, tone_progress);

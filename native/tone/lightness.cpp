@@ -19,15 +19,6 @@ double twice_area(const std::vector<Vec2>& corners) {
   return sum;
 }
 
-// Newell's normal: any length.
-Vec3 normal_of(const std::vector<Vec3>& corners) {
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
-    sum += (corners[k] - corners[0]).cross(corners[k + 1] - corners[0]);
-  }
-  return sum;
-}
-
 double in_unit(double value) { return value > 0 ? std::min(value, 1.0) : 0; }
 
 }  // namespace
@@ -50,7 +41,7 @@ void FaceLightness::flatten(const PolygonMesh& mesh, std::size_t first, std::siz
   for (std::size_t k = 0; k < size; ++k) {
     points.push_back(mesh.positions[idx(mesh.corner_vertices[first + k])]);
   }
-  const Vec3 normal = unit_or_zero(normal_of(points));
+  const Vec3 normal = unit_or_zero(newell_normal({points.data(), points.size()}));
   if (normal.isZero() || !normal.allFinite()) return;
   origin_ = points[0];
   right_ = normal.unitOrthogonal();
@@ -89,8 +80,9 @@ double FaceLightness::at(const Vec3& position, double size) const {
   return in_unit(share);
 }
 
-Lightness::Lightness(const Surface& surface, std::vector<const PolygonMesh*> meshes)
-    : surface_(surface), meshes_(std::move(meshes)), first_corners_(meshes_.size()) {
+Lightness::Lightness(const Surface& surface,
+                     const std::vector<std::shared_ptr<const PolygonMesh>>& meshes)
+    : surface_(surface), meshes_(meshes), first_corners_(meshes.size()) {
   for (std::size_t o = 0; o < meshes_.size(); ++o) {
     if (meshes_[o]->reflectance.is_white()) continue;
     is_white_ = false;
@@ -102,12 +94,11 @@ Lightness::Lightness(const Surface& surface, std::vector<const PolygonMesh*> mes
   }
 }
 
-FaceLightness Lightness::of_triangle(int triangle) const {
-  static const PolygonMesh white;
+std::optional<FaceLightness> Lightness::of_triangle(int triangle) const {
   const auto object = static_cast<std::size_t>(surface_.triangle_objects[idx(triangle)]);
   const int face = surface_.triangle_faces[idx(triangle)];
-  if (first_corners_[object].empty() || face == none) return {white, 0, 0};
-  return {*meshes_[object], idx(face), first_corners_[object][idx(face)]};
+  if (first_corners_[object].empty() || face == none) return {};
+  return FaceLightness(*meshes_[object], idx(face), first_corners_[object][idx(face)]);
 }
 
 }  // namespace illustrate

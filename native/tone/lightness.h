@@ -2,6 +2,9 @@
 // made from.
 #pragma once
 
+#include <memory>
+#include <optional>
+
 #include "mesh/polygon_mesh.h"
 #include "surface/mean_value.h"
 #include "surface/surface.h"
@@ -33,19 +36,19 @@ class FaceLightness {
   double texels_per_length_ = 0;
 };
 
-// The lightness of all objects. Refers to the meshes and the surface.
+// The lightness of all objects. Refers to the surface and the list of meshes.
 class Lightness {
  public:
   // meshes: of the objects, in order.
-  Lightness(const Surface& surface, std::vector<const PolygonMesh*> meshes);
+  Lightness(const Surface& surface, const std::vector<std::shared_ptr<const PolygonMesh>>& meshes);
 
   bool is_white() const { return is_white_; }
-  // Of the face that a triangle is a piece of; white where there is none.
-  FaceLightness of_triangle(int triangle) const;
+  // Of the face that a triangle is a piece of; none: white.
+  std::optional<FaceLightness> of_triangle(int triangle) const;
 
  private:
   const Surface& surface_;
-  std::vector<const PolygonMesh*> meshes_;
+  const std::vector<std::shared_ptr<const PolygonMesh>>& meshes_;
   std::vector<std::vector<std::size_t>> first_corners_;  // (objects)(faces) empty: white
   bool is_white_ = true;
 };

@@ -64,7 +64,7 @@ class Illumination {
       corners.mapped[k] = apply(map_, corners.positions[k]);
       corners.normals[k] = surface_.corner_sign(triangle, k) * surface_.normals[vertex];
     }
-    if (lightness_) corners.lightness.emplace(lightness_->of_triangle(triangle));
+    if (lightness_) corners.lightness = lightness_->of_triangle(triangle);
     return corners;
   }
 

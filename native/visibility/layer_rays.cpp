@@ -16,8 +16,9 @@ constexpr double blind_px = 3;     // hits nearer than this may be the curve's o
 constexpr double blind_edges = 3;  // so may those be that are nearer than so many edges of the
                                    // curve's triangle, for silhouettes
 constexpr double blind_diagonals = 0.01;  // and never more than this share of everything's diagonal
-constexpr double rounding = 1e-6;         // share of that: hits nearer than this are the curve's
-                                          // own surface, before or behind it as rounding has it
+// Of the distance within which hits may be the curve's own surface: those nearer than this share
+// are it, before or behind the curve as rounding has it.
+constexpr double rounding = 1e-6;
 
 }  // namespace
 

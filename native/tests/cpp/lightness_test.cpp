@@ -88,12 +88,13 @@ TEST(Lightness, TrianglesKnowTheirFace) {
   SurfaceOptions options;
   options.level = 2;
   const Surface surface = refine({sanitize(*mesh, counts)}, options, counts);
-  const Lightness lightness(surface, {mesh.get()});
+  const std::vector<std::shared_ptr<const PolygonMesh>> meshes{mesh};
+  const Lightness lightness(surface, meshes);
   ASSERT_FALSE(lightness.is_white());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const int face = surface.triangle_faces[t];
     const Triangle& triangle = surface.triangles[t];
-    EXPECT_DOUBLE_EQ(lightness.of_triangle(static_cast<int>(t)).at(Vec3::Zero(), 1),
+    EXPECT_DOUBLE_EQ(lightness.of_triangle(static_cast<int>(t))->at(Vec3::Zero(), 1),
                      0.1 * (face + 1));
     // A face of the cube is where its triangles are.
     Vec3 middle = Vec3::Zero();
