@@ -18,7 +18,7 @@ build_for_blender() {
     compile_for_pythons "$version" && cp "$BUILD"/pythons/*.so "$ADDON/illustrate_native/"
 }
 
-"$ROOT/tools/setup_system.sh" build
+"$ROOT/tools/setup_system.sh" build ${1:+test}
 "$ROOT/tools/setup_python.sh"
 mkdir -p "$ROOT/build"
 exec 9>"$ROOT/build/build.lock"

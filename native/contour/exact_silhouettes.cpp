@@ -16,7 +16,7 @@ constexpr int most_cuts = 5;    // of a triangle
 constexpr std::size_t smallest_loop = 3;
 constexpr double finest_px = 0.03;  // below, the image grid would twist strands
 
-// One for each linear chain; empty where it is too small to be drawn.
+// One for each linear chain; empty where it is left out or too small to be drawn.
 struct ExactChains {
   std::vector<ExactPolyline> chains;
   std::vector<int> swallowtails;  // in each chain
@@ -46,16 +46,17 @@ class Drawer {
                    SolvedEdges* solved, bool all) {
     ExactChain exact(surface, contour_, functions, solved);
     ExactChains result;
+    result.chains.resize(end - begin);
+    result.swallowtails.resize(end - begin);
     for (std::size_t c = begin; c < end; ++c) {
+      if (linear.is_left_out(c)) continue;
       exact.solve(linear.chains[c], linear.closed[c], everywhere_);
       ExactPolyline line = exact.polyline();
       const std::vector<int> troubled = exact.troubled();
       result.troubled.insert(result.troubled.end(), troubled.begin(), troubled.end());
-      result.chains.emplace_back();
-      result.swallowtails.push_back(0);
       if (!all && !troubled.empty()) continue;
-      result.swallowtails.back() = finish(surface, exact, line);
-      result.chains.back() = std::move(line);
+      result.swallowtails[c - begin] = finish(surface, exact, line);
+      result.chains[c - begin] = std::move(line);
     }
     std::sort(result.troubled.begin(), result.troubled.end());
     result.evaluations = contour_.evaluations();
@@ -181,7 +182,8 @@ struct Redrawn {
 };
 
 // Redraws the chains through some troubled triangles, with these cut, until no trouble is left.
-// Chains that run through a triangle beside them are redrawn with them.
+// Chains that run through a triangle beside them are redrawn with them, also those left out: of
+// them too the patchwork needs to have all.
 class Finer {
  public:
   Finer(const Surface& surface, const LinearSilhouettes& linear, const SegmentsOf& segments,

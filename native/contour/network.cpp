@@ -57,7 +57,7 @@ CurveNetwork build_network(const ContourScene& scene, const Camera& camera,
       scene, camera, options,
       linear.triangles.size() + features.size() + scene.intersections.curves.values.size());
   if (unseen) {
-    counts["unseen_chains"] += drop_unseen_chains(*unseen, linear);
+    counts["unseen_chains"] += leave_out_unseen_chains(*unseen, linear);
     mark_unseen_segments(*unseen, linear);
   }
   const Silhouettes found =

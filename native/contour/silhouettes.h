@@ -38,8 +38,11 @@ struct EdgePoint : ChainPoint {
 struct LinearSilhouettes {
   Ragged<EdgePoint> chains;
   std::vector<std::uint8_t> closed;
-  std::vector<int> triangles;  // that carry a segment, ascending
+  std::vector<std::uint8_t> left_out;  // chains that need not be drawn (unseen.h); empty: none
+  std::vector<int> triangles;          // that carry a segment, ascending
   std::int64_t triangles_visited = 0;
+
+  bool is_left_out(std::size_t chain) const { return !left_out.empty() && left_out[chain] != 0; }
 };
 
 // What a view looked at to find the triangles that carry a segment.

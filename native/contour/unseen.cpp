@@ -266,22 +266,16 @@ Sight Unseen::segment(const Vec3& a, const Vec3& b) const {
   return box({ends.data(), ends.size()});
 }
 
-int drop_unseen_chains(const Unseen& unseen, LinearSilhouettes& silhouettes) {
-  Ragged<EdgePoint> chains;
-  std::vector<std::uint8_t> closed;
+int leave_out_unseen_chains(const Unseen& unseen, LinearSilhouettes& silhouettes) {
+  silhouettes.left_out.assign(silhouettes.chains.size(), 0);
   for (std::size_t c = 0; c < silhouettes.chains.size(); ++c) {
     const Span<EdgePoint> chain = silhouettes.chains[c];
-    const bool is_unseen = std::all_of(chain.begin(), chain.end(), [&](const EdgePoint& p) {
+    silhouettes.left_out[c] = std::all_of(chain.begin(), chain.end(), [&](const EdgePoint& p) {
       return !takes_part_in_crossings(unseen.triangle(p.on.triangle));
     });
-    if (is_unseen) continue;
-    chains.add(chain);
-    closed.push_back(silhouettes.closed[c]);
   }
-  const auto dropped = static_cast<int>(silhouettes.closed.size() - closed.size());
-  silhouettes.chains = std::move(chains);
-  silhouettes.closed = std::move(closed);
-  return dropped;
+  return static_cast<int>(
+      std::count(silhouettes.left_out.begin(), silhouettes.left_out.end(), std::uint8_t{1}));
 }
 
 void mark_unseen_segments(const Unseen& unseen, LinearSilhouettes& silhouettes) {

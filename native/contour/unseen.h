@@ -37,9 +37,9 @@ class Unseen {
   OcclusionMap covered_, buried_;
 };
 
-// Takes away the chains that no other curve need cross, all of whose triangles are buried or beyond
+// Leaves out the chains that no other curve need cross, all of whose triangles are buried or beyond
 // the frame; returns how many.
-int drop_unseen_chains(const Unseen& unseen, LinearSilhouettes& silhouettes);
+int leave_out_unseen_chains(const Unseen& unseen, LinearSilhouettes& silhouettes);
 
 // Marks the segments of stretches that `cut_at_unseen` will cut off, as far as their triangles
 // tell.

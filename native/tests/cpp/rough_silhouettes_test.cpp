@@ -59,7 +59,9 @@ Silhouettes exact(const Surface& surface, const Camera& camera, Counts& counts, 
   const ContourFunctions functions(surface, camera);
   LinearSilhouettes linear = linear_silhouettes(surface, functions);
   if (leave_out_unseen) {
-    mark_unseen_segments(Unseen(surface, camera, Unseen::Evidence::certain, threads), linear);
+    const Unseen unseen(surface, camera, Unseen::Evidence::certain, threads);
+    counts["unseen_chains"] += leave_out_unseen_chains(unseen, linear);
+    mark_unseen_segments(unseen, linear);
   }
   return exact_silhouettes(surface, LimitSurface(surface), functions, camera, linear, false, counts,
                            {}, threads);
@@ -118,6 +120,21 @@ TEST(RoughSilhouettes, AreMadeExactWhereTheyMayBeSeen) {
   EXPECT_EQ(cusps(part, -1), cusps(whole, -1));
   EXPECT_GT(cusps(whole, 1), 10);
   EXPECT_EQ(cusps(part, 1), 0);
+}
+
+// A chain that is left out may share a triangle's surroundings with one that is not.
+TEST(RoughSilhouettes, CloseAlsoWhereChainsBesideThemAreLeftOut) {
+  const Camera near_by = cameras::orthographic(Vec3(.02, .01, 1), 2);
+  Counts counts;
+  for (double edge = -.5; edge < .9; edge += .05) {
+    const PolygonMesh plate = shapes::polygon_mesh(
+        {{edge, -1.5, 1.5}, {1.5, -1.5, 1.5}, {1.5, 1.5, 1.5}, {edge, 1.5, 1.5}}, {{0, 1, 2, 3}});
+    const Surface surface = level_0({rough_sphere(5, .08), plate});
+    const Silhouettes found = exact(surface, near_by, counts, 1, true);
+    EXPECT_EQ(std::count(found.closed.begin(), found.closed.end(), std::uint8_t{0}), 0);
+  }
+  EXPECT_GT(counts["unseen_chains"], 10);
+  EXPECT_GT(counts["troubled_triangles"], 10);
 }
 
 }  // namespace

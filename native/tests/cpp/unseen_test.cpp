@@ -177,16 +177,17 @@ TEST_F(BlockOfBalls, IsSampledWhereCurvesAreMissing) {
   EXPECT_EQ(counts["sampled_views"], 1);
 }
 
-TEST(Unseen, ChainsWithinWallsAreDropped) {
+TEST(Unseen, ChainsWithinWallsAreLeftOut) {
   const Surface surface =
       shapes::joined(plate(1), shapes::joined(shapes::sphere_surface(0.3, 2, Vec3(0, 0, -1)),
                                               shapes::sphere_surface(0.3, 2, Vec3(1, 0, -1))));
   const ContourFunctions functions(surface, from_above);
   LinearSilhouettes found = linear_silhouettes(surface, functions);
   ASSERT_EQ(found.chains.size(), 2U);
-  EXPECT_EQ(drop_unseen_chains(Unseen(surface, from_above, certain, 1), found), 1);
-  ASSERT_EQ(found.chains.size(), 1U);
-  EXPECT_GT(found.chains[0].front().position.x(), 0.6);
+  EXPECT_EQ(leave_out_unseen_chains(Unseen(surface, from_above, certain, 1), found), 1);
+  for (std::size_t c = 0; c < 2; ++c) {
+    EXPECT_EQ(found.is_left_out(c), found.chains[c].front().position.x() < 0.6);
+  }
 }
 
 }  // namespace
