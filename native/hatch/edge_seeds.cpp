@@ -47,7 +47,7 @@ std::vector<std::uint8_t> strips(const HatchView& view, const ImageLattice& latt
 std::vector<StreamlineNode> edge_seeds(const StreamlineSet& set, const HatchView& view) {
   const Camera& camera = view.camera();
   const Surface& surface = view.walker.on_surface().surface();
-  const double spacing = std::max(1.0, view.options.spacing_px);
+  const double spacing = std::max(1.0, view.spacing_px());
   const ImageLattice lattice(camera.width_px(), camera.height_px(), lattice_step * spacing);
   const std::vector<std::uint8_t> is_near = strips(view, lattice, strip_width * spacing);
   std::vector<SurfacePoint> places;

@@ -92,7 +92,7 @@ class Finisher {
   // curve, where the sheet turns away from the eye, or where it may not run.
   void add_point(const SurfacePoint& on) {
     const HatchPoint point = view_.walker.point(on);
-    if (!view_.area.may_pass(point, Area::hatched)) return close();
+    if (!view_.may_pass(point)) return close();
     if (!line_.empty() && !joins(point)) close();
     line_.push_back(point);
   }
@@ -108,7 +108,7 @@ class Finisher {
   void close() {
     if (length_px({line_.data(), line_.size()}) >= least_length * streamline_->spacing) {
       hatches_.curves.add(line_);
-      hatches_.kinds.push_back(Kind::hatch);
+      hatches_.kinds.push_back(view_.kind());
       hatches_.objects.push_back(streamline_->object);
     }
     line_.clear();
@@ -138,7 +138,9 @@ class Finisher {
 
 Hatches finished(const Streamlines& streamlines, const HatchView& view) {
   Finisher finisher(view);
-  for (const Streamline& streamline : streamlines) finisher.add(streamline);
+  for (const Streamline& streamline : streamlines) {
+    if (!streamline.is_fixed) finisher.add(streamline);
+  }
   return finisher.take();
 }
 

@@ -111,6 +111,7 @@ template <class Use>
 void at_all_ends(StreamlineSet& set, const HatchView& view, const Use& use) {
   for (std::size_t s = 0; s < set.streamlines.size(); ++s) {
     Streamline& streamline = set.streamlines[s];
+    if (streamline.is_fixed) continue;
     const Tip tip(view, set, static_cast<int>(s), streamline.spacing);
     const int last = static_cast<int>(streamline.nodes.size()) - 1;
     use(tip, streamline.nodes, last, 1, streamline.spacing);

@@ -16,12 +16,14 @@ constexpr double curve_clearance = 0.2;
 
 class HatchView {
  public:
-  HatchView(const HatchScene& scene, const HatchOptions& hatch_options)
+  // where: hatches run in these cells only, at the spacing of these.
+  HatchView(const HatchScene& scene, const HatchOptions& hatch_options, Area where = Area::hatched)
       : area(scene.surface, scene.camera, scene.visible, scene.tone),
         walker(scene.surface, scene.field, scene.camera),
         curves(scene.curves),
         options(hatch_options),
-        scene_(scene) {}
+        scene_(scene),
+        where_(where) {}
 
   // The node at a place, along the branch of the cross nearest to `towards`.
   StreamlineNode node(const SurfacePoint& on, const Vec3& towards) const;
@@ -38,20 +40,26 @@ class HatchView {
   }
   // The two halves of it: of the place, and of the curves.
   bool lies_well(const StreamlineNode& node) const {
-    return area.may_pass({node.position, node.on, node.image}, Area::hatched);
+    return may_pass(HatchPoint{node.position, node.on, node.image});
   }
+  bool may_pass(const HatchPoint& point) const { return area.may_pass(point, where_); }
+  bool is_wanted(const HatchPoint& point) const { return area.is_wanted(point, where_); }
   bool runs_clear(const StreamlineNode& node, double spacing) const {
     return !curves.run_along(node.image, node.heading, curve_clearance * spacing);
   }
   const Camera& camera() const { return scene_.camera; }
   bool is_hatched(int object) const { return scene_.is_hatched(object); }
 
+  Kind kind() const { return where_ == Area::undercut ? Kind::undercut : Kind::hatch; }
+  double spacing_px() const {
+    return where_ == Area::undercut ? options.undercut_spacing_px : options.spacing_px;
+  }
   double spacing_of(int object) const {  // px
-    return scene_.spacing_on(object, options.spacing_px);
+    return scene_.spacing_on(object, spacing_px());
   }
   StreamlineGrid empty_grid() const {
     return {double(scene_.camera.width_px()), double(scene_.camera.height_px()),
-            options.spacing_px};
+            spacing_px()};
   }
 
   // Image distance from a node to a piece of a streamline, infinite where the two are not parallel,
@@ -95,6 +103,7 @@ class HatchView {
   void show(StreamlineNode& node, const Vec3& normal) const;
 
   HatchScene scene_;
+  Area where_;
 };
 
 }  // namespace illustrate

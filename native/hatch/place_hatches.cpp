@@ -57,16 +57,6 @@ class Placer {
         grid_(camera_.width_px(), camera_.height_px(), options.spacing_px),
         tracer_(surface_, walker_, area_, curves_, grid_, options) {}
 
-  // Undercut hatches between others.
-  Hatches fill_between(Hatches hatches, Counts& counts) {
-    const Ragged<HatchPoint>& curves = hatches.curves;
-    for (std::size_t h = 0; h < curves.size(); ++h) enter(curves[h]);
-    hatches_ = std::move(hatches);
-    fill(Area::undercut);
-    counts["hatch_steps"] += tracer_.steps();
-    return std::move(hatches_);
-  }
-
   Hatches place(Counts& counts) {
     expected_px_ = std::max(1.0, 2 * covered_px() / options_.spacing_px);
     seed_along_curves();
@@ -133,16 +123,6 @@ class Placer {
     if (line.size() < 2 || length < style.min_length_px) return false;
     add(line, object, area, length);
     return true;
-  }
-
-  void enter(Span<const HatchPoint> curve) {
-    for (std::size_t i = 0; i < curve.size(); ++i) {
-      const HatchPoint& after = curve[std::min(i + 1, curve.size() - 1)];
-      const Vec3 run = after.position - curve[i == 0 ? 0 : i - 1].position;
-      const int point = static_cast<int>(tangents_.size());
-      tangents_.push_back(run.normalized());
-      grid_.add({curve[i].image, tangents_.back(), point});
-    }
   }
 
   void add(const HatchLine& line, int object, Area area, double length) {
@@ -305,13 +285,6 @@ Hatches place_hatches(const HatchScene& scene, const HatchOptions& options, Coun
   Hatches hatches = Placer(scene, options, progress).place(counts);
   progress.report(1);
   return hatches;
-}
-
-void fill_undercuts(Hatches& hatches, const HatchScene& scene, const HatchOptions& options,
-                    Counts& counts, const Progress& progress) {
-  const std::vector<Band>& band = scene.tone.band;
-  if (std::find(band.begin(), band.end(), Band::undercut) == band.end()) return;
-  hatches = Placer(scene, options, progress).fill_between(std::move(hatches), counts);
 }
 
 }  // namespace illustrate

@@ -40,8 +40,4 @@ void validate(const HatchOptions& options);  // throws InvalidInput naming the f
 Hatches place_hatches(const HatchScene& scene, const HatchOptions& options, Counts& counts,
                       const Progress& progress = {});
 
-// Denser hatches of kind undercut between `hatches`, added to them: a fill pass over all undercuts.
-void fill_undercuts(Hatches& hatches, const HatchScene& scene, const HatchOptions& options,
-                    Counts& counts, const Progress& progress = {});
-
 }  // namespace illustrate

@@ -315,7 +315,7 @@ void relax_streamlines(StreamlineSet& set, const HatchView& view, int sweeps, in
   for (int k = 0; k < sweeps; ++k) {
     progress.report(static_cast<double>(k) / sweeps);
     sweep(
-        set, view, k, threads, [](const Streamline&) { return true; },
+        set, view, k, threads, [](const Streamline& streamline) { return !streamline.is_fixed; },
         [](const Relaxer& relaxer, int number) { return relaxer.evened(number); });
   }
   forget_joins(set);

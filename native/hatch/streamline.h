@@ -24,6 +24,7 @@ struct Streamline {
   int object = none;
   double spacing = 1;      // px
   bool is_joined = false;  // of others, since it was relaxed
+  bool is_fixed = false;   // others mind it, but it stays as it is
 };
 using Streamlines = std::vector<Streamline>;
 
