@@ -58,8 +58,7 @@ class HatchView {
     return scene_.spacing_on(object, spacing_px());
   }
   StreamlineGrid empty_grid() const {
-    return {double(scene_.camera.width_px()), double(scene_.camera.height_px()),
-            spacing_px()};
+    return {double(scene_.camera.width_px()), double(scene_.camera.height_px()), spacing_px()};
   }
 
   // Image distance from a node to a piece of a streamline, infinite where the two are not parallel,

@@ -26,8 +26,7 @@ struct HatchOptions {
   HatchSeeding seeding = HatchSeeding::surface_curves;
   double spacing_px = 8;           // d_sep
   double undercut_spacing_px = 5;  // d_sep inside undercuts
-  double test_factor = 0.6;        // d_test; like min_length_px of the paper's seeding and of
-                                   // undercuts
+  double test_factor = 0.6;        // d_test; like min_length_px of the paper's seeding
   double step_px = 1.5;            // a tracing step of the paper's seeding
   double max_turn_deg = 150;       // of the world direction against the first one
   double max_length_px = 2500;     // a hatch gets .6 to 1 times this: ends must not line up

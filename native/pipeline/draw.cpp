@@ -7,6 +7,7 @@
 #include "contour/network.h"
 #include "contour/silhouettes.h"
 #include "core/errors.h"
+#include "hatch/crumbs.h"
 #include "hatch/even_hatches.h"
 #include "hatch/reduce_hatches.h"
 #include "occlusion/visible_image.h"
@@ -240,7 +241,10 @@ class View {
   }
 
   Hatches reduced(const Hatches& placed, const HatchScene& scene) {
-    return reduce_hatches(placed, scene, options_.hatch, result_.counts);
+    Hatches hatches = reduce_hatches(placed, scene, options_.hatch, result_.counts);
+    if (options_.hatch.seeding == HatchSeeding::critical_curves) return hatches;
+    mark_undercuts(hatches, scene.tone);
+    return without_crumbs(hatches, scene, options_.hatch);
   }
 
   // The deeper levels of shadow are hatched once more, along the diagonals of the cross; by the

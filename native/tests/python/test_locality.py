@@ -87,7 +87,8 @@ def strokes_of(scene: Scene, drawing: ill.Drawing) -> dict[str, Counter[Stroke]]
 
 def drawn(scene: Scene, threads: int = 1, **more: Any) -> dict[str, Counter[Stroke]]:
     prepared = prepared_of(scene, threads)
-    return strokes_of(scene, draw(prepared, VIEW, ill.DrawOptions(threads=threads, **more)))
+    options = ill.DrawOptions(threads=threads, spacing_px=5, **more)
+    return strokes_of(scene, draw(prepared, VIEW, options))
 
 
 @pytest.fixture(scope="module")
@@ -100,7 +101,7 @@ def changed(before: Counter[Stroke], after: Counter[Stroke]) -> tuple[int, int]:
 
 
 def test_there_is_something_to_change(at_first: dict[str, Counter[Stroke]]) -> None:
-    kinds = {ill.Kind.HATCH, ill.Kind.CROSS_HATCH}
+    kinds = {ill.Kind.HATCH, ill.Kind.CROSS_HATCH, ill.Kind.UNDERCUT}
     for name in RESTING:
         hatches = sum(n for stroke, n in at_first[name].items() if stroke[0] in kinds)
         assert hatches > 5, name
