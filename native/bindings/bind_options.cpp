@@ -198,6 +198,12 @@ void bind_stroke_options(Class& bound) {
   OPTION("hatch_width_px", values.stroke.hatch_width_px, "At the border of shadow and midtone");
   OPTION("hatch_width_by_light", values.stroke.hatch_width_by_light,
          "Share by which hatches swell towards the dark and thin towards highlights, [0, 1]");
+  OPTION("line_width_by_light", values.stroke.line_weight.by_light,
+         "Share by which lines swell on the side of a form that is turned from the light, [0, 1]");
+  OPTION("line_width_by_depth", values.stroke.line_weight.by_depth,
+         "Share by which the nearest lines swell and the farthest thin out, [0, 1]");
+  OPTION("inner_width_scale", values.stroke.line_weight.inner_scale,
+         "Of lines that have the same object on both sides");
   OPTION("hidden_width_scale", values.stroke.hidden_width_scale, "Of hidden lines");
   OPTION("taper_px", values.stroke.taper_px, "Length over which free ends thin out");
   OPTION("speck_px", values.stroke.speck_px, "Shorter lines are dropped unless they close a gap");

@@ -438,6 +438,12 @@ class DrawOptions:
     """Of hatches at the border of shadow and midtone."""
     hatch_width_by_light: float
     """Share by which hatches swell towards the dark and thin towards highlights, [0, 1]."""
+    line_width_by_light: float
+    """Share by which lines swell on the side of a form that is turned from the light, [0, 1]."""
+    line_width_by_depth: float
+    """Share by which the nearest lines swell and the farthest thin out, [0, 1]."""
+    inner_width_scale: float
+    """Of lines that have the same object on both sides."""
     hidden_width_scale: float
     """Of hidden lines."""
     taper_px: float
