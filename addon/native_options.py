@@ -218,6 +218,7 @@ FROM_ELSEWHERE = {
     "highlight_share": "tones, highlight_share",
     "shadow_share": "tones, shadow_share",
     "auto_exposure": "auto_exposure, where the light is the scene's",
+    "tone_image": "tone_source, tone_image",
     "styles": "the styles of objects and collections",
     "visibility": "nothing: the vote of the paper is there for comparison",
     "scan_silhouettes": "nothing: what the search finds is compared with it",

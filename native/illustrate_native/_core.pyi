@@ -418,6 +418,9 @@ class DrawOptions:
     more than 60 % of the area shadow, or highlight. ToneMap.exposure says what came of both."""
     cast_shadows: bool
     """Whether surfaces keep the light from others."""
+    tone_image: ArrayLike | None
+    """(h, w) light that comes back, linear, 1 as bright as white paper, rows downwards: in place of
+    lights and reflectance, stretched over the view. What is negative or not finite is black."""
     mach_bands: bool
     """Blank bands on the near side of folds."""
     undercuts: bool
