@@ -6,9 +6,10 @@ from typing import Any
 import bpy
 
 from . import native, output
-from .illustration import compute, read_request
+from .illustration import compute, hatches_render, read_request
 from .messages import IllustrateError, counted
 from .operators import DrawingOperator, still_there
+from .rendering import render_steps, tone_of
 from .tasks import Step, Task
 
 
@@ -44,7 +45,12 @@ class ILLUSTRATE_OT_bake(DrawingOperator, bpy.types.Operator):
             for done, frame in enumerate(frames):
                 scene = still_there(name)
                 scene.frame_set(frame)
-                request = read_request(scene, context.evaluated_depsgraph_get())
+                rendered = None
+                if hatches_render(scene.illustrate):
+                    share = done / len(frames)
+                    rendered = yield from render_steps(scene, self.is_modal, tone_of, share, share)
+                    scene = still_there(name)
+                request = read_request(scene, context.evaluated_depsgraph_get(), rendered)
                 request.expose_as(previous)
                 if scene.illustrate.keep_strokes and native.can_seed():
                     request.previous = previous

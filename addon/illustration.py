@@ -20,6 +20,7 @@ from .light_arrays import LightArrays
 from .mesh_arrays import MeshArrays
 from .messages import IllustrateError, counted, quoted
 from .scene import SceneArrays, read_scene
+from .tone_images import read_tone
 
 Progress = Callable[[float, str], bool]
 
@@ -113,7 +114,7 @@ class Illustration:
 
 
 def illustrate(scene: Any, depsgraph: Any, progress: Progress | None = None) -> Illustration:
-    """Draws a scene with its own settings (scene.illustrate); nothing is written.
+    """Draws a scene with its own settings (scene.illustrate); nothing is written, or rendered.
 
     progress(fraction of the whole, stage) is called now and then; False stops.
     Raises IllustrateError when there is no drawing to be made.
@@ -129,8 +130,11 @@ def prepare_scene(scene: Any, depsgraph: Any, progress: Progress | None = None) 
     return compute_prepared(read_request(scene, depsgraph), progress)
 
 
-def read_request(scene: Any, depsgraph: Any) -> Request:
-    """Reads what the scene's drawing is made from. Raises IllustrateError as `read_scene` does."""
+def read_request(scene: Any, depsgraph: Any, rendered: Any = None) -> Request:
+    """Reads what the scene's drawing is made from. Raises IllustrateError as `read_scene` does.
+
+    rendered: (h, w) the light of a render of this frame, rows downwards, that gives tone.
+    """
     chosen, start = scene.illustrate, time.perf_counter()
     arrays = read_scene(
         scene,
@@ -143,20 +147,30 @@ def read_request(scene: Any, depsgraph: Any) -> Request:
         arrays.lights = [LightArrays("side", None, 1.0)]
     draw = settings.draw_values(chosen, arrays.camera.width_px)
     draw["auto_exposure"] = shares_exposure(chosen)
+    size = arrays.camera.width_px, arrays.camera.height_px
+    draw["tone_image"], warnings = (rendered, []) if draw["hatching"] else (None, [])
+    if rendered is None and draw["hatching"]:
+        draw["tone_image"], warnings = read_tone(scene, *size)
     return Request(
         scene.name,
         arrays,
         settings.prepare_values(chosen),
         draw,
         chosen.guide_weight,
-        _guide_warnings(scene, arrays),
+        warnings + _guide_warnings(scene, arrays),
         time.perf_counter() - start,
     )
 
 
 def shares_exposure(chosen: Any) -> bool:
     """True where the settings have the exposure found, once for the frames of a sequence."""
-    return bool(chosen.lighting == "SCENE" and chosen.auto_exposure)
+    is_lit = chosen.lighting == "SCENE" or chosen.tone_source != "LIGHTS"
+    return bool(is_lit and chosen.auto_exposure)
+
+
+def hatches_render(chosen: Any) -> bool:
+    """True where the settings have the scene rendered first, and that hatched."""
+    return bool(chosen.hatching and chosen.tone_source == "RENDER")
 
 
 def compute(

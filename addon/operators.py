@@ -6,12 +6,21 @@ from typing import Any
 import bpy
 
 from . import output
-from .illustration import Illustration, compute, compute_prepared, read_request
+from .illustration import (
+    Illustration,
+    compute,
+    compute_prepared,
+    hatches_render,
+    read_request,
+)
 from .messages import IllustrateError, counted
 from .output import field_overlay
 from .problems import stopping_problem
+from .rendering import kept, render_steps, tone_of
 from .tasks import Step, Task, TaskOperator, is_running
 from .viewport.inspect import INSPECTOR
+
+RENDERING = 0.5  # share of the progress that a render has
 
 
 class DrawingOperator(TaskOperator):
@@ -37,11 +46,15 @@ class ILLUSTRATE_OT_illustrate(DrawingOperator, bpy.types.Operator):
     bl_description = "Draw the scene as its camera sees it, in place of the last illustration"
 
     def task(self, context: Any) -> Task:
-        """Reads, draws in a thread, writes."""
+        """Renders where that is asked for, reads, draws in a thread, writes."""
         scene, start = context.scene, time.perf_counter()
-        request = read_request(scene, context.evaluated_depsgraph_get())
+        name, rendered, begun = scene.name, None, 0.0
+        if hatches_render(scene.illustrate):
+            rendered = yield from render_steps(scene, self.is_modal, tone_of, 0.0, RENDERING)
+            scene, begun = still_there(name), RENDERING
+        request = read_request(scene, context.evaluated_depsgraph_get(), rendered)
         INSPECTOR.let_go()
-        made = yield Step(lambda progress: compute(request, progress))
+        made = yield Step(lambda progress: compute(request, progress), begun)
         scene = still_there(request.scene_name)
         output.write_drawing(
             scene, made.drawing, made.arrays.camera, scene.illustrate.output, made.names
@@ -65,6 +78,25 @@ def still_there(scene_name: str) -> Any:
     if scene is None:
         raise IllustrateError(f'Scene "{scene_name}" is gone: its illustration is not written')
     return scene
+
+
+class ILLUSTRATE_OT_render_tone(DrawingOperator, bpy.types.Operator):
+    """Hatches a render, and keeps it for more drawings."""
+
+    bl_idname = "illustrate.render_tone"
+    bl_label = "Render and Hatch"
+    bl_description = (
+        "Render the scene with its own engine, keep the picture as the image that tone is from, "
+        "and draw"
+    )
+
+    def task(self, context: Any) -> Task:
+        """Renders, then draws as the first button does."""
+        scene_name = context.scene.name
+        image = yield from render_steps(context.scene, self.is_modal, kept, 0.0, RENDERING)
+        chosen = still_there(scene_name).illustrate
+        chosen.tone_source, chosen.tone_image = "IMAGE", bpy.data.images[image]
+        return (yield from ILLUSTRATE_OT_illustrate.task(self, context))
 
 
 class ILLUSTRATE_OT_clear(bpy.types.Operator):
@@ -131,6 +163,7 @@ class ILLUSTRATE_OT_hide_field(bpy.types.Operator):
 
 CLASSES = (
     ILLUSTRATE_OT_illustrate,
+    ILLUSTRATE_OT_render_tone,
     ILLUSTRATE_OT_clear,
     ILLUSTRATE_OT_show_field,
     ILLUSTRATE_OT_hide_field,

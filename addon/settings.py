@@ -19,6 +19,7 @@ from .guide_arrays import GuideArrays
 from .option_kinds import typed
 from .output import restyle
 from .styles import crease_angle
+from .tone_images import SOURCES as TONE_SOURCES
 
 SOURCES = [
     ("SCENE", "Scene", "Draw every mesh that can be seen", 0),
@@ -67,6 +68,18 @@ OWN: dict[str, Any] = {
     ),
     "output": EnumProperty(
         name="Output", items=OUTPUTS, default="GREASE_PENCIL", description="What strokes become"
+    ),
+    "tone_source": EnumProperty(
+        name="Tone From",
+        items=TONE_SOURCES,
+        default="LIGHTS",
+        description="What says how dark the hatching is",
+    ),
+    "tone_image": PointerProperty(
+        type=bpy.types.Image,
+        name="Image",
+        description="As dark as this image the drawing is; it fills the picture. Of a sequence, "
+        "the image of the frame",
     ),
     "lighting": EnumProperty(
         name="Light",
@@ -172,7 +185,15 @@ OWN: dict[str, Any] = {
 """The add-on's own settings, that the native module does not know."""
 
 SHARES = ("highlight_share", "shadow_share")
-NOT_IN_PRESETS = {"source", "guides", "use_scene_range", "frame_start", "frame_end", "frame_step"}
+NOT_IN_PRESETS = {
+    "source",
+    "guides",
+    "tone_image",
+    "use_scene_range",
+    "frame_start",
+    "frame_end",
+    "frame_step",
+}
 
 
 class ILLUSTRATE_PG_settings(bpy.types.PropertyGroup):

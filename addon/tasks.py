@@ -37,6 +37,7 @@ STAGES = {
     "intersections": "Finding intersections",
     "curvature": "Measuring curvature",
     "field": "Directing hatches",
+    "render": "Rendering",
     "contour": "Finding silhouettes",
     "visibility": "Hiding lines",
     "tone": "Lighting",
@@ -55,6 +56,7 @@ class Step:
     start: float = 0.0
     end: float = 1.0
     title: str = ""  # what comes before the stage
+    shares_esc: bool = False  # whether a job of Blender's that it waits for is to see ESC, too
 
 
 _running: list["TaskOperator"] = []
@@ -79,6 +81,7 @@ class TaskOperator:
     """Mixin of operators whose job is a task."""
 
     report: Callable[[set[str], str], None]
+    is_modal = False  # whether the task runs beside Blender
 
     def task(self, context: Any) -> Task:
         """The job; IllustrateError when it cannot be done."""
@@ -102,6 +105,7 @@ class TaskOperator:
         """Starts the job in the background, with progress and ESC."""
         if not _has_window(context):
             return self.execute(context)
+        self.is_modal = True
         self._task = self.task(context)
         try:
             self._start(self._task.send(None))
@@ -123,7 +127,7 @@ class TaskOperator:
         if event.type == "ESC":
             self.cancel(context)
             self.report({"INFO"}, "Illustrate: cancelled, nothing was changed")
-            return {"CANCELLED"}
+            return {"CANCELLED", "PASS_THROUGH"} if self._step.shares_esc else {"CANCELLED"}
         if event.type != "TIMER":
             return {"PASS_THROUGH" if event.type in NAVIGATION else "RUNNING_MODAL"}
         self._show_progress(context)

@@ -148,11 +148,12 @@ def test_the_panel_has_few_first_controls_and_closed_panels_below() -> None:
 
 
 def shipped() -> list[str]:
-    return ["Etching", "Facets", "Plotter 0.3 mm", "Silhouette Drawing", "Technical",
+    return ["Brush", "Etching", "Facets", "Pens 0.18 0.35 0.7 mm", "Photograph", "Plain",
+            "Plotter 0.3 mm", "Silhouette Drawing", "Technical",
             "Topological Picturebook"]  # fmt: skip
 
 
-def test_six_presets_are_shipped() -> None:
+def test_ten_presets_are_shipped() -> None:
     assert presets.titles() == shipped()
 
 

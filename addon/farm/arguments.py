@@ -87,6 +87,17 @@ def _add_look(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--preset", metavar="NAME", help="settings to draw with in place of the scene's own"
     )
+    tone = parser.add_mutually_exclusive_group()
+    tone.add_argument(
+        "--tone-from",
+        choices=("lights", "render"),
+        help="what says how dark the hatching is; as the scene's settings say when left out",
+    )
+    tone.add_argument(
+        "--tone-image",
+        metavar="FILE",
+        help="an image that says how dark it is; #### for the frame's number of a sequence",
+    )
     parser.add_argument(
         "--svg-style",
         choices=("centerline", "tapered"),

@@ -14,9 +14,16 @@ from typing import Any
 import bpy
 
 from .. import native, output
-from ..illustration import Illustration, compute, read_request, shares_exposure
+from ..illustration import (
+    Illustration,
+    compute,
+    hatches_render,
+    read_request,
+    shares_exposure,
+)
 from ..messages import IllustrateError, counted
 from ..output import files, stamps
+from ..rendering import render_now, tone_of
 from .lines import Progress, complain, say, time_text
 
 
@@ -86,7 +93,11 @@ class Sequence:
         """The illustration of a frame, exposed and begun as the frames before it ask for."""
         self._progress.begin(name)
         self._scene.frame_set(frame)
-        request = read_request(self._scene, bpy.context.evaluated_depsgraph_get())
+        rendered = None
+        if hatches_render(self._scene.illustrate):
+            self._progress(0.0, "render")
+            rendered = render_now(self._scene, tone_of)
+        request = read_request(self._scene, bpy.context.evaluated_depsgraph_get(), rendered)
         request.expose(self._exposure)
         request.previous = self._last
         made = compute(request, self._progress)

@@ -7,6 +7,7 @@ import bpy
 
 from ..messages import IllustrateError
 from ..output.files import prepare_folder
+from ..tone_images import choose_file
 from ..ui import presets
 from .arguments import MERGE, parse, parse_merge
 from .frames import Sequence
@@ -33,6 +34,10 @@ def _draw(chosen: Any, summaries: list[str]) -> int:
         _open(chosen.blend)
     if chosen.preset:
         presets.apply(chosen.preset)
+    if chosen.tone_from:
+        bpy.context.scene.illustrate.tone_source = chosen.tone_from.upper()
+    if chosen.tone_image:
+        choose_file(bpy.context.scene, chosen.tone_image)
     prepare_folder(chosen.out)
     return 1 if Sequence(chosen, summaries).draw() else 0
 

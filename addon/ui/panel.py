@@ -11,6 +11,7 @@ from ..operators import (
     ILLUSTRATE_OT_clear,
     ILLUSTRATE_OT_hide_field,
     ILLUSTRATE_OT_illustrate,
+    ILLUSTRATE_OT_render_tone,
     ILLUSTRATE_OT_show_field,
 )
 from ..problems import slowing_problem, stopping_problem
@@ -34,6 +35,8 @@ NEEDS = {
     "guide_radius": "guides",
 }
 """Settings that count for nothing without another: they are shown grey."""
+OF_LIGHTS = ("lighting", "reflectance", "cast_shadows")
+"""Settings that count for nothing where tone is from an image."""
 UNUSED_WITH_TONES = {
     "LIGHT": ("highlight_share", "shadow_share"),
     "AREA": ("highlight_threshold", "shadow_threshold"),
@@ -75,11 +78,17 @@ def show(layout: Any, settings: Any, fields: tuple[str, ...]) -> None:
     for field in fields:
         if field in UNUSED_WITH_TONES[settings.tones]:
             continue
+        if field == "tone_image":
+            if settings.tone_source == "IMAGE":
+                layout.template_ID(settings, field, open="image.open")
+            continue
         key = field
         if settings.unit == "MILLIMETRE" and field in OPTIONS:
             key = OPTIONS[field].key_mm or field
         row = layout.row()
         row.active = field not in NEEDS or bool(getattr(settings, NEEDS[field]))
+        if field in OF_LIGHTS:
+            row.active = settings.tone_source == "LIGHTS"
         row.prop(settings, key)
 
 
@@ -152,8 +161,20 @@ class ILLUSTRATE_PT_light(_Fields, bpy.types.Panel):
     bl_idname = "ILLUSTRATE_PT_light"
     bl_label = "Light"
     fields = fields_of(
-        "light", "lighting", "auto_exposure", "tones", "highlight_share", "shadow_share"
+        "light",
+        "tone_source",
+        "tone_image",
+        "lighting",
+        "auto_exposure",
+        "tones",
+        "highlight_share",
+        "shadow_share",
     )
+
+    def draw(self, context: Any) -> None:
+        """Shows the fields, and the way to a render as tone."""
+        _Fields.draw(self, context)
+        self.layout.operator(ILLUSTRATE_OT_render_tone.bl_idname, icon="RENDER_STILL")
 
 
 class ILLUSTRATE_PT_surface(_Fields, bpy.types.Panel):

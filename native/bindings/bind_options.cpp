@@ -163,6 +163,9 @@ void bind_tone_options(Class& bound) {
   OPTION("auto_exposure", values.tone.auto_exposure,
          "Whether the light is also multiplied by what suits the view");
   OPTION("cast_shadows", values.tone.cast_shadows, "Whether surfaces keep the light from others");
+  bound.def_readwrite("tone_image", &PythonDrawOptions::tone_image,
+                      "(h, w) light that comes back, linear, rows downwards, in place of lights "
+                      "and reflectance: stretched over the view; or None");
   OPTION("mach_bands", values.tone.mach_bands, "Blank bands on the near side of folds");
   OPTION("undercuts", values.tone.undercuts, "Dense hatching beyond folds");
   OPTION("mach_band_px", values.tone.mach_band_px, "Width of Mach bands");
@@ -198,6 +201,12 @@ void bind_stroke_options(Class& bound) {
   OPTION("hatch_width_px", values.stroke.hatch_width_px, "At the border of shadow and midtone");
   OPTION("hatch_width_by_light", values.stroke.hatch_width_by_light,
          "Share by which hatches swell towards the dark and thin towards highlights, [0, 1]");
+  OPTION("line_width_by_light", values.stroke.line_weight.by_light,
+         "Share by which lines swell on the side of a form that is turned from the light, [0, 1]");
+  OPTION("line_width_by_depth", values.stroke.line_weight.by_depth,
+         "Share by which the nearest lines swell and the farthest thin out, [0, 1]");
+  OPTION("inner_width_scale", values.stroke.line_weight.inner_scale,
+         "Of lines that have the same object on both sides");
   OPTION("hidden_width_scale", values.stroke.hidden_width_scale, "Of hidden lines");
   OPTION("taper_px", values.stroke.taper_px, "Length over which free ends thin out");
   OPTION("speck_px", values.stroke.speck_px, "Shorter lines are dropped unless they close a gap");
@@ -262,10 +271,33 @@ void bind_draw_options(py::module_& m) {
       "(low, high): also lines with so many layers in front, inclusive; None: visible lines only");
 }
 
+// None where the object is None. Rows of textures are upwards.
+std::shared_ptr<const Texture> read_tone_image(const py::object& image) {
+  if (image.is_none()) return nullptr;
+  using Rows = py::array_t<float, py::array::c_style | py::array::forcecast>;
+  const Rows rows = Rows::ensure(image);
+  if (!rows || rows.ndim() != 2 || rows.size() == 0) {
+    PyErr_Clear();
+    throw InvalidInput("tone_image must be (h, w) numbers, or None");
+  }
+  constexpr py::ssize_t most = 1 << 20;
+  if (rows.shape(0) > most || rows.shape(1) > most) throw InvalidInput("tone_image is too large");
+  const auto width = static_cast<std::size_t>(rows.shape(1));
+  std::vector<float> upwards;
+  upwards.reserve(static_cast<std::size_t>(rows.size()));
+  for (py::ssize_t row = rows.shape(0) - 1; row >= 0; --row) {
+    const float* first = rows.data(row, 0);
+    upwards.insert(upwards.end(), first, first + width);
+  }
+  return std::make_shared<const Texture>(static_cast<int>(width), static_cast<int>(rows.shape(0)),
+                                         std::move(upwards), Wrap::extend);
+}
+
 }  // namespace
 
 DrawOptions read_draw_options(const PythonDrawOptions& options) {
   DrawOptions read = options.values;
+  read.tone.image = read_tone_image(options.tone_image);
   if (options.styles.is_none()) return read;
   if (!py::isinstance<py::sequence>(options.styles)) {
     throw InvalidInput("styles must be a list of ObjectStyle, or None");

@@ -418,6 +418,9 @@ class DrawOptions:
     more than 60 % of the area shadow, or highlight. ToneMap.exposure says what came of both."""
     cast_shadows: bool
     """Whether surfaces keep the light from others."""
+    tone_image: ArrayLike | None
+    """(h, w) light that comes back, linear, 1 as bright as white paper, rows downwards: in place of
+    lights and reflectance, stretched over the view. What is negative or not finite is black."""
     mach_bands: bool
     """Blank bands on the near side of folds."""
     undercuts: bool
@@ -438,6 +441,12 @@ class DrawOptions:
     """Of hatches at the border of shadow and midtone."""
     hatch_width_by_light: float
     """Share by which hatches swell towards the dark and thin towards highlights, [0, 1]."""
+    line_width_by_light: float
+    """Share by which lines swell on the side of a form that is turned from the light, [0, 1]."""
+    line_width_by_depth: float
+    """Share by which the nearest lines swell and the farthest thin out, [0, 1]."""
+    inner_width_scale: float
+    """Of lines that have the same object on both sides."""
     hidden_width_scale: float
     """Of hidden lines."""
     taper_px: float

@@ -217,12 +217,17 @@ class View {
     });
   }
 
-  DrawResult strokes(const Progress& progress) && {
+  DrawResult strokes(const std::vector<Light>& lights, const Progress& progress) && {
     progress.report(0);
+    const LineWeightOptions& weight = options_.stroke.line_weight;
     result_.drawing = timed(result_.timings["stroke"], [&] {
+      const Ragged<double> weights =
+          weight.any()
+              ? line_weights(result_.graph, scene_.surface(), scene_.bvh(), camera_, lights, weight)
+              : Ragged<double>{};
       return make_strokes(result_.graph, hatches_, result_.tone, camera_,
                           width_scales(options_.styles), undrawn_objects(options_.styles),
-                          options_.stroke);
+                          options_.stroke, weights);
     });
     result_.counts["strokes"] = static_cast<std::int64_t>(result_.drawing.kinds.size());
     scene_.restore_triangles(result_.drawing.on);
@@ -292,7 +297,7 @@ DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOption
     view.hatch(*field, lights, progress.part(0.5, 0.95));
   }
   view.add_loose_edges();
-  return std::move(view).strokes(progress.part(0.95, 1, "stroke"));
+  return std::move(view).strokes(lights, progress.part(0.95, 1, "stroke"));
 }
 
 std::vector<int> silhouette_triangles(const Prepared& prepared, const Camera& camera,

@@ -6,6 +6,8 @@
 
 #include "core/errors.h"
 #include "stroke/chains.h"
+#include "stroke/continued_ends.h"
+#include "stroke/even_widths.h"
 #include "stroke/stroke_path.h"
 
 namespace illustrate {
@@ -19,6 +21,9 @@ struct Stroke {
   int invisibility;
 };
 
+// Length over which a line that goes on grows from one weight to another.
+constexpr double weight_blend_units = 16;
+
 double scale_of(const std::vector<double>& width_scale, int object) {
   return width_scale.empty() || object == none ? 1.0 : width_scale[idx(object)];
 }
@@ -31,8 +36,10 @@ double line_width(const GraphArc& arc, const std::vector<double>& width_scale,
   return width * hidden * scale_of(width_scale, arc.object);
 }
 
-// The points of the chain's arcs, those that arcs share at a node once.
-std::vector<StrokePoint> points_of(const LabelledGraph& graph, const Chain& chain, double width) {
+// The points of the chain's arcs, those that arcs share at a node once, or with weights for each of
+// them. weights: of the arcs' points, empty: all 1.
+std::vector<StrokePoint> points_of(const LabelledGraph& graph, const Chain& chain, double width,
+                                   const Ragged<double>& weights) {
   std::vector<StrokePoint> points;
   for (std::size_t i = 0; i < chain.arcs.size(); ++i) {
     const Span<const CurvePoint> curve = graph.points[idx(chain.arcs[i])];
@@ -40,7 +47,9 @@ std::vector<StrokePoint> points_of(const LabelledGraph& graph, const Chain& chai
     for (std::size_t k = 0; k < curve.size(); ++k) {
       const std::size_t p = chain.reversed[i] ? curve.size() - 1 - k : k;
       const bool is_shared = i > 0 && k == 0 && points.back().image == image[p];
-      if (!is_shared) points.push_back({curve[p].position, curve[p].on, image[p], width});
+      if (is_shared && weights.empty()) continue;
+      const double weight = weights.empty() ? 1 : weights[idx(chain.arcs[i])][p];
+      points.push_back({curve[p].position, curve[p].on, image[p], width * weight});
     }
   }
   const bool repeats_first = chain.closed && points.front().image == points.back().image;
@@ -56,8 +65,25 @@ bool is_free(const LabelledGraph& graph, const Ragged<ArcEnd>& ends, const Chain
   return !is_loose || graph.nodes[idx(node)].kind == NodeKind::end;
 }
 
-std::vector<Stroke> line_strokes(const LabelledGraph& graph, const std::vector<double>& width_scale,
-                                 const std::vector<std::uint8_t>& undrawn,
+// Lines of as much in front run on in each other alone.
+void keep_continued_ends(std::vector<Stroke>& strokes, const StrokeOptions& options,
+                         double unit_px) {
+  for (const bool hidden : {false, true}) {
+    std::vector<StrokePath> paths;
+    std::vector<Stroke*> owners;
+    for (Stroke& stroke : strokes) {
+      if ((stroke.invisibility > 0) != hidden) continue;
+      paths.push_back(std::move(stroke.path));
+      owners.push_back(&stroke);
+    }
+    keep_continued_ends(paths, options.taper_px, unit_px);
+    for (std::size_t i = 0; i < owners.size(); ++i) owners[i]->path = std::move(paths[i]);
+  }
+}
+
+std::vector<Stroke> line_strokes(const LabelledGraph& graph, const Ragged<double>& weights,
+                                 const std::vector<double>& width_scale,
+                                 const std::vector<std::uint8_t>& undrawn, const Camera& camera,
                                  const StrokeOptions& options) {
   const std::vector<std::uint8_t> drawn = drawn_arcs(graph, undrawn, options);
   const Ragged<ArcEnd> ends = ends_at_nodes(graph, drawn);
@@ -69,12 +95,14 @@ std::vector<Stroke> line_strokes(const LabelledGraph& graph, const std::vector<d
     const Chain& chain = chains[c];
     const GraphArc& arc = graph.arcs[idx(chain.arcs[0])];
     StrokePath path;
-    path.points = points_of(graph, chain, line_width(arc, width_scale, options));
+    path.points = points_of(graph, chain, line_width(arc, width_scale, options), weights);
     path.closed = chain.closed;
+    if (!weights.empty()) path = with_even_widths(path, weight_blend_units * graph.unit_px, camera);
     path.free_start = is_free(graph, ends, chain, chain.start_node);
     path.free_end = is_free(graph, ends, chain, chain.end_node);
     strokes.push_back({std::move(path), arc.kind, arc.object, arc.invisibility});
   }
+  keep_continued_ends(strokes, options, graph.unit_px);
   return strokes;
 }
 
@@ -146,11 +174,12 @@ void require(bool holds, const char* message) {
 }
 
 bool is_size(double value) { return value >= 0 && std::isfinite(value); }
+bool is_share(double value) { return value >= 0 && value <= 1; }
 
 }  // namespace
 
 void validate(const StrokeOptions& options) {
-  const std::array<std::pair<const char*, double>, 7> sizes{{
+  const std::array<std::pair<const char*, double>, 8> sizes{{
       {"line_width_px", options.line_width_px},
       {"feature_width_px", options.feature_width_px},
       {"hatch_width_px", options.hatch_width_px},
@@ -158,12 +187,14 @@ void validate(const StrokeOptions& options) {
       {"taper_px", options.taper_px},
       {"speck_px", options.speck_px},
       {"simplify_px", options.simplify_px},
+      {"inner_width_scale", options.line_weight.inner_scale},
   }};
   for (const auto& [name, value] : sizes) {
     if (!is_size(value)) throw InvalidInput(std::string(name) + " must be at least 0 and finite");
   }
-  require(options.hatch_width_by_light >= 0 && options.hatch_width_by_light <= 1,
-          "hatch_width_by_light must be in [0, 1]");
+  require(is_share(options.line_weight.by_light), "line_width_by_light must be in [0, 1]");
+  require(is_share(options.line_weight.by_depth), "line_width_by_depth must be in [0, 1]");
+  require(is_share(options.hatch_width_by_light), "hatch_width_by_light must be in [0, 1]");
   if (options.hidden_lines) {
     require((*options.hidden_lines)[0] <= (*options.hidden_lines)[1],
             "hidden_lines must be (low, high) with low <= high");
@@ -172,9 +203,10 @@ void validate(const StrokeOptions& options) {
 
 Drawing make_strokes(const LabelledGraph& graph, const Hatches& hatches, const ToneMap& tone,
                      const Camera& camera, const std::vector<double>& width_scale,
-                     const std::vector<std::uint8_t>& undrawn, const StrokeOptions& options) {
+                     const std::vector<std::uint8_t>& undrawn, const StrokeOptions& options,
+                     const Ragged<double>& weights) {
   validate(options);
-  std::vector<Stroke> strokes = line_strokes(graph, width_scale, undrawn, options);
+  std::vector<Stroke> strokes = line_strokes(graph, weights, width_scale, undrawn, camera, options);
   for (Stroke& s : hatch_strokes(hatches, tone, width_scale, options))
     strokes.push_back(std::move(s));
   std::stable_sort(strokes.begin(), strokes.end(),

@@ -11,6 +11,7 @@
 
 #include "hatch/hatches.h"
 #include "stroke/drawing.h"
+#include "stroke/line_weights.h"
 #include "tone/tone_regions.h"
 #include "view/camera.h"
 #include "visibility/labelled_graph.h"
@@ -23,6 +24,7 @@ struct StrokeOptions {
   double hatch_width_px = 1.0;    // at the border of shadow and midtone
   double hatch_width_by_light =
       0.4;  // share by which hatches swell towards the dark and thin towards highlights
+  LineWeightOptions line_weight;  // what makes lines wider here and thinner there
   double hidden_width_scale = 0.5;
   double taper_px =
       6;  // length over which open ends thin out, for hatches and lines that end freely
@@ -37,9 +39,10 @@ struct StrokeOptions {
 void validate(const StrokeOptions& options);  // throws InvalidInput naming the field
 
 // `width_scale`: one factor per object, empty: 1; `undrawn`: objects whose lines are not drawn,
-// empty: none.
+// empty: none; `weights`: factors of the width at the graph's points (line_weights.h), empty: 1.
 Drawing make_strokes(const LabelledGraph& graph, const Hatches& hatches, const ToneMap& tone,
                      const Camera& camera, const std::vector<double>& width_scale,
-                     const std::vector<std::uint8_t>& undrawn, const StrokeOptions& options);
+                     const std::vector<std::uint8_t>& undrawn, const StrokeOptions& options,
+                     const Ragged<double>& weights = {});
 
 }  // namespace illustrate

@@ -114,6 +114,21 @@ class Illumination {
   const ImageMap map_;
 };
 
+// The same, of the visible cells [begin, end), as an image has it.
+void copy_light(const Texture& image, const VisibleImage& visible, const Camera& camera,
+                std::size_t begin, std::size_t end, std::vector<double>& light) {
+  const Vec2 frame(camera.width_px(), camera.height_px());
+  const Vec2 cell_share = visible.cell_px * frame.cwiseInverse();
+  const double texels = image.size() * std::sqrt(cell_share.x() * cell_share.y());
+  for (std::size_t cell = begin; cell < end; ++cell) {
+    if (visible.triangle[cell] == none) continue;
+    const auto row = static_cast<double>(cell / idx(visible.width));
+    const auto column = static_cast<double>(cell % idx(visible.width));
+    const Vec2 place = Vec2(column + 0.5, row + 0.5).cwiseProduct(cell_share);
+    light[cell] = image.mean_at(Vec2(place.x(), 1 - place.y()), texels);
+  }
+}
+
 Tone level_of(double light, const Thresholds& thresholds) {
   if (light > thresholds.highlight) return Tone::highlight;
   return light <= thresholds.shadow ? Tone::shadow : Tone::midtone;
@@ -215,7 +230,11 @@ ToneMap tone_regions(const Surface& surface, const VisibleImage& visible,
                                   options.reflectance);
   std::vector<double> light(visible.triangle.size(), 0);
   const auto light_cells = [&](std::size_t begin, std::size_t end) {
-    illumination.light_cells(begin, end, light);
+    if (options.image) {
+      copy_light(*options.image, visible, camera, begin, end, light);
+    } else {
+      illumination.light_cells(begin, end, light);
+    }
   };
   parallel_for(light.size(), options.threads, progress.part(0, 0.7), light_cells);
   progress.report(0.7);

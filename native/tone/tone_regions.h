@@ -5,6 +5,7 @@
 // and a wider one beyond it an undercut (densely cross-hatched, also in a highlight).
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "core/progress.h"
@@ -27,6 +28,9 @@ struct ToneOptions {
   double exposure = 1;         // the light is multiplied by it, above 0
   bool auto_exposure = false;  // multiplied also by what suits the view (tone/exposure.h)
   bool cast_shadows = false;   // whether surfaces keep the light from others
+  // The light that comes back, in place of all that lights and reflectance say: an image that fills
+  // the view, linear, 1 as bright as white paper. Null: none.
+  std::shared_ptr<const Texture> image;
   bool mach_bands = true;
   bool undercuts = true;
   double mach_band_px = 6;  // in [0, 100]

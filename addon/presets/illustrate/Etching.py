@@ -14,3 +14,6 @@ settings.highlight_threshold = 0.9
 settings.shadow_threshold = 0.5
 settings.mach_band_px = 3.0
 settings.undercut_px = 8.0
+settings.line_width_by_light = 0.4
+settings.line_width_by_depth = 0.2
+settings.inner_width_scale = 0.8

@@ -15,3 +15,5 @@ settings.shadow_threshold = 0.25
 settings.mach_band_px = 6.0
 settings.undercut_px = 14.0
 settings.taper_px = 12.0
+settings.line_width_by_light = 0.3
+settings.inner_width_scale = 0.7

@@ -1,0 +1,175 @@
+"""Renders of the scene by its own engine, to be hatched.
+
+The add-on's own objects are hidden meanwhile. In a window the render is Blender's own job, which
+can be watched and ended with ESC; in the background, and for scripts, it is waited for.
+"""
+
+import os
+import tempfile
+import threading
+from collections.abc import Callable, Generator, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import bpy
+import numpy as np
+
+from .lightness import read_image
+from .messages import IllustrateError
+from .ownership import is_ours, mark
+from .tasks import Step
+from .tone_images import load
+
+NAME = "Illustration Tone"
+INTERVAL_S = 0.05
+
+Handlers = dict[str, Callable[..., None]]
+
+
+def render_steps(
+    scene: Any, as_job: bool, read: Callable[[Any], Any], start: float = 0.0, end: float = 0.5
+) -> Generator[Step, Any, Any]:
+    """read(image) of a render of the scene's current frame; the image is gone afterwards.
+
+    as_job: as a job of Blender's, which a step waits for; else at once. Raises IllustrateError.
+    """
+    with _prepared(scene):
+        if as_job:
+            name = scene.name
+            with _Watch() as watch:
+                _render(scene, "INVOKE_DEFAULT")
+                yield Step(watch.wait, start, end, "Rendering", shares_esc=True)
+            scene = bpy.data.scenes[name]
+        else:
+            _render(scene, "EXEC_DEFAULT")
+        return _read(scene, read)
+
+
+def render_now(scene: Any, read: Callable[[Any], Any]) -> Any:
+    """The same at once."""
+    try:
+        next(render_steps(scene, False, read))
+    except StopIteration as end:
+        return end.value
+    raise AssertionError("a render at once has no steps")
+
+
+def tone_of(image: Any) -> Any:
+    """(h, w) float32 linear luminance of a loaded render, rows downwards."""
+    return np.ascontiguousarray(read_image(image)[::-1])
+
+
+def kept(image: Any) -> str:
+    """Packs a copy of a loaded render into the file, in place of the last; its name."""
+    for old in [old for old in bpy.data.images if is_ours(old)]:
+        bpy.data.images.remove(old)
+    copy = image.copy()
+    copy.pack()
+    copy.name, copy.use_fake_user = NAME, False
+    mark(copy)
+    return str(copy.name)
+
+
+def _render(scene: Any, how: str) -> None:
+    try:
+        bpy.ops.render.render(how, scene=scene.name)
+    except RuntimeError as error:
+        raise IllustrateError(
+            f'Scene "{scene.name}" cannot be rendered: {str(error).strip()} '
+            "Set Tone From to Lights or Image"
+        ) from error
+
+
+@contextmanager
+def _prepared(scene: Any) -> Iterator[None]:
+    """The scene without the add-on's objects and lines; afterwards as it was."""
+    wanted = [(scene.render, "use_freestyle", False)]
+    wanted += [(thing, "hide_render", True) for thing in scene.objects if is_ours(thing)]
+    before = [(owner, name, getattr(owner, name)) for owner, name, _ in wanted]
+    for owner, name, value in wanted:
+        setattr(owner, name, value)
+    view = bpy.context.preferences.view
+    shown, view.render_display_type = view.render_display_type, "NONE"
+    try:
+        yield
+    finally:
+        view.render_display_type = shown
+        for owner, name, value in before:
+            _set_back(owner, name, value)
+
+
+def _set_back(owner: Any, name: str, value: Any) -> None:
+    try:
+        setattr(owner, name, value)
+    except ReferenceError:  # removed, or of a file that is closed
+        return
+
+
+def _read(scene: Any, read: Callable[[Any], Any]) -> Any:
+    """read(image) of the last render as it looks on the screen."""
+    result = next((image for image in bpy.data.images if image.type == "RENDER_RESULT"), None)
+    with tempfile.TemporaryDirectory() as folder, _as_png(scene):
+        path = os.path.join(folder, f"{NAME}.png")
+        try:
+            if result is None:
+                raise ValueError("there is no result")
+            result.save_render(path, scene=scene)
+            image = load(path)
+        except (RuntimeError, ValueError) as error:
+            raise IllustrateError(
+                f'The render of scene "{scene.name}" cannot be read: {str(error).strip()}'
+            ) from error
+        try:
+            return read(image)
+        finally:
+            bpy.data.images.remove(image)
+
+
+@contextmanager
+def _as_png(scene: Any) -> Iterator[None]:
+    """PNG as the format that pictures are saved in; afterwards that of the artist."""
+    settings = scene.render.image_settings
+    wanted = {"media_type": "IMAGE", "file_format": "PNG", "color_mode": "RGB", "color_depth": "8"}
+    wanted = {name: value for name, value in wanted.items() if hasattr(settings, name)}
+    before = {name: getattr(settings, name) for name in wanted}
+    for name, value in wanted.items():
+        setattr(settings, name, value)
+    try:
+        yield
+    finally:
+        for name, value in before.items():
+            setattr(settings, name, value)
+
+
+class _Watch:
+    """Knows when a render that runs as a job is over."""
+
+    def __init__(self) -> None:
+        self._is_over, self._was_cancelled = threading.Event(), False
+        self._handlers: Handlers = {"render_complete": self._end, "render_cancel": self._cancel}
+
+    def __enter__(self) -> "_Watch":
+        for name, handler in self._handlers.items():
+            getattr(bpy.app.handlers, name).append(handler)
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        for name, handler in self._handlers.items():
+            listed = getattr(bpy.app.handlers, name)
+            if handler in listed:
+                listed.remove(handler)
+
+    def _end(self, *_: Any) -> None:
+        self._is_over.set()
+
+    def _cancel(self, *_: Any) -> None:
+        self._was_cancelled = True
+        self._is_over.set()
+
+    def wait(self, progress: Callable[[float, str], bool]) -> None:
+        """Returns when the render is whole. Raises IllustrateError when it is not to be."""
+        while not self._is_over.wait(INTERVAL_S):
+            if not progress(0.0, ""):
+                raise IllustrateError("The render was cancelled: nothing was changed")
+        if self._was_cancelled:
+            raise IllustrateError("The render was cancelled: nothing was changed")

@@ -1,0 +1,13 @@
+// Widths along a stroke that do not jump.
+#pragma once
+
+#include "stroke/stroke_path.h"
+
+namespace illustrate {
+
+// Each width the mean of those within half of `blend_px` along the path, at points no farther apart
+// than a quarter of it, each once: where one arc is thinner than the next, whose first point is its
+// last, the stroke thins out in between.
+StrokePath with_even_widths(const StrokePath& path, double blend_px, const Camera& camera);
+
+}  // namespace illustrate

@@ -1,0 +1,96 @@
+"""An image as tone: ink as dark as the image, and what bad images get."""
+
+from __future__ import annotations
+
+import illustrate_native as ill
+import numpy as np
+import pytest
+from illustrate_native import png
+from numpy.typing import NDArray
+from shapes import Shape, look_at, plate, sphere
+
+SIZE_PX = 640
+SPACING_PX = 5
+WINDOW_PX = 4 * SPACING_PX
+CAMERA = look_at((0.3, 0.2, 1.0), radius=1.0, perspective=False, size_px=SIZE_PX)
+
+
+def portrait() -> NDArray[np.float64]:
+    """(h, w) soft light with a few dark patches, as of a photograph."""
+    rows, columns = np.indices((SIZE_PX, SIZE_PX)) / SIZE_PX
+    light = 0.55 + 0.45 * np.sin(5 * columns + 1) * np.cos(4 * rows)
+    for row, column, size in ((0.4, 0.4, 0.1), (0.4, 0.62, 0.1), (0.65, 0.5, 0.12)):
+        light *= 1 - 0.7 * np.exp(-((rows - row) ** 2 + (columns - column) ** 2) / size**2)
+    picture: NDArray[np.float64] = light.clip(0, 1)
+    return picture
+
+
+def windows(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Means of squares of the picture."""
+    count = SIZE_PX // WINDOW_PX
+    cut = values[: count * WINDOW_PX, : count * WINDOW_PX]
+    means: NDArray[np.float64] = cut.reshape(count, WINDOW_PX, count, WINDOW_PX).mean(axis=(1, 3))
+    return means
+
+
+def likeness(shape: Shape, image: NDArray[np.float64], options: ill.DrawOptions) -> float:
+    """The correlation of paper left white and light asked for, over windows within the shape."""
+    prepared = ill.prepare([shape.mesh()])
+    options.tone_image = image
+    drawing = ill.draw(prepared, CAMERA, options)
+    pixels = png.to_pixels(drawing, SIZE_PX, SIZE_PX, {}, png.WHITE)
+    white = windows(pixels[..., 0] / 255.0)
+    cells = ((np.arange(SIZE_PX) + 0.5) / drawing.tone.cell_px).astype(int)
+    seen = drawing.tone.level[np.ix_(cells, cells)] != 255
+    inside = windows(seen.astype(float)) == 1
+    assert inside.sum() > 200
+    return float(np.corrcoef(white[inside], windows(image)[inside])[0, 1])
+
+
+def fine_lines(**values: object) -> ill.DrawOptions:
+    return ill.DrawOptions(
+        spacing_px=SPACING_PX, undercuts=False, mach_bands=False, cell_px=1.0, **values
+    )
+
+
+def photograph(**values: object) -> ill.DrawOptions:
+    """As the preset of this name."""
+    tones = {"highlight_threshold": 0.9, "shadow_threshold": 0.5}
+    return fine_lines(hatch_width_px=1.2, hatch_width_by_light=0.7, **tones, **values)
+
+
+@pytest.mark.parametrize("extra_levels", [0, 2])
+@pytest.mark.parametrize("shape", [sphere(), plate(40)], ids=["ball", "plate"])
+def test_hatches_are_as_dark_as_the_image(shape: Shape, extra_levels: int) -> None:
+    options = photograph(extra_levels=extra_levels)
+    assert likeness(shape, portrait(), options) >= 0.95
+
+
+def test_tones_of_the_paper_are_nearly_so() -> None:
+    assert likeness(sphere(), portrait(), fine_lines()) >= 0.93
+
+
+def test_the_image_is_read_as_it_is_when_drawn() -> None:
+    prepared = ill.prepare([sphere().mesh()])
+    image = np.full((8, 8), 0.9, np.float32)
+    options = fine_lines(tone_image=image)
+    assert options.tone_image is image
+    light = ill.draw(prepared, CAMERA, options)
+    assert not (light.kinds >= ill.Kind.HATCH).any()
+    image[:] = 0.1
+    dark = ill.draw(prepared, CAMERA, options)
+    assert (dark.tone.level[dark.tone.level != 255] == 2).all()
+
+
+def test_images_of_any_numbers_are_taken() -> None:
+    prepared = ill.prepare([sphere().mesh()])
+    wild = np.array([[np.nan, np.inf, -1.0, 6e4], [0, 1, 2, 3]])
+    for image in (wild, wild.astype(np.float16), [[1]], np.ones((3, 5), bool)):
+        ill.draw(prepared, CAMERA, fine_lines(tone_image=image))
+
+
+@pytest.mark.parametrize("image", ["photo.png", 3, np.ones(4), np.ones((2, 2, 3)), np.ones((0, 4))])
+def test_what_is_no_image_is_named(image: object) -> None:
+    prepared = ill.prepare([sphere().mesh()])
+    with pytest.raises(ill.InvalidInput, match="tone_image must be"):
+        ill.draw(prepared, CAMERA, fine_lines(tone_image=image))
