@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hatch/broad_tone.h"
 #include "hatch/cut_streamlines.h"
 #include "hatch/edge_seeds.h"
 #include "hatch/finish_streamlines.h"
@@ -25,6 +26,9 @@ constexpr double finest_radius = 0.8;
 
 // Of the lattice of the image that helps where seeds on the surface are too few, in spacings.
 constexpr double lattice_step = 0.5;
+
+// How far beyond where they are wanted hatches are placed, in spacings.
+constexpr double margin = 3;
 
 // (objects) world length of a spacing, on average over what is seen; 0 where nothing is seen and
 // hatched.
@@ -169,7 +173,10 @@ Hatches even_hatches(const HatchScene& scene, const CurvesOfObjects& curves,
   validate(options);
   validate(scene);
   progress.report(0);
-  const HatchView view(scene, options);
+  const ToneMap tone = broadened(scene.tone, margin * options.spacing_px);
+  const HatchView view({scene.surface, scene.field, scene.families, scene.camera, scene.visible,
+                        tone, scene.graph, scene.curves, scene.spacing_scale, scene.unhatched},
+                       options);
   const std::vector<StreamlineNode> seeds = all_seeds(scene, view, curves, options.spacing_px);
   StreamlineSet set(view);
   if (first.empty()) {
@@ -179,7 +186,7 @@ Hatches even_hatches(const HatchScene& scene, const CurvesOfObjects& curves,
   }
   finish_ends(set, view, seeds, threads, progress.part(0.7, 0.9));
   progress.report(0.9);
-  Hatches hatches = finished(set.streamlines, view);
+  Hatches hatches = finished(set.streamlines, HatchView(scene, options));
   fill_undercuts(hatches, scene, options, counts, progress.part(0.9, 1));
   counts["hatch_steps"] += set.steps;
   counts["hatches"] += static_cast<std::int64_t>(hatches.kinds.size());

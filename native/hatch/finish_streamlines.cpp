@@ -13,8 +13,10 @@ constexpr double radians = 3.14159265358979323846 / 180;
 // Between points of a finished hatch, in spacings.
 constexpr double point_step = 0.2;
 
-// Shorter hatches, in spacings, are not worth a stroke.
+// Shorter hatches, in spacings, are not worth a stroke, nor are shorter ones that lie in an
+// undercut altogether, which gets denser ones of its own.
 constexpr double least_length = 0.4;
+constexpr double least_in_undercut = 2;
 
 class Finisher {
  public:
@@ -64,10 +66,10 @@ class Finisher {
   void add_piece(std::size_t from, std::size_t to) {
     if (to - from < 2) return;
     for (std::size_t i = from; i + 1 < to; ++i) {
-      add_point(nodes()[i].on);
+      add_point(nodes()[i].on, nodes()[i].tangent);
       add_between(i);
     }
-    add_point(nodes()[to - 1].on);
+    add_point(nodes()[to - 1].on, nodes()[to - 1].tangent);
     close();
   }
 
@@ -84,15 +86,16 @@ class Finisher {
           t * t * (3 - 2 * t) * (b.position - a.position) + t * s * s * from - t * t * s * to;
       SurfacePoint on = a.on;
       if (!view_.walker.on_surface().slide(on, way)) return;
-      add_point(on);
+      add_point(on, t < 0.5 ? a.tangent : b.tangent);
     }
   }
 
   // What lies between nodes is clipped as they are: the hatch ends where it would cross a critical
   // curve, where the sheet turns away from the eye, or where it may not run.
-  void add_point(const SurfacePoint& on) {
+  void add_point(const SurfacePoint& on, const Vec3& tangent) {
     const HatchPoint point = view_.walker.point(on);
-    if (!view_.area.may_pass(point, Area::hatched)) return close();
+    if (!view_.area.may_pass(point, Area::hatched) || !view_.area.suits(point, tangent))
+      return close();
     if (!line_.empty() && !joins(point)) close();
     line_.push_back(point);
   }
@@ -106,12 +109,19 @@ class Finisher {
   }
 
   void close() {
-    if (length_px({line_.data(), line_.size()}) >= least_length * streamline_->spacing) {
+    const double length = length_px({line_.data(), line_.size()}) / streamline_->spacing;
+    if (length >= least_in_undercut || (length >= least_length && !is_in_undercut())) {
       hatches_.curves.add(line_);
       hatches_.kinds.push_back(Kind::hatch);
       hatches_.objects.push_back(streamline_->object);
     }
     line_.clear();
+  }
+
+  bool is_in_undercut() const {
+    return std::all_of(line_.begin(), line_.end(), [&](const HatchPoint& point) {
+      return view_.area.is_wanted(point, Area::undercut);
+    });
   }
 
   // Of the curve at a node, by length: of the segments on both sides, the shorter one counts more.
