@@ -12,8 +12,8 @@ namespace {
 // Searches compete on a graph of at most so many nodes, each from its own start and in so many
 // rounds down to a few nodes and back.
 constexpr std::size_t middle_size = 4000;
-constexpr int search_count = 8;
-constexpr int rounds_of_search = 2;
+constexpr int search_count = 4;
+constexpr int rounds_of_search = 3;
 constexpr std::size_t fewest_nodes = 16;
 
 // Coarsening that saves less is not worth a level.
