@@ -53,4 +53,14 @@ CrossField placed(const CrossField& field, const Surface& originals, const Insta
   return result;
 }
 
+Families placed(const Families& families, const Surface& originals, const Instances& instances) {
+  const std::vector<int> vertices = first_vertices(originals);
+  Families result;
+  for (const int original : instances.originals) {
+    result.insert(result.end(), families.begin() + vertices[idx(original)],
+                  families.begin() + vertices[idx(original) + 1]);
+  }
+  return result;
+}
+
 }  // namespace illustrate

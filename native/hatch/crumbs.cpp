@@ -29,7 +29,7 @@ class Sweeper {
       : hatches_(hatches),
         scene_(scene),
         options_(options),
-        area_(scene.surface, scene.camera, scene.visible, scene.tone),
+        area_(scene),
         walker_(scene.surface, scene.field, scene.camera),
         grid_(scene.camera.width_px(), scene.camera.height_px(), options.spacing_px),
         tracer_(scene.surface, walker_, area_, scene.curves, grid_, options),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hatch/broad_tone.h"
 #include "hatch/cut_streamlines.h"
 #include "hatch/edge_seeds.h"
 #include "hatch/finish_streamlines.h"
@@ -20,6 +21,11 @@ namespace {
 
 // Of the curves that a view starts from; finer ones would find no room. In spacings.
 constexpr double finest_radius = 0.8;
+
+// How far beyond where they are wanted hatches are placed, in spacings: of the family that stays,
+// and of the other one.
+constexpr double midtone_margin = 8;
+constexpr double shadow_margin = 3;
 
 // Of each object, one after another: none hinders another.
 void place_surface_curves(StreamlineSet& set, const HatchView& view, const CurvesOfObjects& curves,
@@ -97,7 +103,11 @@ Hatches even_hatches(const HatchScene& scene, const CurvesOfObjects& curves,
   validate(options);
   validate(scene);
   progress.report(0);
-  const HatchView view(scene, options);
+  const ToneMap tone = broadened(scene.tone, midtone_margin * options.spacing_px,
+                                 shadow_margin * options.spacing_px);
+  const HatchView view({scene.surface, scene.field, scene.families, scene.camera, scene.visible,
+                        tone, scene.graph, scene.curves, scene.spacing_scale, scene.unhatched},
+                       options);
   const std::vector<StreamlineNode> seeds = surface_seeds(scene, view, curves);
   StreamlineSet set(view);
   if (first.empty()) {
@@ -107,7 +117,7 @@ Hatches even_hatches(const HatchScene& scene, const CurvesOfObjects& curves,
   }
   finish_ends(set, view, seeds, threads, progress.part(0.7, 0.9));
   progress.report(0.9);
-  Hatches hatches = finished(set.streamlines, view);
+  Hatches hatches = finished(set.streamlines, HatchView(scene, options));
   add_undercuts(hatches, set, scene, curves, options, threads, progress.part(0.9, 1));
   counts["hatch_steps"] += set.steps;
   counts["hatches"] += static_cast<std::int64_t>(hatches.kinds.size());

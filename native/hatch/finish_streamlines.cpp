@@ -64,10 +64,10 @@ class Finisher {
   void add_piece(std::size_t from, std::size_t to) {
     if (to - from < 2) return;
     for (std::size_t i = from; i + 1 < to; ++i) {
-      add_point(nodes()[i].on);
+      add_point(nodes()[i].on, nodes()[i].tangent);
       add_between(i);
     }
-    add_point(nodes()[to - 1].on);
+    add_point(nodes()[to - 1].on, nodes()[to - 1].tangent);
     close();
   }
 
@@ -84,15 +84,15 @@ class Finisher {
           t * t * (3 - 2 * t) * (b.position - a.position) + t * s * s * from - t * t * s * to;
       SurfacePoint on = a.on;
       if (!view_.walker.on_surface().slide(on, way)) return;
-      add_point(on);
+      add_point(on, t < 0.5 ? a.tangent : b.tangent);
     }
   }
 
   // What lies between nodes is clipped as they are: the hatch ends where it would cross a critical
   // curve, where the sheet turns away from the eye, or where it may not run.
-  void add_point(const SurfacePoint& on) {
+  void add_point(const SurfacePoint& on, const Vec3& tangent) {
     const HatchPoint point = view_.walker.point(on);
-    if (!view_.may_pass(point)) return close();
+    if (!view_.may_pass(point) || !view_.area.suits(point, tangent)) return close();
     if (!line_.empty() && !joins(point)) close();
     line_.push_back(point);
   }

@@ -137,8 +137,8 @@ std::vector<StreamlineNode> seed_nodes(const HatchView& view,
     const double spacing = view.spacing_of(surface.triangle_objects[idx(on.triangle)]);
     view.direct(one, normal, normal.unitOrthogonal());
     const StreamlineNode other = view.across(one, normal);
-    if (view.runs_clear(one, spacing)) nodes.push_back(one);
-    if (view.runs_clear(other, spacing)) nodes.push_back(other);
+    if (view.runs_well(one, spacing)) nodes.push_back(one);
+    if (view.runs_well(other, spacing)) nodes.push_back(other);
   }
   return nodes;
 }

@@ -68,6 +68,18 @@ bool HatchArea::is_wanted_at(int centre, const Vec2& image, Area area) const {
   return any_around(image, [&](int cell) { return wanted(cell, area); });
 }
 
+// A point at the outline whose own cell is empty goes with the cells around.
+bool HatchArea::is_crossed(const Vec2& image) const {
+  const auto has_both = [&](int cell) {
+    return tone_.band[idx(cell)] == Band::undercut ||
+           (tone_.band[idx(cell)] == Band::nothing && tone_.level[idx(cell)] == Tone::shadow);
+  };
+  const int centre = visible_.cell_of(image);
+  if (centre == none) return false;
+  return has_both(centre) ||
+         (visible_.triangle[idx(centre)] == none && any_around(image, has_both));
+}
+
 SurfacePoint HatchArea::visible_point(const Vec2& image) const {
   const int centre = visible_.cell_of(image);
   SurfacePoint best;

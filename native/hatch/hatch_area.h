@@ -1,8 +1,8 @@
 // Where hatches are wanted, and what is seen there.
 #pragma once
 
+#include "hatch/hatch_scene.h"
 #include "hatch/hatches.h"
-#include "tone/tone_regions.h"
 
 namespace illustrate {
 
@@ -14,14 +14,15 @@ enum class Area : std::uint8_t {
 
 class HatchArea {
  public:
-  HatchArea(const Surface& surface, const Camera& camera, const VisibleImage& visible,
-            const ToneMap& tone)
-      : surface_(surface),
-        camera_(camera),
-        visible_(visible),
-        tone_(tone),
-        map_(image_map(camera)),
-        pixel_per_w_(pixel_per_w(camera)) {}
+  explicit HatchArea(const HatchScene& scene)
+      : surface_(scene.surface),
+        field_(scene.field),
+        families_(scene.families),
+        camera_(scene.camera),
+        visible_(scene.visible),
+        tone_(scene.tone),
+        map_(image_map(scene.camera)),
+        pixel_per_w_(pixel_per_w(scene.camera)) {}
 
   bool wanted(int cell, Area area) const {
     if (tone_.band[cell] != Band::nothing) return tone_.band[cell] == Band::undercut;
@@ -36,6 +37,13 @@ class HatchArea {
   // The two halves of it: in the frame and not deeper than what is seen around; wanted there.
   bool is_seen(const HatchPoint& point) const;
   bool is_wanted(const HatchPoint& point, Area area) const;
+
+  // Whether a hatch along a tangent may run where hatches are wanted: in shadows and undercuts both
+  // families may, in midtones the one that stays.
+  bool suits(const HatchPoint& point, const Vec3& tangent) const {
+    return is_crossed(point.image) ||
+           kept_share(surface_, field_, families_, point.on, tangent) > 0;
+  }
 
   // Before the near plane and inside the image.
   bool is_in_frame(const HatchPoint& point) const { return cell_in_frame(point) != none; }
@@ -59,11 +67,14 @@ class HatchArea {
     return camera_.near_distance(point.position) > 0 ? visible_.cell_of(point.image) : none;
   }
   bool is_seen_at(int centre, const HatchPoint& point) const;
+  bool is_crossed(const Vec2& image) const;
   bool is_wanted_at(int centre, const Vec2& image, Area area) const;
   template <class Test>
   bool any_around(const Vec2& image, const Test& test) const;
 
   const Surface& surface_;
+  const CrossField& field_;
+  const Families& families_;
   const Camera& camera_;
   const VisibleImage& visible_;
   const ToneMap& tone_;

@@ -1,7 +1,7 @@
 // What a view is hatched on, and with.
 #pragma once
 
-#include "field/cross_field.h"
+#include "field/families.h"
 #include "hatch/critical_curves.h"
 #include "tone/tone_regions.h"
 
@@ -11,6 +11,7 @@ namespace illustrate {
 struct HatchScene {
   const Surface& surface;
   const CrossField& field;
+  const Families& families;  // of the field: which stays where tone asks for one
   const Camera& camera;
   const VisibleImage& visible;
   const ToneMap& tone;

@@ -18,7 +18,7 @@ class HatchView {
  public:
   // where: hatches run in these cells only, at the spacing of these.
   HatchView(const HatchScene& scene, const HatchOptions& hatch_options, Area where = Area::hatched)
-      : area(scene.surface, scene.camera, scene.visible, scene.tone),
+      : area(scene),
         walker(scene.surface, scene.field, scene.camera),
         curves(scene.curves),
         options(hatch_options),
@@ -34,19 +34,18 @@ class HatchView {
   StreamlineNode across(StreamlineNode node, const Vec3& normal) const;
 
   // Whether a hatch may run through a node: before the near plane, in the frame, seen, where
-  // hatches are wanted, and not close along a critical curve.
+  // hatches of its family are wanted, and not close along a critical curve.
   bool may_pass(const StreamlineNode& node, double spacing) const {
-    return lies_well(node) && runs_clear(node, spacing);
+    return lies_well(node) && runs_well(node, spacing);
   }
-  // The two halves of it: of the place, and of the curves.
-  bool lies_well(const StreamlineNode& node) const {
-    return may_pass(HatchPoint{node.position, node.on, node.image});
+  // The two halves of it: of the place, and of the direction there.
+  bool lies_well(const StreamlineNode& node) const { return may_pass(point_of(node)); }
+  bool runs_well(const StreamlineNode& node, double spacing) const {
+    return area.suits(point_of(node), node.tangent) &&
+           !curves.run_along(node.image, node.heading, curve_clearance * spacing);
   }
   bool may_pass(const HatchPoint& point) const { return area.may_pass(point, where_); }
   bool is_wanted(const HatchPoint& point) const { return area.is_wanted(point, where_); }
-  bool runs_clear(const StreamlineNode& node, double spacing) const {
-    return !curves.run_along(node.image, node.heading, curve_clearance * spacing);
-  }
   const Camera& camera() const { return scene_.camera; }
   bool is_hatched(int object) const { return scene_.is_hatched(object); }
 
@@ -98,6 +97,9 @@ class HatchView {
   const HatchOptions& options;
 
  private:
+  static HatchPoint point_of(const StreamlineNode& node) {
+    return {node.position, node.on, node.image};
+  }
   // All that depends on the node's tangent.
   void show(StreamlineNode& node, const Vec3& normal) const;
 

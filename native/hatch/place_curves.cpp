@@ -107,7 +107,7 @@ class CurvePlacer {
   void try_node(const Place& place, const Vec3& towards) {
     if (!place.is_seen || !view_.is_wanted(point(place))) return finish();
     const StreamlineNode node = view_.node(place.on, towards);
-    if (!view_.runs_clear(node, spacing_)) return finish();
+    if (!view_.runs_well(node, spacing_)) return finish();
     const double distance = view_.nearest(set_.grid, node, spacing_, rules_.clear * spacing_);
     if (distance < rules_.test * spacing_) return finish();
     is_clear_ = is_clear_ || distance >= rules_.clear * spacing_;

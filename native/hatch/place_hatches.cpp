@@ -51,7 +51,7 @@ class Placer {
         visible_(scene.visible),
         options_(options),
         progress_(progress),
-        area_(surface_, camera_, visible_, scene.tone),
+        area_(scene),
         walker_(surface_, scene.field, camera_),
         curves_(scene.curves),
         grid_(camera_.width_px(), camera_.height_px(), options.spacing_px),
@@ -113,7 +113,8 @@ class Placer {
     const int object = surface_.triangle_objects[seed.triangle];
     const Style style = style_of(object, area);
     const HatchSample first{walker_.point(seed), walker_.start(seed, towards).tangent};
-    if (!area_.may_pass(first.point, area)) return false;
+    if (!area_.may_pass(first.point, area) || !area_.suits(first.point, first.tangent))
+      return false;
     if (tracer_.is_near_parallel(first, clearance * style.spacing_px)) return false;
     const HatchLine line = tracer_.trace(seed, towards, style.rules);
     double length = 0;
@@ -276,6 +277,8 @@ void validate(const HatchScene& scene) {
   }
   require(scene.unhatched.empty() || scene.unhatched.size() == objects,
           "unhatched must have one entry per object");
+  require(scene.families.size() == scene.surface.positions.size(),
+          "families must have one entry per vertex");
 }
 
 Hatches place_hatches(const HatchScene& scene, const HatchOptions& options, Counts& counts,

@@ -1,20 +1,17 @@
 // Stage `hatch`, reduction (paper section 6.5): one direction is left in single-hatch regions.
 //
-// The pieces of hatches in single-hatch regions fall into two families, one of which is kept
-// (choose_family.h). No two kept pieces are perpendicular within 2 * spacing on one sheet: the one
-// decided later is clipped. Crease, boundary and self-intersection part sheets, a silhouette where
-// what lies on its two sides is more than 3 * spacing apart in depth. What is left of a deleted
-// hatch in shadows and undercuts is of kind cross_hatch, and so is a hatch that lies there
-// altogether. Undercut hatches stay as they are. Strokes shorter than 1.5 * spacing with no longer
-// parallel one near are dropped outside undercuts.
+// Where there is room for one family only the one that stays was placed (field/families.h). Here
+// hatches give way at the seams: no two points in single-hatch regions are perpendicular within a
+// spacing on one sheet; the one nearer to an end of its hatch goes, so that hatches that run along
+// a seam stay and those that end there are cut. Crease, boundary and self-intersection part sheets,
+// a silhouette where what lies on its two sides is more than 3 * spacing apart in depth. A hatch
+// that lies in shadows and undercuts altogether is of kind cross_hatch. Undercut hatches stay as
+// they are. Strokes shorter than 1.5 * spacing with no longer parallel one near are dropped outside
+// undercuts; below 3 those in shadows of the family that stays nowhere else there.
 //
-// Departures from section 6.5. There a hatch is deleted that is perpendicular to another, breadth-
-// first over parallel neighbours, and each time the queue is empty any hatch may start it again,
-// also one of the family that its surroundings keep: patches of the other direction remain, framed
-// in white. Here what is decided spreads over parallel and perpendicular neighbours alike, and the
-// form decides between the families: strokes are to run round it, the way it bends more, and where
-// it is flat along their greater length. Parts of deleted hatches come back where they cross
-// nothing that is kept, the longest first.
+// Departure from section 6.5, where all hatches are placed and in each view those are deleted that
+// are perpendicular to others, breadth-first over parallel neighbours: patches of the other
+// direction remain, framed in white, and not the same from view to view.
 #pragma once
 
 #include "hatch/place_hatches.h"

@@ -72,6 +72,7 @@ void Tracer::extend(HatchLine& line, Walk walk, const HatchRules& rules, double&
     }
     if (!may_turn && walk.tangent.dot(first_tangent) < least_cosine) return;
     if (!area_.may_pass(sample.point, rules.area)) return;
+    if (!area_.suits(sample.point, sample.tangent)) return;
     if (is_near_parallel(sample, rules.test_px) || closes_in(line, sample, rules)) return;
     if (reach > least_step * rules.step_px) line.push_back(sample);
     if (end != WalkEnd::whole) return;

@@ -184,7 +184,8 @@ class View {
 
   void hatch(const CrossField& field, const std::vector<Light>& lights, const Progress& progress) {
     const Surface& surface = scene_.surface();
-    const Progress tone_progress = progress.part(0, 0.3, "tone");
+    const Families& families = scene_.families(progress.part(0, 0.1, "field"));
+    const Progress tone_progress = progress.part(0.1, 0.3, "tone");
     tone_progress.report(0);
     const VisibleImage visible = timed(result_.timings["tone"], [&] {
       return render_visible(surface, camera_, cell_size(camera_, options_), {}, options_.threads);
@@ -201,8 +202,8 @@ class View {
     const CriticalCurves curves = timed(result_.timings["hatch"], [&] {
       return CriticalCurves(result_.graph, camera_.width_px(), camera_.height_px());
     });
-    const HatchScene hatch_scene{surface,       field,  camera_,       visible,  result_.tone,
-                                 result_.graph, curves, spacing_scale, unhatched};
+    const HatchScene hatch_scene{surface,      field,         families, camera_,       visible,
+                                 result_.tone, result_.graph, curves,   spacing_scale, unhatched};
     const Progress hatch_progress = progress.part(0.4, 1, "hatch");
     if (options_.hatch.seeding == HatchSeeding::surface_curves) {
       curves_ =
@@ -257,10 +258,12 @@ class View {
   void add_extra(Hatches& made, const HatchScene& scene, const Progress& progress) {
     const CrossField turned = diagonals(scene.surface, scene.field);
     const ToneMap tone = extra_tones(scene.tone);
-    const HatchScene deep{scene.surface, turned,       scene.camera,        scene.visible,  tone,
-                          scene.graph,   scene.curves, scene.spacing_scale, scene.unhatched};
+    const Families& families = scene_.diagonal_families(progress.part(0, 0.2, "field"));
+    const HatchScene deep{scene.surface,       turned,         families,    scene.camera,
+                          scene.visible,       tone,           scene.graph, scene.curves,
+                          scene.spacing_scale, scene.unhatched};
     const Hatches extra =
-        reduced(place_hatches(deep, options_.hatch, result_.counts, progress), deep);
+        reduced(place_hatches(deep, options_.hatch, result_.counts, progress.part(0.2, 1)), deep);
     for (std::size_t i = 0; i < extra.kinds.size(); ++i) {
       made.curves.add(extra.curves[i]);
       made.kinds.push_back(Kind::cross_hatch);

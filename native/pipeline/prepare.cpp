@@ -46,6 +46,8 @@ Prepared::Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions&
       placed_curvature_(std::make_shared<Lazy<Curvature>>()),
       field_(std::make_shared<Lazy<CrossField>>()),
       placed_field_(std::make_shared<Lazy<CrossField>>()),
+      families_(std::make_shared<Lazy<Families>>()),
+      diagonal_families_(std::make_shared<Lazy<Families>>()),
       hatch_curves_(std::make_shared<Lazy<std::unique_ptr<ObjectCurves>>>()),
       derivative_(std::make_shared<Lazy<CurvatureDerivative>>()) {
   timings_ = {{"sanitize", 0}, {"surface", 0},       {"dual_surface", 0}, {"curvature", 0},
@@ -86,6 +88,8 @@ void Prepared::take_over(const Prepared& previous) {
   if (!is_same(options_.cross_field, previous.options_.cross_field)) return;
   field_ = previous.field_;
   placed_field_ = previous.placed_field_;
+  families_ = previous.families_;
+  diagonal_families_ = previous.diagonal_families_;
   hatch_curves_ = previous.hatch_curves_;
 }
 
@@ -212,6 +216,31 @@ CrossField Prepared::solve_field(const Progress& progress) const {
   });
   last_field_ = {};
   return solved;
+}
+
+// Of what the field was solved on; `turned` gives the cross to label.
+template <class Turn>
+Families Prepared::families_of(const Turn& turned, const Progress& progress) const {
+  field(progress.part(0, 0.5));
+  const bool is_shared = shares_field();
+  const Surface& solved_on = is_shared ? *geometry_->originals : surface();
+  const Curvature& curvature = is_shared ? curvature_of_originals({}) : hatch_curvature();
+  const Families found = timed("field", [&] {
+    return find_families(solved_on, curvature, turned(solved_on, *field_->peek()),
+                         progress.part(0.5, 1, "field"));
+  });
+  return is_shared ? placed(found, *geometry_->originals, geometry_->instances) : found;
+}
+
+const Families& Prepared::families(const Progress& progress) const {
+  const auto as_it_is = [](const Surface&, const CrossField& cross) -> const CrossField& {
+    return cross;
+  };
+  return families_->get([&] { return families_of(as_it_is, progress); });
+}
+
+const Families& Prepared::diagonal_families(const Progress& progress) const {
+  return diagonal_families_->get([&] { return families_of(diagonals, progress); });
 }
 
 CurvesOfObjects Prepared::hatch_curves(const std::vector<double>& radii,

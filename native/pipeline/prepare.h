@@ -8,6 +8,7 @@
 #include "contour/feature_edges.h"
 #include "contour/intersections.h"
 #include "core/lazy.h"
+#include "field/families.h"
 #include "hatch/surface_curves.h"
 #include "mesh/bvh.h"
 #include "pipeline/options.h"
@@ -45,6 +46,9 @@ class Prepared {
   }
   const Curvature& hatch_curvature(const Progress& progress = {}) const;
   const CrossField& field(const Progress& progress = {}) const;
+  // Of the field, or of its diagonals: the family that stays where there is room for one.
+  const Families& families(const Progress& progress = {}) const;
+  const Families& diagonal_families(const Progress& progress = {}) const;
   // Of each object, down to its radius (hatch/surface_curves.h). They stay where they are.
   CurvesOfObjects hatch_curves(const std::vector<double>& radii,
                                const Progress& progress = {}) const;
@@ -86,6 +90,8 @@ class Prepared {
   bool has_surface_of(const std::vector<MeshPointer>& meshes, const PrepareOptions& options) const;
   void take_over(const Prepared& previous);
   CrossField solve_field(const Progress& progress) const;
+  template <class Turn>
+  Families families_of(const Turn& turned, const Progress& progress) const;
   template <class Make>
   auto timed(const char* stage, Make&& make) const;
 
@@ -101,6 +107,7 @@ class Prepared {
   // Of the originals (a guided field: of all objects), and where objects share them, of all.
   std::shared_ptr<Lazy<Curvature>> curvature_, placed_curvature_;
   std::shared_ptr<Lazy<CrossField>> field_, placed_field_;
+  std::shared_ptr<Lazy<Families>> families_, diagonal_families_;
   mutable LastField last_field_;  // until this field is solved
   std::shared_ptr<Lazy<std::unique_ptr<ObjectCurves>>> hatch_curves_;
   std::shared_ptr<Lazy<CurvatureDerivative>> derivative_;

@@ -26,9 +26,14 @@ class SeenScene {
   const IntersectionCurves& intersections() const {
     return part_ ? part_->intersections : prepared_.intersections();
   }
-  // Of vertices, which keep their numbers.
+  // Of vertices, which keep their numbers, like the two below.
   const CurvatureDerivative& curvature_derivative(const Progress& progress) const {
     return prepared_.curvature_derivative(progress);
+  }
+
+  const Families& families(const Progress& progress) const { return prepared_.families(progress); }
+  const Families& diagonal_families(const Progress& progress) const {
+    return prepared_.diagonal_families(progress);
   }
 
   // Curves on the whole surface, as far as their triangles are in this scene, with their numbers in

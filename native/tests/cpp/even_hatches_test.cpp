@@ -182,6 +182,7 @@ TEST(EvenHatches, NothingSeenGivesNothing) {
   EXPECT_TRUE(scene.even().curves.empty());
   scene.surface = Surface{};
   scene.field = CrossField{};
+  scene.families = {};
   scene.visible = render_visible(scene.surface, scene.camera, 1, {}, 1);
   EXPECT_TRUE(scene.even().curves.empty());
   scene.spacing_scale = {1, 2};

@@ -55,6 +55,7 @@ struct Scene {
   Surface surface;
   Camera camera;
   CrossField field;
+  Families families;
   VisibleImage visible;
   ToneMap tone;
   LabelledGraph graph;
@@ -66,7 +67,8 @@ struct Scene {
 
   HatchScene view() const {
     curves.emplace(graph, camera.width_px(), camera.height_px());
-    return {surface, field, camera, visible, tone, graph, *curves, spacing_scale, unhatched};
+    return {surface, field, families, camera,        visible,
+            tone,    graph, *curves,  spacing_scale, unhatched};
   }
   Hatches place() { return place_hatches(view(), options, counts); }
   Hatches even(const Ragged<SurfacePoint>& first = {}, int threads = 1) {
@@ -95,11 +97,13 @@ struct Scene {
 template <class Direction>
 inline Scene scene_of(Surface surface, const Camera& camera, const Direction& direction) {
   CrossField field = field_of(surface, direction);
+  Families families = find_families(surface, surface.curvature, field);
   VisibleImage visible = render_visible(surface, camera, 1, {}, 1);
   ToneMap tone = uniform_tone(visible, Tone::shadow);
   return {std::move(surface),
           camera,
           std::move(field),
+          std::move(families),
           std::move(visible),
           std::move(tone),
           {},

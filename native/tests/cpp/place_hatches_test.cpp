@@ -162,6 +162,10 @@ TEST(PlaceHatches, ObjectsHaveTheirOwnSpacingOrNone) {
   EXPECT_THROW(scene.place(), InvalidInput);
   scene.spacing_scale = {1, 0};
   EXPECT_THROW(scene.place(), InvalidInput);
+  scene.spacing_scale = {};
+  EXPECT_NO_THROW(scene.place());
+  scene.families.pop_back();
+  EXPECT_THROW(scene.place(), InvalidInput);
 }
 
 TEST(PlaceHatches, IsDeterministicAndCanBeCancelled) {
@@ -182,6 +186,7 @@ TEST(PlaceHatches, NothingSeenGivesNothing) {
   EXPECT_TRUE(scene.place().curves.empty());
   scene.surface = Surface{};
   scene.field = CrossField{};
+  scene.families = {};
   scene.visible = render_visible(scene.surface, scene.camera, 1, {}, 1);
   EXPECT_TRUE(scene.place().curves.empty());
   EXPECT_TRUE(scene.reduce(Hatches{}).curves.empty());
