@@ -13,7 +13,7 @@ constexpr double radius = 0.02;
 constexpr double most_bend = 100;
 
 // Of the equations' solution: the bends are compared, no more.
-constexpr double tolerance = 0.02;
+constexpr double tolerance = 0.05;
 constexpr int most_iterations = 60;
 
 // A symmetric tensor: xx, yy, zz, xy, yz, zx.

@@ -8,60 +8,65 @@ namespace {
 
 using Mask = std::vector<std::uint8_t>;
 
-// Calls take(row) for all rows, down and then up.
+// Calls take(i) for all i, up and then down.
 template <class Take>
 void down_and_up(int count, const Take& take) {
   for (int i = 0; i < count; ++i) take(i);
   for (int i = count; i-- > 0;) take(i);
 }
 
-// Cells at most `reach` cells from one of the mask, along a row and then along a column.
-Mask grown(const Mask& mask, int width, int height, int reach) {
-  Mask along = mask, result;
+// Cells at most `reach` cells from one of the mask along their row.
+Mask grown_along_rows(const Mask& mask, int width, int height, int reach) {
+  Mask result = mask;
   for (int row = 0; row < height; ++row) {
-    const auto first = static_cast<std::size_t>(row) * static_cast<std::size_t>(width);
+    const std::size_t first = idx(row) * idx(width);
     int since = reach + 1;
     down_and_up(width, [&](int column) {
       const std::size_t cell = first + idx(column);
       since = mask[cell] ? 0 : std::min(since, reach) + 1;
-      along[cell] |= since <= reach;
+      result[cell] |= since <= reach;
     });
   }
-  result = along;
+  return result;
+}
+
+// The same along their column: row by row, as cells lie in memory.
+Mask grown_along_columns(const Mask& mask, int width, int height, int reach) {
+  Mask result = mask;
   std::vector<int> since(idx(width), reach + 1);
   down_and_up(height, [&](int row) {
-    const auto first = static_cast<std::size_t>(row) * static_cast<std::size_t>(width);
+    const std::size_t first = idx(row) * idx(width);
     for (int column = 0; column < width; ++column) {
-      const std::size_t cell = first + idx(column);
       int& count = since[idx(column)];
-      count = along[cell] ? 0 : std::min(count, reach) + 1;
-      result[cell] |= count <= reach;
+      count = mask[first + idx(column)] ? 0 : std::min(count, reach) + 1;
+      result[first + idx(column)] |= count <= reach;
     }
   });
   return result;
 }
 
+// Cells with one near whose tone is chosen.
 template <class Chosen>
-Mask cells_of(const ToneMap& tone, const Chosen& chosen) {
+Mask grown(const ToneMap& tone, const Chosen& chosen, double px) {
+  const int reach = static_cast<int>(std::ceil(px / tone.cell_px));
   Mask mask(tone.level.size());
   for (std::size_t cell = 0; cell < mask.size(); ++cell) {
     mask[cell] = chosen(tone.level[cell], tone.band[cell]);
   }
-  return mask;
+  return grown_along_columns(grown_along_rows(mask, tone.width, tone.height, reach), tone.width,
+                             tone.height, reach);
 }
 
 }  // namespace
 
-ToneMap broadened(const ToneMap& tone, double px) {
-  const int reach = static_cast<int>(std::ceil(px / tone.cell_px));
+ToneMap broadened(const ToneMap& tone, double midtone_px, double shadow_px) {
   const auto is_dark = [](Tone level, Band band) {
     return band == Band::undercut || (band == Band::nothing && level == Tone::shadow);
   };
   const auto is_hatched = [&](Tone level, Band band) {
     return is_dark(level, band) || (band == Band::nothing && level == Tone::midtone);
   };
-  const Mask dark = grown(cells_of(tone, is_dark), tone.width, tone.height, reach);
-  const Mask hatched = grown(cells_of(tone, is_hatched), tone.width, tone.height, reach);
+  const Mask dark = grown(tone, is_dark, shadow_px), hatched = grown(tone, is_hatched, midtone_px);
   ToneMap broad = tone;
   std::fill(broad.band.begin(), broad.band.end(), Band::nothing);
   for (std::size_t cell = 0; cell < broad.level.size(); ++cell) {

@@ -27,8 +27,10 @@ constexpr double finest_radius = 0.8;
 // Of the lattice of the image that helps where seeds on the surface are too few, in spacings.
 constexpr double lattice_step = 0.5;
 
-// How far beyond where they are wanted hatches are placed, in spacings.
-constexpr double margin = 3;
+// How far beyond where they are wanted hatches are placed, in spacings: of the family that stays,
+// and of the other one.
+constexpr double midtone_margin = 8;
+constexpr double shadow_margin = 3;
 
 // (objects) world length of a spacing, on average over what is seen; 0 where nothing is seen and
 // hatched.
@@ -173,7 +175,8 @@ Hatches even_hatches(const HatchScene& scene, const CurvesOfObjects& curves,
   validate(options);
   validate(scene);
   progress.report(0);
-  const ToneMap tone = broadened(scene.tone, margin * options.spacing_px);
+  const ToneMap tone = broadened(scene.tone, midtone_margin * options.spacing_px,
+                                 shadow_margin * options.spacing_px);
   const HatchView view({scene.surface, scene.field, scene.families, scene.camera, scene.visible,
                         tone, scene.graph, scene.curves, scene.spacing_scale, scene.unhatched},
                        options);
