@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "field/last_families.h"
 #include "field/signed_labels.h"
 #include "field/smooth_bends.h"
 
@@ -130,9 +131,11 @@ class FamilyProblem {
 }  // namespace
 
 Families find_families(const Surface& surface, const Curvature& curvature, const CrossField& field,
-                       const Progress& progress) {
+                       const LastFamilies& last, const Progress& progress) {
   const FamilyProblem problem(surface, field, progress.part(0, 0.1));
-  return cheap_labels(problem.graph(curvature, progress.part(0.1, 0.4)), progress.part(0.4, 1));
+  const SignedGraph graph = problem.graph(curvature, progress.part(0.1, 0.4));
+  const Families before = last_families(surface, field, last);
+  return before.empty() ? cheap_labels(graph, progress.part(0.4, 1)) : nearby_labels(graph, before);
 }
 
 double kept_share(const Surface& surface, const CrossField& field, const Families& families,

@@ -19,10 +19,18 @@ namespace illustrate {
 // (n) 1: the family along `CrossField::directions` stays; -1: the one across it.
 using Families = std::vector<std::int8_t>;
 
+// Of the last frame: where the triangles are the same, its families stay and only seams move a
+// little. All null where there was none.
+struct LastFamilies {
+  const Surface* surface = nullptr;
+  const CrossField* field = nullptr;
+  const Families* families = nullptr;
+};
+
 // Throws Cancelled through `progress`. Each connected piece (creases part pieces) is labelled as if
 // it were alone. `curvature`: for hatching (surface/curvature.h).
 Families find_families(const Surface& surface, const Curvature& curvature, const CrossField& field,
-                       const Progress& progress = {});
+                       const LastFamilies& last = {}, const Progress& progress = {});
 
 // How clearly a tangent at a point runs with the family that stays, in [-1, 1]: 1 along it, -1
 // across it, 0 at a seam.

@@ -10,9 +10,10 @@ namespace illustrate {
 namespace {
 
 // Searches compete on a graph of at most so many nodes, each from its own start and in so many
-// rounds down to a few nodes and back.
+// rounds down to a few nodes and back; the more the fewer nodes there are.
 constexpr std::size_t middle_size = 4000;
-constexpr int search_count = 4;
+constexpr int fewest_searches = 4;
+constexpr int most_searches = 24;
 constexpr int rounds_of_search = 3;
 constexpr std::size_t fewest_nodes = 16;
 
@@ -192,8 +193,10 @@ Labels first_labels(const SignedGraph& graph, int search, SeededNumbers& numbers
 
 Labels best_of_searches(const SignedGraph& graph, const Progress& progress) {
   Labels best;
-  for (int search = 0; search < search_count; ++search) {
-    progress.report(static_cast<double>(search) / search_count);
+  const int wanted = static_cast<int>(middle_size / std::max<std::size_t>(graph.size(), 1));
+  const int count = std::clamp(wanted, fewest_searches, most_searches);
+  for (int search = 0; search < count; ++search) {
+    progress.report(static_cast<double>(search) / count);
     SeededNumbers numbers(static_cast<std::uint64_t>(search));
     Labels labels = first_labels(graph, search, numbers);
     for (int round = 0; round < rounds_of_search; ++round) search_once(graph, numbers, labels);
@@ -219,6 +222,11 @@ Labels search_part(const SignedGraph& graph, const Progress& progress) {
 }
 
 }  // namespace
+
+Labels nearby_labels(const SignedGraph& graph, Labels labels) {
+  Refiner(graph, labels).refine();
+  return labels;
+}
 
 Labels cheap_labels(const SignedGraph& graph, const Progress& progress) {
   const Ragged<int> parts = connected_nodes(graph);

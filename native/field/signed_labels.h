@@ -19,4 +19,8 @@ namespace illustrate {
 // nodes get the least. Throws Cancelled through `progress`.
 Labels cheap_labels(const SignedGraph& graph, const Progress& progress = {});
 
+// Labels near the given ones (n): borders move where that pays within some flips, and no label
+// flips that has none near.
+Labels nearby_labels(const SignedGraph& graph, Labels labels);
+
 }  // namespace illustrate

@@ -17,9 +17,11 @@ constexpr double speck = 1.5;
 constexpr double company = 2;
 constexpr double least_stroke = 0.5;
 
-// The same for the family that is in a shadow alone.
+// The same for the family that is in a shadow alone and ends at its edge: where no shadow lies this
+// far on.
 constexpr double second_speck = 3;
 constexpr double least_second = 2;
+constexpr double edge_reach = 0.5;
 
 // In spacings: a hatch that is shorter in a shadow, and goes on outside, is no cross-hatch there.
 constexpr double least_shadow = 1.5;
@@ -183,13 +185,22 @@ class Reducer {
            &region_[run.to - 1] + 1;
   }
 
-  // Whether a run is where it is because a shadow has both families.
+  // Whether a run is where it is, and as short as it is, because a shadow has both families.
   bool is_second(const Run& run) const {
     const int middle = (run.from + run.to) / 2;
     const bool in_shadow = std::all_of(&region_[run.from], &region_[run.to - 1] + 1,
                                        [](Region region) { return region == Region::shadow; });
-    return in_shadow && kept_share(surface_, scene_.field, scene_.families, points_[middle].on,
-                                   tangent_at(middle)) < 0;
+    return in_shadow &&
+           kept_share(surface_, scene_.field, scene_.families, points_[middle].on,
+                      tangent_at(middle)) < 0 &&
+           (ends_with_shadow(run.from, run.from + 1) || ends_with_shadow(run.to - 1, run.to - 2));
+  }
+
+  bool ends_with_shadow(int last, int before) const {
+    const Vec2& end = points_[last].image;
+    const Vec2 way = (end - points_[before].image).normalized();
+    const Vec2 beyond = end + edge_reach * spacing_of(owner_[last]) * way;
+    return region_of(scene_.tone, beyond) != Region::shadow && !curves_.separate(end, beyond);
   }
 
   // Whether a run is long, or a parallel one of another hatch near its middle is in `longer`.

@@ -47,7 +47,9 @@ Prepared::Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions&
       field_(std::make_shared<Lazy<CrossField>>()),
       placed_field_(std::make_shared<Lazy<CrossField>>()),
       families_(std::make_shared<Lazy<Families>>()),
+      placed_families_(std::make_shared<Lazy<Families>>()),
       diagonal_families_(std::make_shared<Lazy<Families>>()),
+      placed_diagonal_families_(std::make_shared<Lazy<Families>>()),
       hatch_curves_(std::make_shared<Lazy<std::unique_ptr<ObjectCurves>>>()),
       derivative_(std::make_shared<Lazy<CurvatureDerivative>>()) {
   timings_ = {{"sanitize", 0}, {"surface", 0},       {"dual_surface", 0}, {"curvature", 0},
@@ -59,7 +61,9 @@ Prepared::Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions&
   }
   if (previous && previous->field_ != field_ && previous->field_->peek()) {
     const Geometry& last = *previous->geometry_;
-    last_field_ = {previous->shares_field() ? last.originals : last.surface, previous->field_};
+    last_field_ = {previous->shares_field() ? last.originals : last.surface, previous->field_,
+                   previous->families_};
+    if (previous->families_->peek()) last_families_ = last_field_;
   }
   const bool searches = options.field || surface().triangles.size() <= most_searched_at_once;
   if (searches) search(progress.part(options.field ? 0.4 : 0.7, options.field ? 0.6 : 1));
@@ -89,7 +93,9 @@ void Prepared::take_over(const Prepared& previous) {
   field_ = previous.field_;
   placed_field_ = previous.placed_field_;
   families_ = previous.families_;
+  placed_families_ = previous.placed_families_;
   diagonal_families_ = previous.diagonal_families_;
+  placed_diagonal_families_ = previous.placed_diagonal_families_;
   hatch_curves_ = previous.hatch_curves_;
 }
 
@@ -218,29 +224,38 @@ CrossField Prepared::solve_field(const Progress& progress) const {
   return solved;
 }
 
-// Of what the field was solved on; `turned` gives the cross to label.
-template <class Turn>
-Families Prepared::families_of(const Turn& turned, const Progress& progress) const {
+Families Prepared::label_families(bool of_diagonals, const Progress& progress) const {
   field(progress.part(0, 0.5));
-  const bool is_shared = shares_field();
-  const Surface& solved_on = is_shared ? *geometry_->originals : surface();
-  const Curvature& curvature = is_shared ? curvature_of_originals({}) : hatch_curvature();
-  const Families found = timed("field", [&] {
-    return find_families(solved_on, curvature, turned(solved_on, *field_->peek()),
-                         progress.part(0.5, 1, "field"));
+  const Surface& solved_on = solved_surface();
+  const Curvature& curvature = shares_field() ? curvature_of_originals({}) : hatch_curvature();
+  const CrossField& solved = *field_->peek();
+  const Progress labels = progress.part(0.5, 1, "field");
+  return timed("field", [&] {
+    if (of_diagonals) {
+      return find_families(solved_on, curvature, diagonals(solved_on, solved), {}, labels);
+    }
+    const LastField before = std::move(last_families_);
+    last_families_ = {};
+    if (!before.families) return find_families(solved_on, curvature, solved, {}, labels);
+    const LastFamilies last{before.surface.get(), before.field->peek(), before.families->peek()};
+    return find_families(solved_on, curvature, solved, last, labels);
   });
-  return is_shared ? placed(found, *geometry_->originals, geometry_->instances) : found;
+}
+
+const Families& Prepared::placed_families(Lazy<Families>& solved, Lazy<Families>& placed_ones,
+                                          bool of_diagonals, const Progress& progress) const {
+  const Families& found = solved.get([&] { return label_families(of_diagonals, progress); });
+  if (!shares_field()) return found;
+  return placed_ones.get(
+      [&] { return placed(found, *geometry_->originals, geometry_->instances); });
 }
 
 const Families& Prepared::families(const Progress& progress) const {
-  const auto as_it_is = [](const Surface&, const CrossField& cross) -> const CrossField& {
-    return cross;
-  };
-  return families_->get([&] { return families_of(as_it_is, progress); });
+  return placed_families(*families_, *placed_families_, false, progress);
 }
 
 const Families& Prepared::diagonal_families(const Progress& progress) const {
-  return diagonal_families_->get([&] { return families_of(diagonals, progress); });
+  return placed_families(*diagonal_families_, *placed_diagonal_families_, true, progress);
 }
 
 CurvesOfObjects Prepared::hatch_curves(const std::vector<double>& radii,

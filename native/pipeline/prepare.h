@@ -90,15 +90,21 @@ class Prepared {
   bool has_surface_of(const std::vector<MeshPointer>& meshes, const PrepareOptions& options) const;
   void take_over(const Prepared& previous);
   CrossField solve_field(const Progress& progress) const;
-  template <class Turn>
-  Families families_of(const Turn& turned, const Progress& progress) const;
+  // What the field was solved on: of the originals where they share it.
+  const Surface& solved_surface() const {
+    return shares_field() ? *geometry_->originals : surface();
+  }
+  Families label_families(bool of_diagonals, const Progress& progress) const;
+  const Families& placed_families(Lazy<Families>& solved, Lazy<Families>& placed_ones,
+                                  bool of_diagonals, const Progress& progress) const;
   template <class Make>
   auto timed(const char* stage, Make&& make) const;
 
-  // A solved field that this one's search may start from, and its surface.
+  // A solved field that this one's search may start from, its surface, and which families stay.
   struct LastField {
     std::shared_ptr<const Surface> surface;
     std::shared_ptr<Lazy<CrossField>> field;
+    std::shared_ptr<Lazy<Families>> families;
   };
 
   PrepareOptions options_;
@@ -107,8 +113,11 @@ class Prepared {
   // Of the originals (a guided field: of all objects), and where objects share them, of all.
   std::shared_ptr<Lazy<Curvature>> curvature_, placed_curvature_;
   std::shared_ptr<Lazy<CrossField>> field_, placed_field_;
-  std::shared_ptr<Lazy<Families>> families_, diagonal_families_;
-  mutable LastField last_field_;  // until this field is solved
+  // The same of the families, and of those of the diagonals.
+  std::shared_ptr<Lazy<Families>> families_, placed_families_;
+  std::shared_ptr<Lazy<Families>> diagonal_families_, placed_diagonal_families_;
+  mutable LastField last_field_;     // until this field is solved
+  mutable LastField last_families_;  // until these are found
   std::shared_ptr<Lazy<std::unique_ptr<ObjectCurves>>> hatch_curves_;
   std::shared_ptr<Lazy<CurvatureDerivative>> derivative_;
   mutable std::mutex timings_mutex_;

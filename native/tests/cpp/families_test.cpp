@@ -158,7 +158,7 @@ TEST(Families, AreTheSameAtAnySizeAndCanBeCancelled) {
   EXPECT_EQ(find_families(surface, surface.curvature, field), families);
   int calls = 0;
   const Progress progress([&](double, const std::string&) { return ++calls < 3; }, "field");
-  EXPECT_THROW(find_families(surface, surface.curvature, field, progress), Cancelled);
+  EXPECT_THROW(find_families(surface, surface.curvature, field, {}, progress), Cancelled);
   EXPECT_TRUE(find_families({}, {}, {}).empty());
 }
 
@@ -170,6 +170,36 @@ TEST(Families, SeamsAreFewAndReachEverySingularity) {
   const int seams = seam_triangles(surface, field, families);
   EXPECT_GT(seams, 0);
   EXPECT_LT(seams, static_cast<int>(surface.triangles.size()) / 8);
+}
+
+// What moves only a little keeps its families, also those that a new search would change.
+TEST(Families, OfTheLastFrameStay) {
+  const Surface first = blob(4);
+  const CrossField first_field = solved(first, all_free());
+  Families before = find_families(first, first.curvature, first_field);
+  for (std::int8_t& family : before) family = static_cast<std::int8_t>(-family);
+  Surface second = first;
+  const Eigen::AngleAxisd turn(2, Vec3(1, 2, 2).normalized());
+  CrossField second_field = first_field;
+  for (std::size_t v = 0; v < before.size(); ++v) {
+    second.positions[v] = turn * first.positions[v] + Vec3(3, 0, 1);
+    second.positions[v].z() *= 1.01;
+    second.normals[v] = turn * first.normals[v];
+    second_field.directions[v] = turn * first_field.directions[v];
+    if (v % 2) second_field.directions[v] = second.normals[v].cross(second_field.directions[v]);
+  }
+  const LastFamilies last{&first, &first_field, &before};
+  const Families after = find_families(second, second.curvature, second_field, last);
+  std::size_t same = 0;
+  for (std::size_t v = 0; v < before.size(); ++v) {
+    same += (after[v] == before[v]) == (v % 2 == 0);
+  }
+  EXPECT_GT(double(same), 0.9 * double(before.size()));
+  const Surface other = blob(3);
+  const CrossField of_other = solved(other, all_free());
+  EXPECT_EQ(find_families(other, other.curvature, of_other, last),
+            find_families(other, other.curvature, of_other))
+      << "other triangles have no last frame";
 }
 
 TEST(KeptShare, TellsTheFamiliesApart) {
