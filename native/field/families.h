@@ -19,7 +19,7 @@ namespace illustrate {
 // (n) 1: the family along `CrossField::directions` stays; -1: the one across it.
 using Families = std::vector<std::int8_t>;
 
-// Of the last frame: where the triangles are the same, its families stay and only seams move a
+// Of the last frame: where the vertices are the same, its families stay and only seams move a
 // little. All null where there was none.
 struct LastFamilies {
   const Surface* surface = nullptr;

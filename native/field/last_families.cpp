@@ -2,10 +2,15 @@
 
 #include <cmath>
 
-#include "field/last_field.h"
-
 namespace illustrate {
 namespace {
+
+// Whether vertices of one number are one. Triangles may differ: quads are split by their shorter
+// diagonals.
+bool has_same_vertices(const Surface& a, const Surface& b) {
+  return a.objects == b.objects && a.places == b.places && a.base_faces == b.base_faces &&
+         a.base_uv == b.base_uv;
+}
 
 Vec3 across(const Surface& surface, const CrossField& field, std::size_t v) {
   return surface.normals[v].cross(field.directions[v]);
@@ -36,7 +41,7 @@ Points moved_directions(const Surface& surface, const LastFamilies& last) {
 Families last_families(const Surface& surface, const CrossField& field, const LastFamilies& last) {
   if (!last.surface || !last.field || !last.families) return {};
   if (last.families->size() != surface.positions.size()) return {};
-  if (!has_same_triangles(*last.surface, surface)) return {};
+  if (!has_same_vertices(*last.surface, surface)) return {};
   const Points moved = moved_directions(surface, last);
   Families families;
   for (std::size_t v = 0; v < moved.size(); ++v) {

@@ -5,6 +5,11 @@
 namespace illustrate {
 namespace {
 
+bool has_same_triangles(const Surface& a, const Surface& b) {
+  return a.positions.size() == b.positions.size() && a.triangles == b.triangles &&
+         a.flips == b.flips;
+}
+
 // (n) how far the edges round each vertex have turned in the vertex's frame, four times, between
 // two surfaces of the same triangles; the length has no meaning.
 CrossNumbers turns_of_edges(const Surface& from, const TangentFrames& from_frames,
@@ -27,11 +32,6 @@ CrossNumbers turns_of_edges(const Surface& from, const TangentFrames& from_frame
 }
 
 }  // namespace
-
-bool has_same_triangles(const Surface& a, const Surface& b) {
-  return a.positions.size() == b.positions.size() && a.triangles == b.triangles &&
-         a.flips == b.flips;
-}
 
 CrossNumbers last_crosses(const Surface& surface, const TangentFrames& frames,
                           const TriangleEdges& edges, const FieldAids& aids,

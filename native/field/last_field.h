@@ -6,9 +6,6 @@
 
 namespace illustrate {
 
-// Whether two surfaces differ by where their vertices are at most.
-bool has_same_triangles(const Surface& a, const Surface& b);
-
 // (n) the crosses of the last field, turned with the edges round each vertex. Empty where there is
 // none, or it belongs to other triangles.
 CrossNumbers last_crosses(const Surface& surface, const TangentFrames& frames,

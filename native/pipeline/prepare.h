@@ -46,7 +46,8 @@ class Prepared {
   }
   const Curvature& hatch_curvature(const Progress& progress = {}) const;
   const CrossField& field(const Progress& progress = {}) const;
-  // Of the field, or of its diagonals: the family that stays where there is room for one.
+  // Of the field, or of its diagonals: the family that stays where there is room for one. Found
+  // when first asked for.
   const Families& families(const Progress& progress = {}) const;
   const Families& diagonal_families(const Progress& progress = {}) const;
   // Of each object, down to its radius (hatch/surface_curves.h). They stay where they are.

@@ -199,7 +199,7 @@ TEST(Families, OfTheLastFrameStay) {
   const CrossField of_other = solved(other, all_free());
   EXPECT_EQ(find_families(other, other.curvature, of_other, last),
             find_families(other, other.curvature, of_other))
-      << "other triangles have no last frame";
+      << "other vertices have no last frame";
 }
 
 TEST(KeptShare, TellsTheFamiliesApart) {
