@@ -74,9 +74,9 @@ def _render(scene: Any, how: str) -> None:
     try:
         bpy.ops.render.render(how, scene=scene.name)
     except RuntimeError as error:
+        why = str(error).strip().removeprefix("Error: ").rstrip(".")
         raise IllustrateError(
-            f'Scene "{scene.name}" cannot be rendered: {str(error).strip()} '
-            "Set Tone From to Lights or Image"
+            f'Scene "{scene.name}" cannot be rendered: {why}. Set Tone From to Lights or Image'
         ) from error
 
 
