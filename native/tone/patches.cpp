@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace illustrate {
 namespace {
@@ -74,8 +75,9 @@ class Patches {
     std::vector<std::array<int, tones>> borders(area_.size(), {0, 0, 0});
     visit_neighbours([&](std::size_t a, std::size_t b) {
       if (object_[a] != object_[b] || patch_[a] == patch_[b]) return;
-      ++borders[idx(patch_[a])][static_cast<std::size_t>(level_[b])];
-      ++borders[idx(patch_[b])][static_cast<std::size_t>(level_[a])];
+      const bool a_joins = is_less(patch_[a], patch_[b]);
+      ++borders[idx(a_joins ? patch_[a] : patch_[b])]
+               [static_cast<std::size_t>(level_[a_joins ? b : a])];
     });
     bool changed = false;
     std::vector<Tone> wanted = tone_;
@@ -96,6 +98,11 @@ class Patches {
 
  private:
   std::size_t cell(int column, int row) const { return idx(row) * idx(width_) + idx(column); }
+
+  // Patches join larger ones alone, so that two do not change places.
+  bool is_less(int a, int b) const {
+    return std::make_pair(area_[idx(a)], a) < std::make_pair(area_[idx(b)], b);
+  }
 
   std::vector<Box> boxes_of_objects() const {
     std::vector<Box> boxes;
