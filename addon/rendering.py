@@ -72,7 +72,8 @@ def kept(image: Any) -> str:
 
 def _render(scene: Any, how: str) -> None:
     try:
-        bpy.ops.render.render(how, scene=scene.name)
+        if "CANCELLED" in bpy.ops.render.render(how, scene=scene.name):
+            raise RuntimeError("another render is running")
     except RuntimeError as error:
         why = str(error).strip().removeprefix("Error: ").rstrip(".")
         raise IllustrateError(
