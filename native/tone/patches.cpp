@@ -10,6 +10,7 @@ namespace {
 
 constexpr double window_share = 0.25;        // of a patch's side, that edges are evened out over
 constexpr double least_highlight = 1.0 / 3;  // of the area of a patch: light is spared in dots
+constexpr double least_undercut = 1.0 / 3;   // the same of undercuts, which are narrow and dense
 constexpr int most_rounds = 3;
 constexpr double most_work = 16;  // areas of the image that the boxes of all objects may cover
 constexpr int tones = 3;
@@ -206,6 +207,21 @@ void settle_patches(const Surface& surface, const VisibleImage& visible, double 
   for (int round = 0; round < most_rounds && patches.join_small(side * side); ++round) continue;
   for (std::size_t cell = 0; cell < tone.extra.size(); ++cell) {
     if (tone.level[cell] != Tone::shadow) tone.extra[cell] = 0;
+  }
+}
+
+void drop_small_undercuts(const Surface& surface, const VisibleImage& visible, double patch_px,
+                          ToneMap& tone) {
+  const double side = patch_px / tone.cell_px;  // in cells
+  if (!(side > 0)) return;
+  ToneMap marked = tone;
+  for (std::size_t cell = 0; cell < tone.band.size(); ++cell) {
+    marked.level[cell] = tone.band[cell] == Band::undercut ? Tone::shadow : Tone::highlight;
+  }
+  Patches(surface, visible, marked).join_small(least_undercut * side * side);
+  for (std::size_t cell = 0; cell < tone.band.size(); ++cell) {
+    if (tone.band[cell] == Band::undercut && marked.level[cell] != Tone::shadow)
+      tone.band[cell] = Band::nothing;
   }
 }
 

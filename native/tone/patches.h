@@ -14,4 +14,9 @@ namespace illustrate {
 void settle_patches(const Surface& surface, const VisibleImage& visible, double patch_px,
                     ToneMap& tone);
 
+// Undercuts of less than a third of the area of such a square, on an object that has more than
+// them, are none.
+void drop_small_undercuts(const Surface& surface, const VisibleImage& visible, double patch_px,
+                          ToneMap& tone);
+
 }  // namespace illustrate

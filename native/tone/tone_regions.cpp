@@ -285,6 +285,7 @@ ToneMap tone_regions(const Surface& surface, const VisibleImage& visible,
     mark_bands(surface, visible, graph, camera, options, tone.band);
     for_cells_of(catchers, surface, visible,
                  [&](std::size_t cell) { tone.band[cell] = Band::nothing; });
+    drop_small_undercuts(surface, visible, options.patch_px, tone);
   }
   progress.report(1);
   return tone;

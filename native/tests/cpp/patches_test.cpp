@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "shapes.h"
@@ -101,6 +102,17 @@ TEST(SettlePatches, ExtraLevelsGoWithTheirShadow) {
   picture.tone.extra[5] = 2;
   picture.settle(2);
   EXPECT_EQ(picture.tone.extra, std::vector<std::uint8_t>(12, 0));
+}
+
+TEST(SettlePatches, SmallUndercutsGoAndLargeOnesStay) {
+  Picture picture({"mmmmmm", "mmmmmm", "mmmmmm"});
+  picture.tone.band.assign(18, Band::nothing);
+  for (const std::size_t cell : {0, 3, 4, 5, 9, 10, 11}) picture.tone.band[cell] = Band::undercut;
+  picture.tone.band[7] = Band::mach_band;
+  drop_small_undercuts(picture.surface, picture.visible, 3, picture.tone);
+  EXPECT_EQ(picture.tone.band[0], Band::nothing);
+  EXPECT_EQ(picture.tone.band[7], Band::mach_band);
+  EXPECT_EQ(std::count(picture.tone.band.begin(), picture.tone.band.end(), Band::undercut), 6);
 }
 
 }  // namespace
