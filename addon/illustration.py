@@ -148,7 +148,8 @@ def read_request(scene: Any, depsgraph: Any, rendered: Any = None) -> Request:
     draw = settings.draw_values(chosen, arrays.camera.width_px)
     draw["auto_exposure"] = shares_exposure(chosen)
     size = arrays.camera.width_px, arrays.camera.height_px
-    draw["tone_image"], warnings = (rendered, []) if draw["hatching"] else (None, [])
+    warnings: list[str] = []
+    draw["tone_image"] = rendered if draw["hatching"] else None
     if rendered is None and draw["hatching"]:
         draw["tone_image"], warnings = read_tone(scene, *size)
     return Request(

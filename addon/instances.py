@@ -10,6 +10,7 @@ import numpy as np
 from .cages import mesh_of, read_cages, trailing_subdivision
 from .lightness import LightnessReader
 from .mesh_arrays import MeshArrays, read_mesh
+from .seen_as import seen_as, with_materials
 from .styles import Surface, style_of, surface_of
 
 WITHOUT_SURFACE = {"POINTCLOUD": "point cloud", "VOLUME": "volume", "CURVES": "hair object"}
@@ -41,8 +42,9 @@ class Shown:
         self.left_out.setdefault(kind, []).append(name)
 
 
-_Pending = tuple[tuple[str, dict[str, Any], Surface, Any], Any, MeshArrays | None]
-"""What `Placed` has first, the original object, and its mesh; None: its cage is to be read."""
+_Pending = tuple[tuple[str, dict[str, Any], Surface, Any], Any, MeshArrays | None, list[Any]]
+"""What `Placed` has first, the original object, its mesh (None: its cage is to be read), and its
+materials."""
 
 
 def read_shown(scene: Any, depsgraph: Any, is_wanted: Callable[[Any], bool]) -> Shown:
@@ -54,19 +56,24 @@ def read_shown(scene: Any, depsgraph: Any, is_wanted: Callable[[Any], bool]) -> 
     shown = Shown()
     reader = _Reader(depsgraph, shown.lightness)
     chosen = cache(lambda owner: (style_of(owner, scene), surface_of(owner, scene)))
+    seen = cache(lambda thing, owner: seen_as(thing, owner, depsgraph.view_layer))
     pending: list[_Pending] = []
     for instance, owner in _rendered(depsgraph):
         style, surface = chosen(owner)
         if style.get("ignore") or not is_wanted(owner):
             continue
         thing = instance.object
+        style = {**style, **seen(thing.original, owner)}
+        if style.get("ignore"):
+            continue
         if thing.type == "MESH" and shown.lightness.is_clear(_materials(thing)):
             style = {**style, "see_through": True}
         for kind in _without_surface(thing, instance.is_instance):
             shown.leave_out(kind, thing.name)
         if thing.type == "MESH":
             place = (thing.name, style, surface, np.array(instance.matrix_world))
-            pending.append((place, thing.original, reader.read(thing, surface)))
+            mesh = reader.read(thing, surface)
+            pending.append((place, thing.original, mesh, _materials(thing)))
     _place(pending, shown, scene)
     return shown
 
@@ -81,10 +88,13 @@ def _place(pending: list[_Pending], shown: Shown, scene: Any) -> None:
     """Adds meshes at their places; those that are still to be read are cages."""
     named = {name for listed in shown.left_out.values() for name in listed}
     cages = read_cages(
-        [original for _, original, mesh in pending if mesh is None], scene, shown.lightness
+        [original for _, original, mesh, _ in pending if mesh is None], scene, shown.lightness
     )
-    for place, original, mesh in pending:
-        geometry = mesh or cages[original]
+    for (name, style, surface, matrix), original, mesh, materials in pending:
+        style, geometry = with_materials(style, mesh or cages[original], materials)
+        if style.get("ignore"):
+            continue
+        place = (name, style, surface, matrix)
         draws_loose = scene.illustrate.loose_edges or place[1].get("loose_edges", False)
         if len(geometry.face_sizes) or (draws_loose and len(geometry.loose_edges)):
             shown.placed.append(Placed(*place, geometry))

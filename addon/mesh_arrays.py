@@ -29,6 +29,7 @@ class MeshArrays:
     corner_normals: Any = None  # (sum of face_sizes, 3) float32 of any length, or None
     cage: bool = True
     loose_edges: Any = None  # (l, 2) int32, of no face
+    hole_faces: Any = None  # (h,) int32 faces that shape the surface and are not there, or None
     reflectance: Any = None  # (f,) or (sum of face_sizes,), or None: white
     uv: Any = None  # (sum of face_sizes, 2), or None
     textures: list[Any] = field(default_factory=list)  # TextureArrays

@@ -166,6 +166,10 @@ LIGHT = (
            "Where it is brighter there are no hatches"),
     share("shadow_threshold", "light", "Shadow", 0.4,
            "Where it is not brighter there are two directions of hatches"),
+    real("smallest_tone", "light", "Patches", 2.5,
+         "Patches of one tone smaller than so many spacings across join their neighbour; at 0 all "
+         "stay, and edges of tone are as rough as the light",
+         min=0.0, max=20.0, soft_max=6.0),
     whole("extra_levels", "light", "Extra Levels", 0,
            "Divide shadows into so many levels more, with hatches along the diagonals",
            min=0, max=3),
@@ -206,8 +210,18 @@ STYLE_DEFAULTS = {
     "loose_edges": False,
     "spacing_scale": 1.0,
     "width_scale": 1.0,
+    "shadow_only": False,
+    "shadow_catcher": False,
+    "materials": [],
 }
 """Of `illustrate_native.ObjectStyle`."""
+
+STYLES_FROM_ELSEWHERE = {
+    "shadow_only": "what the camera does not see: the object's visibility, and indirect only",
+    "shadow_catcher": "the object's visibility",
+    "materials": "the styles of materials",
+}
+"""Of these, what no style of an object or collection holds, and where it comes from instead."""
 
 # Native options without a property of their own, and where their values come from instead.
 FROM_ELSEWHERE = {

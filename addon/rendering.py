@@ -72,11 +72,12 @@ def kept(image: Any) -> str:
 
 def _render(scene: Any, how: str) -> None:
     try:
-        bpy.ops.render.render(how, scene=scene.name)
+        if "CANCELLED" in bpy.ops.render.render(how, scene=scene.name):
+            raise RuntimeError("another render is running")
     except RuntimeError as error:
+        why = str(error).strip().removeprefix("Error: ").rstrip(".")
         raise IllustrateError(
-            f'Scene "{scene.name}" cannot be rendered: {str(error).strip()} '
-            "Set Tone From to Lights or Image"
+            f'Scene "{scene.name}" cannot be rendered: {why}. Set Tone From to Lights or Image'
         ) from error
 
 

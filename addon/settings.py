@@ -247,8 +247,13 @@ def prepare_options(values: dict[str, Any], guides: GuideArrays, guide_weight: f
 def draw_options(values: dict[str, Any], styles: list[dict[str, Any]]) -> Any:
     """`illustrate_native.DrawOptions`. styles: arguments of ObjectStyle, one for each mesh."""
     ill = native.load()
-    chosen = [ill.ObjectStyle(**style) for style in styles] if any(styles) else None
+    chosen = [_object_style(ill, style) for style in styles] if any(styles) else None
     return ill.DrawOptions(**values, styles=chosen)
+
+
+def _object_style(ill: Any, style: dict[str, Any]) -> Any:
+    materials = [ill.MaterialStyle(**own) for own in style.get("materials", ())]
+    return ill.ObjectStyle(**{**style, "materials": materials})
 
 
 def register() -> None:

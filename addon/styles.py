@@ -1,4 +1,4 @@
-"""Styles of objects and collections: how some of a scene is drawn unlike the rest.
+"""Styles of objects, collections and materials: how some of a scene is drawn unlike the rest.
 
 An object's own style counts for it, else that of the innermost collection that has one.
 """
@@ -129,6 +129,34 @@ class ILLUSTRATE_PG_style(bpy.types.PropertyGroup):
     }
 
 
+class ILLUSTRATE_PG_material_style(bpy.types.PropertyGroup):
+    """How faces of one material are drawn, within what the style of their object allows."""
+
+    __annotations__ = {
+        "use_own": BoolProperty(
+            name="Own Style",
+            default=False,
+            description="Draw faces of this material unlike the rest of the scene",
+        ),
+        **{name: OPTIONS[name] for name in ("lines", "hatching", "width_scale")},
+        "ignore": BoolProperty(
+            name="Ignore",
+            default=False,
+            description="Leave its faces out entirely: neither drawn nor in front of anything",
+        ),
+        "spacing_scale": FloatProperty(
+            name="Spacing",
+            default=1.0,
+            min=0.01,
+            max=100.0,
+            soft_min=0.1,
+            soft_max=10.0,
+            description="Its hatches are so many times as far apart as those of the scene, where "
+            "all of an object has this style",
+        ),
+    }
+
+
 def style_of(thing: Any, scene: Any) -> dict[str, Any]:
     """Arguments of `illustrate_native.ObjectStyle` for an object; empty: the scene's own style."""
     style = _own_style(thing, scene)
@@ -173,14 +201,18 @@ def _collections(thing: Any, scene: Any) -> list[Any]:
 
 
 def register() -> None:
-    """Puts a style on every object and collection, as `illustrate`."""
+    """Puts a style on every object and collection, as `illustrate`, and on every material."""
     bpy.utils.register_class(ILLUSTRATE_PG_style)
+    bpy.utils.register_class(ILLUSTRATE_PG_material_style)
+    bpy.types.Material.illustrate_material = PointerProperty(type=ILLUSTRATE_PG_material_style)
     for owner in (bpy.types.Object, bpy.types.Collection):
         owner.illustrate = PointerProperty(type=ILLUSTRATE_PG_style)
 
 
 def unregister() -> None:
     """Takes the styles away again."""
+    del bpy.types.Material.illustrate_material
+    bpy.utils.unregister_class(ILLUSTRATE_PG_material_style)
     for owner in (bpy.types.Object, bpy.types.Collection):
         del owner.illustrate
     bpy.utils.unregister_class(ILLUSTRATE_PG_style)

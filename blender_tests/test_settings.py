@@ -41,12 +41,17 @@ def test_settings_mirror_the_native_options(scene: Any, kind: str) -> None:
 
 def test_styles_mirror_the_native_ones(scene: Any) -> None:
     default = native.load().ObjectStyle()
-    assert set(styles.OPTIONS) == option_names(default)
+    elsewhere = set(native_options.STYLES_FROM_ELSEWHERE)
+    assert set(styles.OPTIONS) | elsewhere == option_names(default)
     cube = tools.cube_scene(scene)
     for owner in (cube, scene.collection):
         for name in styles.OPTIONS:
             assert getattr(owner.illustrate, name) == getattr(default, name)
-    assert {n: getattr(default, n) for n in styles.OPTIONS} == native_options.STYLE_DEFAULTS
+    defaults = native_options.STYLE_DEFAULTS
+    assert {n: getattr(default, n) for n in option_names(default)} == defaults
+    material, native_material = bpy.data.materials.new("Own"), native.load().MaterialStyle()
+    for name in option_names(native_material):
+        assert getattr(material.illustrate_material, name) == getattr(native_material, name)
 
 
 @pytest.mark.parametrize("kind", NATIVE)

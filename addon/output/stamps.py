@@ -36,6 +36,11 @@ def stamp_of(scene: Any, width_mm: float, svg_style: str) -> dict[str, Any]:
         for owner in owners
         if owner.illustrate.use_own
     )
+    styles += sorted(
+        ("Material", material.name_full, _values(material.illustrate_material))
+        for material in bpy.data.materials
+        if material.illustrate_material.use_own
+    )
     told = (_values(scene.illustrate), render, styles, float(width_mm), svg_style)
     return {"version": native.load().__version__, "settings": digest(told)}
 

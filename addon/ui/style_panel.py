@@ -1,4 +1,4 @@
-"""Panels in the properties of objects and collections: their own styles, and guides."""
+"""Panels in the properties of objects, collections and materials: their styles, and guides."""
 
 from typing import Any
 
@@ -69,6 +69,39 @@ class ILLUSTRATE_PT_collection_style(_StylePanel, bpy.types.Panel):
         return context.collection
 
 
+class ILLUSTRATE_PT_material_style(bpy.types.Panel):
+    """Of the material."""
+
+    bl_idname = "ILLUSTRATE_PT_material_style"
+    bl_space_type = "PROPERTIES"
+    bl_region_type = "WINDOW"
+    bl_context = "material"
+    bl_label = "Illustrate"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context: Any) -> bool:
+        """There is a material, and not one of strokes."""
+        material = context.material
+        return material is not None and not material.is_grease_pencil
+
+    def draw_header(self, context: Any) -> None:
+        """Shows the tick."""
+        self.layout.prop(context.material.illustrate_material, "use_own", text="")
+
+    def draw(self, context: Any) -> None:
+        """Shows the style, grey where it does not count."""
+        style = context.material.illustrate_material
+        self.layout.use_property_split = True
+        self.layout.use_property_decorate = False
+        self.layout.active = style.use_own
+        self.layout.prop(style, "ignore")
+        column = self.layout.column()
+        column.active = not style.ignore
+        for name in ("lines", "hatching", "spacing_scale", "width_scale"):
+            column.prop(style, name)
+
+
 class ILLUSTRATE_PT_guide(bpy.types.Panel):
     """What an object of the collection of guides says."""
 
@@ -89,6 +122,11 @@ class ILLUSTRATE_PT_guide(bpy.types.Panel):
         self.layout.prop(context.object.illustrate_guide, shown_of(context.object))
 
 
-CLASSES = (ILLUSTRATE_PT_object_style, ILLUSTRATE_PT_collection_style, ILLUSTRATE_PT_guide)
+CLASSES = (
+    ILLUSTRATE_PT_object_style,
+    ILLUSTRATE_PT_collection_style,
+    ILLUSTRATE_PT_material_style,
+    ILLUSTRATE_PT_guide,
+)
 
 register, unregister = bpy.utils.register_classes_factory(CLASSES)

@@ -134,17 +134,31 @@ void bind_prepare_options(py::module_& m) {
       "World direction of the field where nothing is reliable");
 }
 
+void bind_material_style(py::module_& m) {
+  py::class_<MaterialStyle> bound(m, "MaterialStyle", "What is drawn of one material of a mesh.");
+  bound.def(py::init(&from_keywords<MaterialStyle>));
+  OPTION("lines", lines, "Whether lines on it are drawn");
+  OPTION("hatching", hatching, "Whether it is hatched");
+  OPTION("width_scale", width_scale, "Of all strokes on it");
+}
+
 void bind_object_style(py::module_& m) {
+  bind_material_style(m);
   py::class_<ObjectStyle> bound(m, "ObjectStyle", "What is drawn of one mesh.");
   bound.def(py::init(&from_keywords<ObjectStyle>));
   OPTION("ignore", ignore, "Left out entirely: neither drawn nor in front of anything");
   OPTION("occlude_only", occlude_only, "Hides what is behind it, but is not drawn");
   OPTION("see_through", see_through, "Hides nothing and is not hatched, as glass");
+  OPTION("shadow_only", shadow_only, "Left out, but keeps the light from others");
+  OPTION("shadow_catcher", shadow_catcher,
+         "Without lines, and hatched only where others keep the light away");
   OPTION("lines", lines, "Whether its lines are drawn");
   OPTION("hatching", hatching, "Whether it is hatched");
   OPTION("loose_edges", loose_edges, "Its edges of no face are drawn in any case");
   OPTION("spacing_scale", spacing_scale, "Of its hatches");
   OPTION("width_scale", width_scale, "Of all its strokes");
+  OPTION("materials", materials,
+         "A MaterialStyle for each number in face_materials; those beyond are as the object");
 }
 
 template <class Class>
@@ -163,6 +177,8 @@ void bind_tone_options(Class& bound) {
   OPTION("auto_exposure", values.tone.auto_exposure,
          "Whether the light is also multiplied by what suits the view");
   OPTION("cast_shadows", values.tone.cast_shadows, "Whether surfaces keep the light from others");
+  OPTION("smallest_tone", values.smallest_tone,
+         "Patches of one tone smaller than a square of so many spacings join their neighbour");
   bound.def_readwrite("tone_image", &PythonDrawOptions::tone_image,
                       "(h, w) light that comes back, linear, rows downwards, in place of lights "
                       "and reflectance: stretched over the view; or None");

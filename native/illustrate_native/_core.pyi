@@ -354,6 +354,17 @@ class PrepareOptions:
     def __init__(self, **options: object) -> None:
         """Defaults, and the attributes given by keyword. Raises TypeError for other keywords."""
 
+class MaterialStyle:
+    """What is drawn of the faces of one material, within what their object's style allows."""
+
+    lines: bool
+    hatching: bool
+    width_scale: float
+    """Of all strokes on it, at least 0."""
+
+    def __init__(self, **options: object) -> None:
+        """Defaults, and the attributes given by keyword. Raises TypeError for other keywords."""
+
 class ObjectStyle:
     """What is drawn of one mesh."""
 
@@ -363,6 +374,10 @@ class ObjectStyle:
     """Hides nothing and is not hatched, as glass. Its own lines are drawn, but not in the graph."""
     occlude_only: bool
     """Hides what is behind it, but is not drawn."""
+    shadow_only: bool
+    """Left out as if ignored, but keeps the light from others."""
+    shadow_catcher: bool
+    """Without lines, and hatched only where others keep the light away."""
     lines: bool
     hatching: bool
     loose_edges: bool
@@ -371,6 +386,11 @@ class ObjectStyle:
     """Of its hatches, above 0."""
     width_scale: float
     """Of all its strokes, at least 0."""
+    materials: list[MaterialStyle]
+    """By the numbers in PolygonMesh's face_materials; those beyond are drawn as the object.
+
+    A copy: set the whole list.
+    """
 
     def __init__(self, **options: object) -> None:
         """Defaults, and the attributes given by keyword. Raises TypeError for other keywords."""
@@ -418,6 +438,9 @@ class DrawOptions:
     more than 60 % of the area shadow, or highlight. ToneMap.exposure says what came of both."""
     cast_shadows: bool
     """Whether surfaces keep the light from others."""
+    smallest_tone: float
+    """Patches of one tone smaller than a square of so many spacings join their neighbour, [0, 20];
+    0: all stay, and edges of tone are as rough as the light."""
     tone_image: ArrayLike | None
     """(h, w) light that comes back, linear, 1 as bright as white paper, rows downwards: in place of
     lights and reflectance, stretched over the view. What is negative or not finite is black."""

@@ -11,6 +11,8 @@
 #include "hatch/even_hatches.h"
 #include "hatch/reduce_hatches.h"
 #include "occlusion/visible_image.h"
+#include "pipeline/casters.h"
+#include "pipeline/material_styles.h"
 #include "pipeline/see_through.h"
 #include "pipeline/seen_scene.h"
 #include "pipeline/stopwatch.h"
@@ -52,8 +54,13 @@ Mask unhatched_objects(const std::vector<ObjectStyle>& styles) {
 
 Mask undrawn_objects(const std::vector<ObjectStyle>& styles) {
   return of_each<std::uint8_t>(styles, [](const ObjectStyle& s) -> std::uint8_t {
-    return s.ignore || s.occlude_only || !s.lines;
+    return s.ignore || s.occlude_only || s.shadow_catcher || !s.lines;
   });
+}
+
+Mask shadow_catchers(const std::vector<ObjectStyle>& styles) {
+  return of_each<std::uint8_t>(
+      styles, [](const ObjectStyle& s) -> std::uint8_t { return s.shadow_catcher; });
 }
 
 // Of which the loose edges are drawn.
@@ -130,7 +137,10 @@ void to_pixels(LabelledGraph& graph, double unit) {
 class View {
  public:
   View(const SeenScene& scene, const Camera& camera, const DrawOptions& options)
-      : scene_(scene), camera_(camera), options_(options) {
+      : scene_(scene),
+        camera_(camera),
+        options_(options),
+        materials_(material_marks(scene.surface(), scene.meshes(), options.styles)) {
     result_.timings = {{"contour", 0}, {"visibility", 0}, {"tone", 0}, {"hatch", 0}, {"stroke", 0}};
   }
 
@@ -182,7 +192,8 @@ class View {
     previous_ = scene_.seen_parts(hatches_of(previous, whole));
   }
 
-  void hatch(const CrossField& field, const std::vector<Light>& lights, const Progress& progress) {
+  void hatch(const CrossField& field, const std::vector<Light>& lights, const Bvh& casters,
+             const Progress& progress) {
     const Surface& surface = scene_.surface();
     const Families& families = scene_.families(progress.part(0, 0.1, "field"));
     const Progress tone_progress = progress.part(0.1, 0.3, "tone");
@@ -192,11 +203,15 @@ class View {
     });
     ToneOptions tone_options = options_.tone;
     tone_options.threads = options_.threads;
+    tone_options.patch_px = options_.smallest_tone * options_.hatch.spacing_px;
     const Mask unhatched = unhatched_objects(options_.styles);
     const Lightness lightness(surface, scene_.meshes());
     result_.tone = timed(result_.timings["tone"], [&] {
-      return tone_regions(surface, visible, result_.graph, camera_, lights, tone_options,
-                          &scene_.bvh(), unhatched, &lightness, tone_progress);
+      ToneMap tone =
+          tone_regions(surface, visible, result_.graph, camera_, lights, tone_options, &casters,
+                       unhatched, &lightness, tone_progress, shadow_catchers(options_.styles));
+      blank_unhatched(visible, materials_, tone);
+      return tone;
     });
     const std::vector<double> spacing_scale = spacing_scales(options_.styles);
     const CriticalCurves curves = timed(result_.timings["hatch"], [&] {
@@ -222,13 +237,15 @@ class View {
     progress.report(0);
     const LineWeightOptions& weight = options_.stroke.line_weight;
     result_.drawing = timed(result_.timings["stroke"], [&] {
-      const Ragged<double> weights =
-          weight.any()
-              ? line_weights(result_.graph, scene_.surface(), scene_.bvh(), camera_, lights, weight)
-              : Ragged<double>{};
+      StrokeWidths widths{{}, materials_.hatch_widths};
+      if (weight.any()) {
+        widths.lines =
+            line_weights(result_.graph, scene_.surface(), scene_.bvh(), camera_, lights, weight);
+      }
+      weigh_by_material(result_.graph, materials_, widths.lines);
       return make_strokes(result_.graph, hatches_, result_.tone, camera_,
                           width_scales(options_.styles), undrawn_objects(options_.styles),
-                          options_.stroke, weights);
+                          options_.stroke, widths);
     });
     result_.counts["strokes"] = static_cast<std::int64_t>(result_.drawing.kinds.size());
     scene_.restore_triangles(result_.drawing.on);
@@ -274,11 +291,29 @@ class View {
   const SeenScene& scene_;
   const Camera& camera_;
   const DrawOptions& options_;
+  const MaterialMarks materials_;
   Ragged<SurfacePoint> previous_;
   CurvesOfObjects curves_;
   Hatches hatches_;
   DrawResult result_;
 };
+
+// `casters`: null: all that is seen.
+DrawResult draw_seen(const Prepared& prepared, const Camera& camera, const DrawOptions& options,
+                     const std::vector<Light>& lights, const Bvh* casters, const Progress& progress,
+                     const Drawing* previous) {
+  const bool hatching = anything_is_hatched(options);
+  const SeenScene scene(prepared, options.styles, options.threads, progress.part(0, 0.1));
+  const CrossField* field = hatching ? &prepared.field(progress.part(0.1, 0.3)) : nullptr;
+  View view(scene, camera, options);
+  if (hatching && previous) view.follow(*previous, prepared.surface());
+  view.label_curves(progress.part(0.3, hatching ? 0.5 : 0.95));
+  if (hatching) {
+    view.hatch(*field, lights, casters ? *casters : scene.bvh(), progress.part(0.5, 0.95));
+  }
+  view.add_loose_edges();
+  return std::move(view).strokes(lights, progress.part(0.95, 1, "stroke"));
+}
 
 }  // namespace
 
@@ -290,17 +325,12 @@ DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOption
   if (any_is_seen_through(options.styles)) {
     return draw_seen_through(prepared, camera, options, lights, progress, previous);
   }
-  const bool hatching = anything_is_hatched(options);
-  const SeenScene scene(prepared, options.styles, options.threads, progress.part(0, 0.1));
-  const CrossField* field = hatching ? &prepared.field(progress.part(0.1, 0.3)) : nullptr;
-  View view(scene, camera, options);
-  if (hatching && previous) view.follow(*previous, prepared.surface());
-  view.label_curves(progress.part(0.3, hatching ? 0.5 : 0.95));
-  if (hatching) {
-    view.hatch(*field, lights, progress.part(0.5, 0.95));
+  if (!any_is_shadow_only(options.styles)) {
+    return draw_seen(prepared, camera, options, lights, nullptr, progress, previous);
   }
-  view.add_loose_edges();
-  return std::move(view).strokes(lights, progress.part(0.95, 1, "stroke"));
+  const auto casters = casters_of(prepared.surface(), options.styles, options.threads);
+  return draw_seen(prepared, camera, without_unseen(options), lights, &casters->bvh, progress,
+                   previous);
 }
 
 std::vector<int> silhouette_triangles(const Prepared& prepared, const Camera& camera,

@@ -17,6 +17,11 @@ void validate(const ObjectStyle& style, std::size_t index) {
           name + "spacing_scale must be above 0 and finite");
   require(style.width_scale >= 0 && std::isfinite(style.width_scale),
           name + "width_scale must be at least 0 and finite");
+  for (std::size_t i = 0; i < style.materials.size(); ++i) {
+    const double scale = style.materials[i].width_scale;
+    require(scale >= 0 && std::isfinite(scale), name + "materials[" + std::to_string(i) +
+                                                    "].width_scale must be at least 0 and finite");
+  }
 }
 
 }  // namespace
@@ -34,6 +39,8 @@ void validate(const DrawOptions& options, std::size_t object_count) {
   validate(options.hatch);
   validate(options.stroke);
   validate(options.curvature_curves);
+  require(options.smallest_tone >= 0 && options.smallest_tone <= 20,
+          "smallest_tone must be in [0, 20]");
   require(options.cell_px >= 0.25 && options.cell_px <= 64, "cell_px must be in [0.25, 64]");
   require(options.threads >= 0, "threads must be at least 0");
   require(options.styles.empty() || options.styles.size() == object_count,

@@ -27,16 +27,26 @@ struct PrepareOptions {
 };
 void validate(const PrepareOptions& options);  // throws InvalidInput naming the field
 
+// What is drawn of the faces of one material, within what their object's style allows.
+struct MaterialStyle {
+  bool lines = true;
+  bool hatching = true;
+  double width_scale = 1;  // of all strokes
+};
+
 // What is drawn of one mesh.
 struct ObjectStyle {
   bool ignore = false;        // left out entirely: neither drawn nor in front of anything
   bool occlude_only = false;  // hides what is behind it, but is not drawn
   bool see_through = false;   // hides nothing and is not hatched, as glass (pipeline/see_through.h)
+  bool shadow_only = false;   // as ignored, but keeps the light from others
+  bool shadow_catcher = false;  // without lines, and hatched only where others keep the light away
   bool lines = true;
   bool hatching = true;
-  bool loose_edges = false;  // drawn too, whatever the options say
-  double spacing_scale = 1;  // of the hatches
-  double width_scale = 1;    // of all its strokes
+  bool loose_edges = false;              // drawn too, whatever the options say
+  double spacing_scale = 1;              // of the hatches
+  double width_scale = 1;                // of all its strokes
+  std::vector<MaterialStyle> materials;  // by PolygonMesh::face_materials; beyond: as the object
 };
 
 // How curves are told visible: labels that cannot contradict each other (visibility/
@@ -50,6 +60,9 @@ struct DrawOptions {
   StrokeOptions stroke;  // its marks, materials and flat outlines are also those of the network
   CurvatureCurveOptions curvature_curves;
   bool loose_edges = false;  // draw PolygonMesh::loose_edges
+  // Patches of one tone smaller than a square of so many spacings of hatches join their neighbour,
+  // [0, 20]; 0: none do.
+  double smallest_tone = 2.5;
   // The largest cells of the tone map, [0.25, 64]: they are an eighth of the hatches' spacing and
   // at most a sixth of a band's width, but larger where the image has over 16 million of them.
   double cell_px = 64;

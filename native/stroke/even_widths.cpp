@@ -84,4 +84,27 @@ StrokePath with_even_widths(const StrokePath& path, double blend_px, const Camer
   return result;
 }
 
+std::vector<StrokePath> parts_with_width(const StrokePath& path, double speck_px) {
+  const auto is_bare = [](const StrokePoint& p) { return !(p.width > 0); };
+  const auto bare = std::find_if(path.points.begin(), path.points.end(), is_bare);
+  if (bare == path.points.end()) return {path};
+  StrokePath open = path;
+  open.closed = false;
+  if (path.closed) {
+    std::rotate(open.points.begin(), open.points.begin() + (bare - path.points.begin()),
+                open.points.end());
+  }
+  std::vector<StrokePath> parts;
+  for (auto next = open.points.begin(); next != open.points.end();) {
+    const auto first = std::find_if_not(next, open.points.end(), is_bare);
+    next = std::find_if(first, open.points.end(), is_bare);
+    StrokePath part;
+    part.points.assign(first, next);
+    part.free_start = open.free_start && first == open.points.begin();
+    part.free_end = open.free_end && next == open.points.end();
+    if (length_of(part) > speck_px) parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
 }  // namespace illustrate

@@ -10,4 +10,8 @@ namespace illustrate {
 // last, the stroke thins out in between.
 StrokePath with_even_widths(const StrokePath& path, double blend_px, const Camera& camera);
 
+// The parts of a path whose points have a width, longer than `speck_px`, or all of it. Ends that
+// are cut are not free.
+std::vector<StrokePath> parts_with_width(const StrokePath& path, double speck_px);
+
 }  // namespace illustrate

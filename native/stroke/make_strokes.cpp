@@ -97,10 +97,16 @@ std::vector<Stroke> line_strokes(const LabelledGraph& graph, const Ragged<double
     StrokePath path;
     path.points = points_of(graph, chain, line_width(arc, width_scale, options), weights);
     path.closed = chain.closed;
-    if (!weights.empty()) path = with_even_widths(path, weight_blend_units * graph.unit_px, camera);
     path.free_start = is_free(graph, ends, chain, chain.start_node);
     path.free_end = is_free(graph, ends, chain, chain.end_node);
-    strokes.push_back({std::move(path), arc.kind, arc.object, arc.invisibility});
+    if (weights.empty()) {
+      strokes.push_back({std::move(path), arc.kind, arc.object, arc.invisibility});
+      continue;
+    }
+    for (const StrokePath& part : parts_with_width(path, options.speck_px)) {
+      strokes.push_back({with_even_widths(part, weight_blend_units * graph.unit_px, camera),
+                         arc.kind, arc.object, arc.invisibility});
+    }
   }
   keep_continued_ends(strokes, options, graph.unit_px);
   return strokes;
@@ -140,7 +146,11 @@ class HatchWidth {
 
 std::vector<Stroke> hatch_strokes(const Hatches& hatches, const ToneMap& tone,
                                   const std::vector<double>& width_scale,
+                                  const std::vector<double>& triangle_widths,
                                   const StrokeOptions& options) {
+  const auto factor = [&](const SurfacePoint& on) {
+    return triangle_widths.empty() || on.triangle == none ? 1 : triangle_widths[idx(on.triangle)];
+  };
   std::vector<Stroke> strokes;
   for (std::size_t h = 0; h < hatches.curves.size(); ++h) {
     const double width = options.hatch_width_px * scale_of(width_scale, hatches.objects[h]);
@@ -148,7 +158,7 @@ std::vector<Stroke> hatch_strokes(const Hatches& hatches, const ToneMap& tone,
     StrokePath path;
     path.free_start = path.free_end = true;
     for (const HatchPoint& p : hatches.curves[h]) {
-      path.points.push_back({p.position, p.on, p.image, width_at(p.image)});
+      path.points.push_back({p.position, p.on, p.image, width_at(p.image) * factor(p.on)});
     }
     strokes.push_back({std::move(path), hatches.kinds[h], hatches.objects[h], 0});
   }
@@ -204,10 +214,11 @@ void validate(const StrokeOptions& options) {
 Drawing make_strokes(const LabelledGraph& graph, const Hatches& hatches, const ToneMap& tone,
                      const Camera& camera, const std::vector<double>& width_scale,
                      const std::vector<std::uint8_t>& undrawn, const StrokeOptions& options,
-                     const Ragged<double>& weights) {
+                     const StrokeWidths& widths) {
   validate(options);
-  std::vector<Stroke> strokes = line_strokes(graph, weights, width_scale, undrawn, camera, options);
-  for (Stroke& s : hatch_strokes(hatches, tone, width_scale, options))
+  std::vector<Stroke> strokes =
+      line_strokes(graph, widths.lines, width_scale, undrawn, camera, options);
+  for (Stroke& s : hatch_strokes(hatches, tone, width_scale, widths.hatches, options))
     strokes.push_back(std::move(s));
   std::stable_sort(strokes.begin(), strokes.end(),
                    [](const Stroke& a, const Stroke& b) { return a.kind < b.kind; });

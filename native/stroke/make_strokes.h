@@ -38,11 +38,17 @@ struct StrokeOptions {
 };
 void validate(const StrokeOptions& options);  // throws InvalidInput naming the field
 
+// Factors of widths from place to place; empty: 1.
+struct StrokeWidths {
+  Ragged<double> lines;         // at the points of the graph (line_weights.h); 0: not drawn there
+  std::vector<double> hatches;  // (t) of the surface's triangles
+};
+
 // `width_scale`: one factor per object, empty: 1; `undrawn`: objects whose lines are not drawn,
-// empty: none; `weights`: factors of the width at the graph's points (line_weights.h), empty: 1.
+// empty: none.
 Drawing make_strokes(const LabelledGraph& graph, const Hatches& hatches, const ToneMap& tone,
                      const Camera& camera, const std::vector<double>& width_scale,
                      const std::vector<std::uint8_t>& undrawn, const StrokeOptions& options,
-                     const Ragged<double>& weights = {});
+                     const StrokeWidths& widths = {});
 
 }  // namespace illustrate

@@ -49,14 +49,6 @@ bool is_inside(const Vec2& p, const Vec2& frame) {
   return p.x() >= 0 && p.x() <= frame.x() && p.y() >= 0 && p.y() <= frame.y();
 }
 
-double length_of(const StrokePath& path) {
-  double length = 0;
-  for (std::size_t i = 1; i < path.points.size(); ++i) {
-    length += (path.points[i].image - path.points[i - 1].image).norm();
-  }
-  return length;
-}
-
 // Cuts an open path into its parts inside the frame.
 class FrameCutter {
  public:
@@ -198,6 +190,14 @@ double thinned(double share_of_taper) {
 }
 
 }  // namespace
+
+double length_of(const StrokePath& path) {
+  double length = 0;
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    length += (path.points[i].image - path.points[i - 1].image).norm();
+  }
+  return length;
+}
 
 StrokePoint point_between(const StrokePoint& a, const StrokePoint& b, double t,
                           const Camera& camera) {

@@ -25,6 +25,9 @@ struct StrokePath {
 StrokePoint point_between(const StrokePoint& a, const StrokePoint& b, double t,
                           const Camera& camera);
 
+// In the image, of an open path.
+double length_of(const StrokePath& path);
+
 // The parts inside the frame, in order. A closed path that is cut becomes open ones; cut ends are
 // not free. Parts of no length are dropped.
 std::vector<StrokePath> clip_at_frame(const StrokePath& path, const Camera& camera);

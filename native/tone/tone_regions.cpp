@@ -8,6 +8,7 @@
 #include "tone/bands.h"
 #include "tone/exposure.h"
 #include "tone/levels.h"
+#include "tone/patches.h"
 #include "tone/shadows.h"
 
 namespace illustrate {
@@ -21,12 +22,17 @@ bool is_share(const std::optional<double>& share) { return !share || (*share >= 
 
 constexpr double least_facing = 0.01;  // of a surface that is seen edge-on
 
+// Whether the object of a triangle is one of a mask of them; an empty mask has none.
+bool is_of(const std::vector<std::uint8_t>& mask, const Surface& surface, int triangle) {
+  return !mask.empty() && mask[idx(surface.triangle_objects[idx(triangle)])];
+}
+
 // The light that comes back from the visible cells.
 class Illumination {
  public:
   Illumination(const Surface& surface, const VisibleImage& visible, const Camera& camera,
                const std::vector<Light>& lights, const Bvh* casters, const Lightness* lightness,
-               double reflectance)
+               double reflectance, const std::vector<std::uint8_t>& catchers)
       : surface_(surface),
         visible_(visible),
         camera_(camera),
@@ -34,6 +40,7 @@ class Illumination {
         casters_(casters),
         lightness_(lightness && !lightness->is_white() ? lightness : nullptr),
         reflectance_(reflectance),
+        catchers_(catchers),
         map_(image_map(camera)) {}
 
   // Sets the light at the visible ones of the cells [begin, end).
@@ -81,12 +88,14 @@ class Illumination {
     const double length = mean.norm();
     Vec3 normal = length > 0 ? Vec3(mean / length) : corners.normals[0];
     if (normal.dot(camera_.to_eye(position)) < 0) normal = -normal;
-    double sum = 0;
+    double sum = 0, all = 0;
     for (const Light& light : lights_) {
       const double share = received(light, camera_, position, normal);
       if (!(share > 0)) continue;
+      all += share;
       sum += share * reaching(light, on, normal);
     }
+    if (is_of(catchers_, surface_, corners.triangle)) return all > 0 ? sum / all : 1;
     return corners.lightness ? sum * thrown_back(*corners.lightness, position, normal) : sum;
   }
 
@@ -111,6 +120,7 @@ class Illumination {
   const Bvh* casters_;
   const Lightness* lightness_;
   double reflectance_;
+  const std::vector<std::uint8_t>& catchers_;
   const ImageMap map_;
 };
 
@@ -148,7 +158,7 @@ std::vector<double> counted_light(const Surface& surface, const VisibleImage& vi
   for (std::size_t cell = 0; cell < light.size(); ++cell) {
     const int triangle = visible.triangle[cell];
     if (triangle == none) continue;
-    if (!unhatched.empty() && unhatched[idx(surface.triangle_objects[idx(triangle)])]) continue;
+    if (is_of(unhatched, surface, triangle)) continue;
     counted.push_back(light[cell]);
   }
   return counted;
@@ -164,6 +174,26 @@ double expose(const Surface& surface, const VisibleImage& visible, const ToneOpt
   if (factor == 1) return factor;
   for (double& value : light) value *= factor;
   return factor;
+}
+
+// Of two masks of objects, of which one may be empty.
+std::vector<std::uint8_t> either(const std::vector<std::uint8_t>& a,
+                                 const std::vector<std::uint8_t>& b) {
+  if (b.empty()) return a;
+  std::vector<std::uint8_t> both = b;
+  for (std::size_t i = 0; i < a.size(); ++i) both[i] |= a[i];
+  return both;
+}
+
+// Calls visit(cell) where objects of a mask are seen.
+template <class Visit>
+void for_cells_of(const std::vector<std::uint8_t>& mask, const Surface& surface,
+                  const VisibleImage& visible, const Visit& visit) {
+  if (mask.empty()) return;
+  for (std::size_t cell = 0; cell < visible.triangle.size(); ++cell) {
+    const int triangle = visible.triangle[cell];
+    if (triangle != none && is_of(mask, surface, triangle)) visit(cell);
+  }
 }
 
 ToneMap levels_of(const VisibleImage& visible, const std::vector<double>& light,
@@ -206,6 +236,7 @@ void validate(const ToneOptions& options) {
           "mach_band_px must be in [0, 100]");
   require(options.undercut_px >= 0 && options.undercut_px <= 100,
           "undercut_px must be in [0, 100]");
+  require(options.patch_px >= 0 && std::isfinite(options.patch_px), "patch_px must be at least 0");
   require(options.undercut_contact >= 0 && options.undercut_contact <= 1,
           "undercut_contact must be in [0, 1]");
 }
@@ -220,14 +251,16 @@ ToneMap tone_regions(const Surface& surface, const VisibleImage& visible,
                      const LabelledGraph& graph, const Camera& camera,
                      const std::vector<Light>& lights, const ToneOptions& options,
                      const Bvh* casters, const std::vector<std::uint8_t>& unhatched,
-                     const Lightness* lightness, const Progress& progress) {
+                     const Lightness* lightness, const Progress& progress,
+                     const std::vector<std::uint8_t>& catchers) {
   validate(options);
   for (std::size_t i = 0; i < lights.size(); ++i) validate(lights[i], i);
   require(casters || !options.cast_shadows, "cast_shadows needs what casts them");
   progress.report(0);
   const Illumination illumination(surface, visible, camera, lights,
                                   options.cast_shadows ? casters : nullptr, lightness,
-                                  options.reflectance);
+                                  options.reflectance, catchers);
+  const std::vector<std::uint8_t> uncounted = either(unhatched, catchers);
   std::vector<double> light(visible.triangle.size(), 0);
   const auto light_cells = [&](std::size_t begin, std::size_t end) {
     if (options.image) {
@@ -238,15 +271,21 @@ ToneMap tone_regions(const Surface& surface, const VisibleImage& visible,
   };
   parallel_for(light.size(), options.threads, progress.part(0, 0.7), light_cells);
   progress.report(0.7);
-  const double exposure = expose(surface, visible, options, unhatched, light);
+  const double exposure = expose(surface, visible, options, uncounted, light);
+  // The share of light that reaches a catcher is no light that could be exposed.
+  for_cells_of(catchers, surface, visible, [&](std::size_t cell) { light[cell] /= exposure; });
   const bool by_share = options.highlight_share || options.shadow_share;
   const Thresholds thresholds =
-      find_thresholds(options, by_share ? counted_light(surface, visible, light, unhatched)
+      find_thresholds(options, by_share ? counted_light(surface, visible, light, uncounted)
                                         : std::vector<double>{});
   ToneMap tone = levels_of(visible, light, thresholds, options);
   tone.exposure = exposure;
+  settle_patches(surface, visible, options.patch_px, tone);
   if (options.mach_bands || options.undercuts) {
     mark_bands(surface, visible, graph, camera, options, tone.band);
+    for_cells_of(catchers, surface, visible,
+                 [&](std::size_t cell) { tone.band[cell] = Band::nothing; });
+    drop_small_undercuts(surface, visible, options.patch_px, tone);
   }
   progress.report(1);
   return tone;

@@ -38,6 +38,9 @@ struct ToneOptions {
   // How near a fold must be to what lies beyond it for an undercut: 0: anywhere (the paper), 1:
   // they touch; in [0, 1] (tone/bands.h).
   double undercut_contact = 0.5;
+  // Patches of one tone smaller than a square of this side join their neighbour, and edges of tone
+  // are evened out over a quarter of it (tone/patches.h); 0: nothing is.
+  double patch_px = 0;
   int threads = 0;
 };
 void validate(const ToneOptions& options);  // throws InvalidInput naming the field
@@ -64,12 +67,14 @@ struct ToneMap {
 
 // `casters`: what casts shadows, needed where the options ask for them. `unhatched`: objects whose
 // area does not count towards the shares and the exposure, empty: none. lightness: of the surface;
-// null: white.
+// null: white. `catchers`: objects, nor do these count, that are as light as the share of the light
+// that others let through to them, and have no bands; empty: none.
 ToneMap tone_regions(const Surface& surface, const VisibleImage& visible,
                      const LabelledGraph& graph, const Camera& camera,
                      const std::vector<Light>& lights, const ToneOptions& options,
                      const Bvh* casters = nullptr, const std::vector<std::uint8_t>& unhatched = {},
-                     const Lightness* lightness = nullptr, const Progress& progress = {});
+                     const Lightness* lightness = nullptr, const Progress& progress = {},
+                     const std::vector<std::uint8_t>& catchers = {});
 
 // The extra levels of a map as levels of their own: the first as midtone, the second as shadow, the
 // third as undercut, and nothing elsewhere.

@@ -118,7 +118,7 @@ def share(drawing: ill.Drawing, level: int) -> float:
 
 
 def test_shares_divide_what_is_seen(balls: ill.Prepared) -> None:
-    options = ill.DrawOptions(highlight_share=0.3, shadow_share=0.2)
+    options = ill.DrawOptions(highlight_share=0.3, shadow_share=0.2, smallest_tone=0)
     drawing = ill.draw(balls, CAMERA, options)
     assert share(drawing, 0) == pytest.approx(0.3, abs=1e-3)
     assert share(drawing, 2) == pytest.approx(0.2, abs=1e-3)

@@ -1,0 +1,35 @@
+// Styles of materials, as what they say of each triangle.
+#pragma once
+
+#include <vector>
+
+#include "mesh/polygon_mesh.h"
+#include "occlusion/visible_image.h"
+#include "pipeline/options.h"
+#include "surface/surface.h"
+#include "tone/tone_regions.h"
+
+namespace illustrate {
+
+// (t) all of them, or empty where no style has materials.
+struct MaterialMarks {
+  std::vector<double> line_widths;  // factors; 0: lines there are not drawn
+  std::vector<double> hatch_widths;
+  std::vector<std::uint8_t> unhatched;
+
+  bool empty() const { return line_widths.empty(); }
+};
+
+// meshes: of the objects, in order, each with its style.
+MaterialMarks material_marks(const Surface& surface,
+                             const std::vector<std::shared_ptr<const PolygonMesh>>& meshes,
+                             const std::vector<ObjectStyle>& styles);
+
+// Leaves the unhatched triangles' cells white.
+void blank_unhatched(const VisibleImage& visible, const MaterialMarks& marks, ToneMap& tone);
+
+// Multiplies the weights of lines (line_weights.h), of which there are none where all are 1.
+void weigh_by_material(const LabelledGraph& graph, const MaterialMarks& marks,
+                       Ragged<double>& weights);
+
+}  // namespace illustrate
