@@ -50,6 +50,7 @@ class Cutter {
 
   void cut_streamline(int number, Streamlines& pieces) {
     const Streamline& streamline = set_.streamlines[idx(number)];
+    if (streamline.is_fixed) return pieces.push_back(streamline);
     std::vector<std::uint8_t>& alive = alive_[idx(number)];
     const int count = static_cast<int>(alive.size());
     for (int i = 0; i < count; ++i) alive[idx(i)] = stays(streamline, number, i);

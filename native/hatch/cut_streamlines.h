@@ -7,7 +7,7 @@ namespace illustrate {
 
 // From short to long streamlines, nodes nearer than `test` spacings to a parallel one that is still
 // there go, and those where hatches may not run; streamlines are cut at critical curves. Pieces of
-// `least_length` spacings stay.
+// `least_length` spacings stay, fixed streamlines as they are.
 void cut_streamlines(StreamlineSet& set, const HatchView& view, double test, double least_length);
 
 }  // namespace illustrate

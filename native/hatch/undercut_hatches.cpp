@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hatch/cut_streamlines.h"
 #include "hatch/edge_seeds.h"
 #include "hatch/finish_streamlines.h"
 #include "hatch/grow_streamlines.h"
@@ -32,7 +33,7 @@ void add_undercuts(Hatches& hatches, StreamlineSet& set, const HatchScene& scene
   fill_streamlines(set, view, edge_seeds(set, view), {0.75, 0.5, least}, progress.part(0.6, 0.8));
   extend_tips(set, view, 0.6, 0.5);
   relax_streamlines(set, view, 2, threads, progress.part(0.8, 1));
-  set.drop_shorter(least);
+  cut_streamlines(set, view, 0.6, least);
   const Hatches found = finished(set.streamlines, view);
   for (std::size_t h = 0; h < found.kinds.size(); ++h) {
     hatches.curves.add(found.curves[h]);

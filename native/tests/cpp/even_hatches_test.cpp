@@ -134,6 +134,11 @@ TEST(EvenHatches, UndercutsAreDenser) {
   const Hatches hatches = scene.even();
   check_hatches(scene, hatches);
   EXPECT_GT(std::count(hatches.kinds.begin(), hatches.kinds.end(), Kind::undercut), 10);
+  EXPECT_GT(least_distance(hatches, parallel), 0.5 * scene.options.undercut_spacing_px);
+  for (std::size_t h = 0; h < hatches.curves.size(); ++h) {
+    if (hatches.kinds[h] != Kind::undercut) continue;
+    EXPECT_GT(length_px(hatches.curves[h]), 1.9 * scene.options.undercut_spacing_px);
+  }
 }
 
 // Share of the points of `a` that lie within two pixels of one of `b`.
