@@ -1,7 +1,6 @@
 #include "hatch/crumbs.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "hatch/hatch_runs.h"
 #include "hatch/trace_hatch.h"
