@@ -5,11 +5,10 @@
 
 namespace illustrate {
 
-// A crumb is a hatch shorter than two of its spacings. It grows along the cross, as far as hatches
-// are wanted, until it is as long as that. One that cannot is left to the tone beside it where it
-// ends at the edge of its own tone; between critical curves and other hatches it is part of a
-// whole, and stays. Lone ticks go too: hatches, but undercuts, that are shorter than four spacings
-// and have fewer than two others beside them.
+// A crumb is a hatch shorter than two of its spacings. Where it ends at the edge of its tone it is
+// left to the tone beside it; between critical curves and other hatches it is part of a whole, and
+// stays. Lone ticks go too: hatches, but undercuts, that are shorter than four spacings and have
+// fewer than two others beside them.
 Hatches without_crumbs(const Hatches& hatches, const HatchScene& scene,
                        const HatchOptions& options);
 

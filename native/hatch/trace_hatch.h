@@ -40,13 +40,10 @@ class Tracer {
   // Whether a parallel hatch passes a point nearer than `radius`, no critical curve between.
   bool is_near_parallel(const HatchSample& sample, double radius) const;
 
-  // Goes on from the last sample of a line, by `walk`, which stands there; `rest_px` loses what is
-  // walked.
-  void extend(HatchLine& line, Walk walk, const HatchRules& rules, double& rest_px) const;
-
   std::int64_t steps() const { return steps_; }
 
  private:
+  void extend(HatchLine& line, Walk walk, const HatchRules& rules, double& rest_px) const;
   bool closes_in(const HatchLine& line, const HatchSample& sample, const HatchRules& rules) const;
 
   const Surface& surface_;

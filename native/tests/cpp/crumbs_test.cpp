@@ -46,13 +46,8 @@ class Crumbs : public testing::Test {
     return static_cast<int>(scene.camera.project(Vec3(x, 0, 0)).xy.x() / scene.tone.cell_px);
   }
 
-  std::vector<double> lengths() {
-    const Hatches left = without_crumbs(hatches, scene.view(), scene.options);
-    std::vector<double> result;
-    for (std::size_t h = 0; h < left.curves.size(); ++h) {
-      result.push_back(length_px(left.curves[h]));
-    }
-    return result;
+  std::size_t count_left() {
+    return without_crumbs(hatches, scene.view(), scene.options).curves.size();
   }
 
   Scene scene = scene_of(shapes::plain_surface(shapes::plane(13, 11)),
@@ -61,19 +56,16 @@ class Crumbs : public testing::Test {
   Hatches hatches;
 };
 
-TEST_F(Crumbs, GrowWhereHatchesAreWanted) {
+TEST_F(Crumbs, StayAmongOthers) {
   add_in_company(Vec3(0, 0, 0), 0.1);
-  const std::vector<double> left = lengths();
-  ASSERT_EQ(left.size(), 3U);
-  EXPECT_GE(left[1], 2 * 8);
-  EXPECT_LT(left[1], 2.5 * 8);
+  EXPECT_EQ(count_left(), 3U);
 }
 
 TEST_F(Crumbs, AreLeftToTheToneBesideThem) {
   light_from(column_of(0.12));
   scene.add_arc(Kind::crease, {Vec3(-0.02, -1, 0), Vec3(-0.02, 1, 0)});
   add_in_company(Vec3(0, 0, 0), 0.1);
-  EXPECT_EQ(lengths().size(), 2U);
+  EXPECT_EQ(count_left(), 2U);
 }
 
 TEST_F(Crumbs, StayBetweenCriticalCurves) {
@@ -83,14 +75,14 @@ TEST_F(Crumbs, StayBetweenCriticalCurves) {
   add(Vec3(0, 0.08, 0), 0.1);
   add(Vec3(0, 0, 0), 0.1);
   add(Vec3(0, -0.08, 0), 0.1);
-  EXPECT_EQ(lengths().size(), 3U);
+  EXPECT_EQ(count_left(), 3U);
 }
 
 TEST_F(Crumbs, LoneTicksGo) {
   add(Vec3(0, 0, 0), 0.3);
-  EXPECT_EQ(lengths().size(), 0U) << "shorter than four spacings";
+  EXPECT_EQ(count_left(), 0U) << "shorter than four spacings";
   add(Vec3(0, 0.5, 0), 0.4);
-  EXPECT_EQ(lengths().size(), 1U);
+  EXPECT_EQ(count_left(), 1U);
 }
 
 TEST_F(Crumbs, UndercutsHaveASpacingOfTheirOwn) {
@@ -102,7 +94,7 @@ TEST_F(Crumbs, UndercutsHaveASpacingOfTheirOwn) {
       scene.tone.band[cell] = Band::undercut;
     }
   }
-  EXPECT_EQ(lengths().size(), 3U) << "12 px are more than two spacings of 5";
+  EXPECT_EQ(count_left(), 3U) << "12 px are more than two spacings of 5";
 }
 
 TEST_F(Crumbs, WhatLiesInUndercutsIsOfThatKind) {
