@@ -132,9 +132,9 @@ void copy_light(const Texture& image, const VisibleImage& visible, const Camera&
   const double texels = image.size() * std::sqrt(cell_share.x() * cell_share.y());
   for (std::size_t cell = begin; cell < end; ++cell) {
     if (visible.triangle[cell] == none) continue;
-    const auto row = static_cast<double>(cell / idx(visible.width));
-    const auto column = static_cast<double>(cell % idx(visible.width));
-    const Vec2 place = Vec2(column + 0.5, row + 0.5).cwiseProduct(cell_share);
+    const std::size_t row = cell / idx(visible.width), column = cell % idx(visible.width);
+    const Vec2 middle(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
+    const Vec2 place = middle.cwiseProduct(cell_share);
     light[cell] = image.mean_at(Vec2(place.x(), 1 - place.y()), texels);
   }
 }

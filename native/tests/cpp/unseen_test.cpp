@@ -105,7 +105,8 @@ TEST(Unseen, StrandsAreCutBeyondTheFrame) {
 Surface block_of_balls(int side) {
   Surface surface = shapes::sphere_surface(1, 2);
   for (int i = 1; i < side * side * side; ++i) {
-    const Vec3 centre(i % side, i / side % side, i / side / side);
+    const int row = i / side % side, layer = i / side / side;
+    const Vec3 centre(i % side, row, layer);
     surface = shapes::joined(std::move(surface), shapes::sphere_surface(1, 2, 2.2 * centre));
   }
   return surface;
