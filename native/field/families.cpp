@@ -42,7 +42,7 @@ class FamilyProblem {
   }
 
  private:
-  Vec3 across(std::size_t v) const { return surface_.normals[v].cross(field_.directions[v]); }
+  Vec3 across(std::size_t v) const { return illustrate::across(surface_, field_, v); }
 
   // Both ends of an edge keep directions that agree.
   SignedGraph ties() const {
@@ -146,9 +146,9 @@ double kept_share(const Surface& surface, const CrossField& field, const Familie
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t v = idx(vertices[k]);
     const double along = field.directions[v].dot(tangent);
-    const double across = surface.normals[v].cross(field.directions[v]).dot(tangent);
-    const double sum = along * along + across * across;
-    if (sum > 0) share += weights[k] * families[v] * (along * along - across * across) / sum;
+    const double aside = across(surface, field, v).dot(tangent);
+    const double sum = along * along + aside * aside;
+    if (sum > 0) share += weights[k] * families[v] * (along * along - aside * aside) / sum;
   }
   return share;
 }

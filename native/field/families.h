@@ -19,6 +19,11 @@ namespace illustrate {
 // (n) 1: the family along `CrossField::directions` stays; -1: the one across it.
 using Families = std::vector<std::int8_t>;
 
+// The direction of a cross beside `CrossField::directions`.
+inline Vec3 across(const Surface& surface, const CrossField& field, std::size_t vertex) {
+  return surface.normals[vertex].cross(field.directions[vertex]);
+}
+
 // Of the last frame: where the vertices are the same, its families stay and only seams move a
 // little. All null where there was none.
 struct LastFamilies {

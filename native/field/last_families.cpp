@@ -12,10 +12,6 @@ bool has_same_vertices(const Surface& a, const Surface& b) {
          a.base_uv == b.base_uv;
 }
 
-Vec3 across(const Surface& surface, const CrossField& field, std::size_t v) {
-  return surface.normals[v].cross(field.directions[v]);
-}
-
 // (n) the kept directions, each moved as a sum of the edges at its vertex; any length.
 Points moved_directions(const Surface& surface, const LastFamilies& last) {
   const Points &from = last.surface->positions, &to = surface.positions;

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/types.h"
+#include "field/components.h"
 
 namespace illustrate {
 namespace {
@@ -117,22 +118,9 @@ Labels prolonged(const Labels& labels, const std::vector<Membership>& members) {
 }
 
 Ragged<int> connected_nodes(const SignedGraph& graph) {
-  std::vector<std::uint8_t> is_met(graph.size(), 0);
-  Ragged<int> parts;
-  for (std::size_t first = 0; first < graph.size(); ++first) {
-    if (is_met[first]) continue;
-    std::vector<int> part{static_cast<int>(first)};
-    is_met[first] = 1;
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      for (const SignedLink& link : graph.links[idx(part[i])]) {
-        if (!is_met[idx(link.node)]) part.push_back(link.node);
-        is_met[idx(link.node)] = 1;
-      }
-    }
-    std::sort(part.begin(), part.end());
-    parts.add(part);
-  }
-  return parts;
+  return connected_parts(graph.size(), [&](int node, const auto& take) {
+    for (const SignedLink& link : graph.links[idx(node)]) take(link.node);
+  });
 }
 
 }  // namespace illustrate

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hatch/hatch_runs.h"
+
 namespace illustrate {
 namespace {
 
@@ -45,13 +47,13 @@ Mask grown_along_columns(const Mask& mask, int width, int height, int reach) {
   return result;
 }
 
-// Cells with one near whose tone is chosen.
+// Cells with one near whose region is chosen.
 template <class Chosen>
 Mask grown(const ToneMap& tone, const Chosen& chosen, double px) {
   const int reach = static_cast<int>(std::ceil(px / tone.cell_px));
   Mask mask(tone.level.size());
   for (std::size_t cell = 0; cell < mask.size(); ++cell) {
-    mask[cell] = chosen(tone.level[cell], tone.band[cell]);
+    mask[cell] = chosen(region_of(tone.level[cell], tone.band[cell]));
   }
   return grown_along_columns(grown_along_rows(mask, tone.width, tone.height, reach), tone.width,
                              tone.height, reach);
@@ -60,13 +62,9 @@ Mask grown(const ToneMap& tone, const Chosen& chosen, double px) {
 }  // namespace
 
 ToneMap broadened(const ToneMap& tone, double midtone_px, double shadow_px) {
-  const auto is_dark = [](Tone level, Band band) {
-    return band == Band::undercut || (band == Band::nothing && level == Tone::shadow);
-  };
-  const auto is_hatched = [&](Tone level, Band band) {
-    return is_dark(level, band) || (band == Band::nothing && level == Tone::midtone);
-  };
-  const Mask dark = grown(tone, is_dark, shadow_px), hatched = grown(tone, is_hatched, midtone_px);
+  const auto is_hatched = [](Region region) { return region != Region::neither; };
+  const Mask dark = grown(tone, is_crossed, shadow_px);
+  const Mask hatched = grown(tone, is_hatched, midtone_px);
   ToneMap broad = tone;
   std::fill(broad.band.begin(), broad.band.end(), Band::nothing);
   for (std::size_t cell = 0; cell < broad.level.size(); ++cell) {

@@ -107,9 +107,7 @@ class Sweeper {
     Hatches result;
     for (std::size_t h = 0; h < is_kept_.size(); ++h) {
       if (!is_kept_[h]) continue;
-      result.curves.add(hatches_.curves[h]);
-      result.kinds.push_back(hatches_.kinds[h]);
-      result.objects.push_back(hatches_.objects[h]);
+      result.add(hatches_.curves[h], hatches_.kinds[h], hatches_.objects[h]);
     }
     return result;
   }

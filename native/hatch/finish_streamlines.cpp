@@ -107,9 +107,7 @@ class Finisher {
 
   void close() {
     if (length_px({line_.data(), line_.size()}) >= least_length * streamline_->spacing) {
-      hatches_.curves.add(line_);
-      hatches_.kinds.push_back(view_.kind());
-      hatches_.objects.push_back(streamline_->object);
+      hatches_.add({line_.data(), line_.size()}, view_.kind(), streamline_->object);
     }
     line_.clear();
   }

@@ -71,8 +71,7 @@ bool HatchArea::is_wanted_at(int centre, const Vec2& image, Area area) const {
 // A point at the outline whose own cell is empty goes with the cells around.
 bool HatchArea::is_crossed(const Vec2& image) const {
   const auto has_both = [&](int cell) {
-    return tone_.band[idx(cell)] == Band::undercut ||
-           (tone_.band[idx(cell)] == Band::nothing && tone_.level[idx(cell)] == Tone::shadow);
+    return illustrate::is_crossed(region_of(tone_.level[idx(cell)], tone_.band[idx(cell)]));
   };
   const int centre = visible_.cell_of(image);
   if (centre == none) return false;

@@ -1,8 +1,8 @@
 // Where hatches are wanted, and what is seen there.
 #pragma once
 
+#include "hatch/hatch_runs.h"
 #include "hatch/hatch_scene.h"
-#include "hatch/hatches.h"
 
 namespace illustrate {
 
@@ -25,9 +25,8 @@ class HatchArea {
         pixel_per_w_(pixel_per_w(scene.camera)) {}
 
   bool wanted(int cell, Area area) const {
-    if (tone_.band[cell] != Band::nothing) return tone_.band[cell] == Band::undercut;
-    return area == Area::hatched &&
-           (tone_.level[cell] == Tone::midtone || tone_.level[cell] == Tone::shadow);
+    const Region region = region_of(tone_.level[cell], tone_.band[cell]);
+    return region == Region::undercut || (area == Area::hatched && region != Region::neither);
   }
 
   // Whether a hatch may pass a point of the surface: in the frame, in a wanted cell, and not deeper

@@ -6,16 +6,24 @@
 
 namespace illustrate {
 
-// The region a point of a hatch lies in. Beyond all, where a cell at the outline is empty, a point
-// goes with the one before it.
+// What hatches a cell takes: none, those of one family, or of both in shadows and undercuts.
 enum class Region : std::uint8_t { neither, single, shadow, undercut };
 
+inline Region region_of(Tone level, Band band) {
+  if (band != Band::nothing) return band == Band::undercut ? Region::undercut : Region::neither;
+  if (level == Tone::midtone) return Region::single;
+  return level == Tone::shadow ? Region::shadow : Region::neither;
+}
+
+inline bool is_crossed(Region region) {
+  return region == Region::shadow || region == Region::undercut;
+}
+
+// Of a point of a hatch. Beyond all, where a cell at the outline is empty, a point goes with the
+// one before it.
 inline Region region_of(const ToneMap& tone, const Vec2& image) {
   const int cell = tone.cell_of(image);
-  if (cell == none || tone.band[cell] == Band::mach_band) return Region::neither;
-  if (tone.band[cell] == Band::undercut) return Region::undercut;
-  if (tone.level[cell] == Tone::midtone) return Region::single;
-  return tone.level[cell] == Tone::shadow ? Region::shadow : Region::neither;
+  return cell == none ? Region::neither : region_of(tone.level[cell], tone.band[cell]);
 }
 
 // Points [from, to) of a hatch.

@@ -16,6 +16,12 @@ struct Hatches {
   Ragged<HatchPoint> curves;
   std::vector<Kind> kinds;  // hatch, cross_hatch or undercut
   std::vector<int> objects;
+
+  void add(Span<const HatchPoint> curve, Kind kind, int object) {
+    curves.add(curve);
+    kinds.push_back(kind);
+    objects.push_back(object);
+  }
 };
 
 }  // namespace illustrate

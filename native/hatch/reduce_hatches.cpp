@@ -221,12 +221,11 @@ class Reducer {
     const int hatch = owner_[run.from];
     const Region* last = &region_[run.to - 1] + 1;
     const bool in_single = std::find(&region_[run.from], last, Region::single) != last;
-    result.curves.add(
-        Span<const HatchPoint>{&points_[run.from], static_cast<std::size_t>(run.to - run.from)});
-    result.kinds.push_back(is_undercut(hatch) ? Kind::undercut
-                           : in_single        ? Kind::hatch
-                                              : Kind::cross_hatch);
-    result.objects.push_back(hatches_.objects[hatch]);
+    const Kind kind = is_undercut(hatch) ? Kind::undercut
+                      : in_single        ? Kind::hatch
+                                         : Kind::cross_hatch;
+    result.add({&points_[run.from], static_cast<std::size_t>(run.to - run.from)}, kind,
+               hatches_.objects[hatch]);
   }
 
   const Hatches& hatches_;

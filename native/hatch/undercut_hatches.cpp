@@ -36,9 +36,7 @@ void add_undercuts(Hatches& hatches, StreamlineSet& set, const HatchScene& scene
   cut_streamlines(set, view, 0.6, least);
   const Hatches found = finished(set.streamlines, view);
   for (std::size_t h = 0; h < found.kinds.size(); ++h) {
-    hatches.curves.add(found.curves[h]);
-    hatches.kinds.push_back(found.kinds[h]);
-    hatches.objects.push_back(found.objects[h]);
+    hatches.add(found.curves[h], found.kinds[h], found.objects[h]);
   }
 }
 

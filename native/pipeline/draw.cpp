@@ -282,9 +282,7 @@ class View {
     const Hatches extra =
         reduced(place_hatches(deep, options_.hatch, result_.counts, progress.part(0.2, 1)), deep);
     for (std::size_t i = 0; i < extra.kinds.size(); ++i) {
-      made.curves.add(extra.curves[i]);
-      made.kinds.push_back(Kind::cross_hatch);
-      made.objects.push_back(extra.objects[i]);
+      made.add(extra.curves[i], Kind::cross_hatch, extra.objects[i]);
     }
   }
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "hatch/even_hatches.h"
+#include "hatch/hatch_runs.h"
 #include "hatch/reduce_hatches.h"
 #include "tests/cpp/cameras.h"
 #include "tests/cpp/shapes.h"
@@ -156,14 +157,6 @@ inline void check_hatches(const Scene& scene, const Hatches& hatches) {
       EXPECT_NE(scene.cell(point), none);
     }
   }
-}
-
-inline double length_px(Span<const HatchPoint> curve) {
-  double length = 0;
-  for (std::size_t i = 1; i < curve.size(); ++i) {
-    length += (curve[i].image - curve[i - 1].image).norm();
-  }
-  return length;
 }
 
 inline Vec3 tangent_at(Span<const HatchPoint> curve, std::size_t i) {
