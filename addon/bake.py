@@ -9,8 +9,9 @@ from . import native, output
 from .illustration import compute, hatches_render, read_request
 from .messages import IllustrateError, counted
 from .operators import DrawingOperator, still_there
-from .rendering import render_steps, tone_of
+from .rendering import render_steps
 from .tasks import Step, Task
+from .tone_images import tone_of
 
 
 def frames_of(scene: Any) -> range:

@@ -16,8 +16,9 @@ from .illustration import (
 from .messages import IllustrateError, counted
 from .output import field_overlay
 from .problems import stopping_problem
-from .rendering import kept, render_steps, tone_of
+from .rendering import kept, render_steps
 from .tasks import Step, Task, TaskOperator, is_running
+from .tone_images import tone_of
 from .viewport.inspect import INSPECTOR
 
 RENDERING = 0.5  # share of the progress that a render has

@@ -8,13 +8,11 @@ import os
 import tempfile
 import threading
 from collections.abc import Callable, Generator, Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from typing import Any
 
 import bpy
-import numpy as np
 
-from .lightness import read_image
 from .messages import IllustrateError
 from .ownership import is_ours, mark
 from .tasks import Step
@@ -54,11 +52,6 @@ def render_now(scene: Any, read: Callable[[Any], Any]) -> Any:
     raise AssertionError("a render at once has no steps")
 
 
-def tone_of(image: Any) -> Any:
-    """(h, w) float32 linear luminance of a loaded render, rows downwards."""
-    return np.ascontiguousarray(read_image(image)[::-1])
-
-
 def kept(image: Any) -> str:
     """Packs a copy of a loaded render into the file, in place of the last; its name."""
     for old in [old for old in bpy.data.images if is_ours(old)]:
@@ -81,20 +74,22 @@ def _render(scene: Any, how: str) -> None:
         ) from error
 
 
-@contextmanager
-def _prepared(scene: Any) -> Iterator[None]:
+def _prepared(scene: Any) -> AbstractContextManager[None]:
     """The scene without the add-on's objects and lines; afterwards as it was."""
     wanted = [(scene.render, "use_freestyle", False)]
     wanted += [(thing, "hide_render", True) for thing in scene.objects if is_ours(thing)]
+    return _with([*wanted, (bpy.context.preferences.view, "render_display_type", "NONE")])
+
+
+@contextmanager
+def _with(wanted: list[tuple[Any, str, Any]]) -> Iterator[None]:
+    """Owners' properties of these names with these values; afterwards as they were."""
     before = [(owner, name, getattr(owner, name)) for owner, name, _ in wanted]
     for owner, name, value in wanted:
         setattr(owner, name, value)
-    view = bpy.context.preferences.view
-    shown, view.render_display_type = view.render_display_type, "NONE"
     try:
         yield
     finally:
-        view.render_display_type = shown
         for owner, name, value in before:
             _set_back(owner, name, value)
 
@@ -126,20 +121,11 @@ def _read(scene: Any, read: Callable[[Any], Any]) -> Any:
             bpy.data.images.remove(image)
 
 
-@contextmanager
-def _as_png(scene: Any) -> Iterator[None]:
+def _as_png(scene: Any) -> AbstractContextManager[None]:
     """PNG as the format that pictures are saved in; afterwards that of the artist."""
     settings = scene.render.image_settings
     wanted = {"media_type": "IMAGE", "file_format": "PNG", "color_mode": "RGB", "color_depth": "8"}
-    wanted = {name: value for name, value in wanted.items() if hasattr(settings, name)}
-    before = {name: getattr(settings, name) for name in wanted}
-    for name, value in wanted.items():
-        setattr(settings, name, value)
-    try:
-        yield
-    finally:
-        for name, value in before.items():
-            setattr(settings, name, value)
+    return _with([(settings, *pair) for pair in wanted.items() if hasattr(settings, pair[0])])
 
 
 class _Watch:

@@ -26,12 +26,37 @@ OWN_SCHEMES = [
     ("none", "None", "Draw the faces as they are", 4),
 ]
 
-OPTIONS: dict[str, Any] = {
-    "ignore": BoolProperty(
+
+def _ignore(what: str) -> Any:
+    return BoolProperty(
         name="Ignore",
         default=False,
-        description="Leave it out entirely: neither drawn nor in front of anything",
-    ),
+        description=f"Leave {what} out entirely: neither drawn nor in front of anything",
+    )
+
+
+def _spacing_scale(where: str = "") -> Any:
+    return FloatProperty(
+        name="Spacing",
+        default=1.0,
+        min=0.01,
+        max=100.0,
+        soft_min=0.1,
+        soft_max=10.0,
+        description=f"Its hatches are so many times as far apart as those of the scene{where}",
+    )
+
+
+def _use_own(what: str) -> Any:
+    return BoolProperty(
+        name="Own Style",
+        default=False,
+        description=f"Draw {what} unlike the rest of the scene",
+    )
+
+
+OPTIONS: dict[str, Any] = {
+    "ignore": _ignore("it"),
     "occlude_only": BoolProperty(
         name="Occluder",
         default=False,
@@ -50,15 +75,7 @@ OPTIONS: dict[str, Any] = {
         default=False,
         description="Draw its edges that belong to no face, also where the scene's are not drawn",
     ),
-    "spacing_scale": FloatProperty(
-        name="Spacing",
-        default=1.0,
-        min=0.01,
-        max=100.0,
-        soft_min=0.1,
-        soft_max=10.0,
-        description="Its hatches are so many times as far apart as those of the scene",
-    ),
+    "spacing_scale": _spacing_scale(),
     "width_scale": FloatProperty(
         name="Width",
         default=1.0,
@@ -119,11 +136,7 @@ class ILLUSTRATE_PG_style(bpy.types.PropertyGroup):
     """How one object or the objects of one collection are drawn."""
 
     __annotations__ = {
-        "use_own": BoolProperty(
-            name="Own Style",
-            default=False,
-            description="Draw this unlike the rest of the scene",
-        ),
+        "use_own": _use_own("this"),
         **OPTIONS,
         **SURFACE,
     }
@@ -133,27 +146,10 @@ class ILLUSTRATE_PG_material_style(bpy.types.PropertyGroup):
     """How faces of one material are drawn, within what the style of their object allows."""
 
     __annotations__ = {
-        "use_own": BoolProperty(
-            name="Own Style",
-            default=False,
-            description="Draw faces of this material unlike the rest of the scene",
-        ),
+        "use_own": _use_own("faces of this material"),
+        "ignore": _ignore("its faces"),
         **{name: OPTIONS[name] for name in ("lines", "hatching", "width_scale")},
-        "ignore": BoolProperty(
-            name="Ignore",
-            default=False,
-            description="Leave its faces out entirely: neither drawn nor in front of anything",
-        ),
-        "spacing_scale": FloatProperty(
-            name="Spacing",
-            default=1.0,
-            min=0.01,
-            max=100.0,
-            soft_min=0.1,
-            soft_max=10.0,
-            description="Its hatches are so many times as far apart as those of the scene, where "
-            "all of an object has this style",
-        ),
+        "spacing_scale": _spacing_scale(", where all of an object has this style"),
     }
 
 

@@ -66,6 +66,11 @@ def luminance_of(image: Any, frame: int) -> Any:
         raise ValueError("it is a movie. Save its frames as an image sequence")
     if image.source == "SEQUENCE":
         return _luminance_of_file(path_at(image, frame), image)
+    return tone_of(image)
+
+
+def tone_of(image: Any) -> Any:
+    """The same of a loaded image that is one picture."""
     return np.ascontiguousarray(read_image(image)[::-1])
 
 
@@ -82,7 +87,7 @@ def _luminance_of_file(path: str, like: Any) -> Any:
     image = load(path)
     try:
         image.colorspace_settings.name = like.colorspace_settings.name
-        return np.ascontiguousarray(read_image(image)[::-1])
+        return tone_of(image)
     finally:
         bpy.data.images.remove(image)
 

@@ -151,7 +151,7 @@ def test_a_render_is_hatched_and_leaves_no_trace(scene: Any) -> None:
 
 def test_a_render_is_as_light_as_it_looks(scene: Any) -> None:
     lit_by_cycles(scene)
-    light = rendering.render_now(scene, rendering.tone_of)
+    light = rendering.render_now(scene, tone_images.tone_of)
     assert light.shape == (60, 80)
     assert light[30:50, 30:50].max() > 0.2 and light[:5, :5].max() < 0.05
 

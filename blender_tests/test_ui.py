@@ -64,7 +64,7 @@ def draw(kind: Any, **more: Any) -> list[str]:
     this = SimpleNamespace(
         layout=Layout(shown),
         fields=getattr(kind, "fields", ()),
-        owner=getattr(kind, "owner", None),
+        style=getattr(kind, "style", None),
     )
     kind.draw(this, context(**more))
     return shown
@@ -132,6 +132,13 @@ def test_styles_have_panels(scene: Any) -> None:
         assert shown == [*styles.OPTIONS, *styles.SURFACE]
         assert kind.poll(context(object=cube, collection=scene.collection))
         assert not kind.poll(context(object=None, collection=None))
+
+
+def test_materials_have_a_panel() -> None:
+    kind, material = style_panel.ILLUSTRATE_PT_material_style, bpy.data.materials.new("Own")
+    assert draw(kind, material=material) == list(kind.fields)
+    assert kind.poll(context(material=material))
+    assert not kind.poll(context(material=None))
 
 
 def test_menus_have_an_entry() -> None:

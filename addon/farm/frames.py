@@ -23,7 +23,8 @@ from ..illustration import (
 )
 from ..messages import IllustrateError, counted
 from ..output import files, stamps
-from ..rendering import render_now, tone_of
+from ..rendering import render_now
+from ..tone_images import tone_of
 from .lines import Progress, complain, say, time_text
 
 

@@ -15,29 +15,30 @@ class _StylePanel:
     bl_region_type = "WINDOW"
     bl_label = "Illustrate"
     bl_options = {"DEFAULT_CLOSED"}
+    fields: tuple[str, ...] = (*OPTIONS, *SURFACE)
     layout: Any
 
     @staticmethod
-    def owner(context: Any) -> Any:
-        """Whose style is shown, or None."""
+    def style(context: Any) -> Any:
+        """What is shown, or None."""
         raise NotImplementedError
 
     @classmethod
     def poll(cls, context: Any) -> bool:
-        """There is an owner."""
-        return cls.owner(context) is not None
+        """There is a style."""
+        return cls.style(context) is not None
 
     def draw_header(self, context: Any) -> None:
         """Shows the tick."""
-        self.layout.prop(self.owner(context).illustrate, "use_own", text="")
+        self.layout.prop(self.style(context), "use_own", text="")
 
     def draw(self, context: Any) -> None:
         """Shows the style, grey where it does not count."""
-        style = self.owner(context).illustrate
+        style = self.style(context)
         self.layout.use_property_split = True
         self.layout.use_property_decorate = False
         self.layout.active = style.use_own
-        for name in (*OPTIONS, *SURFACE):
+        for name in self.fields:
             row = self.layout.row()
             row.active = name == "ignore" or not style.ignore
             if name == "crease_angle":
@@ -52,9 +53,9 @@ class ILLUSTRATE_PT_object_style(_StylePanel, bpy.types.Panel):
     bl_context = "object"
 
     @staticmethod
-    def owner(context: Any) -> Any:
-        """The object."""
-        return context.object
+    def style(context: Any) -> Any:
+        """Of the object."""
+        return context.object and context.object.illustrate
 
 
 class ILLUSTRATE_PT_collection_style(_StylePanel, bpy.types.Panel):
@@ -64,42 +65,25 @@ class ILLUSTRATE_PT_collection_style(_StylePanel, bpy.types.Panel):
     bl_context = "collection"
 
     @staticmethod
-    def owner(context: Any) -> Any:
-        """The collection."""
-        return context.collection
+    def style(context: Any) -> Any:
+        """Of the collection."""
+        return context.collection and context.collection.illustrate
 
 
-class ILLUSTRATE_PT_material_style(bpy.types.Panel):
+class ILLUSTRATE_PT_material_style(_StylePanel, bpy.types.Panel):
     """Of the material."""
 
     bl_idname = "ILLUSTRATE_PT_material_style"
-    bl_space_type = "PROPERTIES"
-    bl_region_type = "WINDOW"
     bl_context = "material"
-    bl_label = "Illustrate"
-    bl_options = {"DEFAULT_CLOSED"}
+    fields = ("ignore", "lines", "hatching", "spacing_scale", "width_scale")
 
-    @classmethod
-    def poll(cls, context: Any) -> bool:
-        """There is a material, and not one of strokes."""
+    @staticmethod
+    def style(context: Any) -> Any:
+        """Of the material, but of one of strokes."""
         material = context.material
-        return material is not None and not material.is_grease_pencil
-
-    def draw_header(self, context: Any) -> None:
-        """Shows the tick."""
-        self.layout.prop(context.material.illustrate_material, "use_own", text="")
-
-    def draw(self, context: Any) -> None:
-        """Shows the style, grey where it does not count."""
-        style = context.material.illustrate_material
-        self.layout.use_property_split = True
-        self.layout.use_property_decorate = False
-        self.layout.active = style.use_own
-        self.layout.prop(style, "ignore")
-        column = self.layout.column()
-        column.active = not style.ignore
-        for name in ("lines", "hatching", "spacing_scale", "width_scale"):
-            column.prop(style, name)
+        if material is None or material.is_grease_pencil:
+            return None
+        return material.illustrate_material
 
 
 class ILLUSTRATE_PT_guide(bpy.types.Panel):
