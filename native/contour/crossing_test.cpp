@@ -12,6 +12,11 @@ namespace {
 // Triangles farther apart than this share of their size are told apart in plain arithmetic.
 constexpr double separation = 1e-10;
 
+// Triangles are in one plane up to rounding within this distance, in scaled points: far above what a
+// rotation or a shift by a few sizes leaves of a plane, far below how much farther one of ten
+// thousand parts is moved than the one before it.
+constexpr double coplanar = 0x1p-38;
+
 // Coordinates relative to the largest one below which exact products could underflow.
 constexpr double smallest_coordinate = 0x1p-200;
 
@@ -205,9 +210,21 @@ bool CrossingTest::has_separating_edge(int s, int t) const {
   return false;
 }
 
+// Whether nothing but rounding says on which side of each other they are, although both were moved:
+// a limit that folds over itself within its plane. Asked of the plane of the larger one.
 bool CrossingTest::are_coplanar(int s, int t) const {
+  const auto normal = [&](int triangle) -> Vec3 {
+    return (moved(triangle, 1) - moved(triangle, 0)).cross(moved(triangle, 2) - moved(triangle, 0));
+  };
+  Vec3 up = normal(s);
+  const Vec3 other = normal(t);
+  if (up.squaredNorm() < other.squaredNorm()) {
+    up = other;
+    std::swap(s, t);
+  }
+  const double rounding = coplanar * up.norm();
   for (int k = 0; k < 3; ++k)
-    if (orient3d(moved(s, 0), moved(s, 1), moved(s, 2), moved(t, k)) != 0) return false;
+    if (std::abs(up.dot(moved(t, k) - moved(s, 0))) > rounding) return false;
   return true;
 }
 

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "surface/mean_value.h"
 #include "surface/untangle.h"
 #include "surface_checks.h"
@@ -97,6 +99,24 @@ TEST(FlatFaces, OfQuadsDoNotFold) {
   EXPECT_NEAR(area(surface), 2 * .51 + 4, 1e-12);
 }
 
+// Each step of the unfolding looks at signs and ties, which rounding must not choose.
+TEST(FlatFaces, UnfoldAlikeWhereverTheyAre) {
+  const Eigen::Affine3d motion =
+      Eigen::Translation3d(5, -3, 2) * Eigen::AngleAxisd(.7, Vec3(1, 2, 3).normalized());
+  for (const PolygonMesh& mesh : {l_of_triangles(), frame(16, .08), frame(31, .08)}) {
+    PolygonMesh moved = mesh;
+    for (Vec3& p : moved.positions) p = motion * p;
+    const Surface here = refined(mesh, at_level(4, Scheme::loop));
+    const Surface there = refined(moved, at_level(4, Scheme::loop));
+    ASSERT_EQ(here.positions.size(), there.positions.size());
+    double farthest = 0;
+    for (std::size_t v = 0; v < here.positions.size(); ++v) {
+      farthest = std::max(farthest, (motion * here.positions[v] - there.positions[v]).norm());
+    }
+    EXPECT_LT(farthest, 1e-12);
+  }
+}
+
 TEST(MeanValue, IsExactForLinearFunctions) {
   const auto linear = [](const Vec2& p) { return Vec2(1 + 2 * p.x() - p.y(), 3 * p.y()); };
   std::vector<BorderPiece> border;
@@ -106,6 +126,22 @@ TEST(MeanValue, IsExactForLinearFunctions) {
   }
   for (const Vec2& p : {Vec2(.1, .1), Vec2(.7, .2), Vec2(.29, .31), Vec2(.5, 0.), Vec2(0., 0.)}) {
     EXPECT_LT((mean_value(border, p) - linear(p)).norm(), 1e-12);
+  }
+}
+
+// Where a side is seen along its line, turned so that rounding puts the point a little beside it.
+TEST(MeanValue, IsExactInLineWithASide) {
+  const Eigen::Rotation2Dd turn(.7);
+  const auto linear = [](const Vec2& p) { return Vec2(1 + 2 * p.x() - p.y(), 3 * p.y()); };
+  std::vector<BorderPiece> border;
+  for (std::size_t k = 0; k < l_outline.size(); ++k) {
+    const Vec2 from = turn * l_outline[k], to = turn * l_outline[(k + 1) % l_outline.size()];
+    border.push_back({from, to, linear(from), linear(to)});
+  }
+  for (int i = 1; i < 30; ++i) {
+    const Vec2 p = turn * Vec2(.01 * i, .3), q = turn * Vec2(.3, .01 * i);
+    EXPECT_LT((mean_value(border, p) - linear(p)).norm(), 1e-12);
+    EXPECT_LT((mean_value(border, q) - linear(q)).norm(), 1e-12);
   }
 }
 

@@ -143,6 +143,18 @@ TEST(Intersections, RotatedFlatSurfacesHaveNone) {
   expect_nothing(plane);
 }
 
+// A limit may fold over itself within its plane; rounding is not to say that it crosses there.
+TEST(Intersections, AFoldWithinAPlaneCrossesNothing) {
+  Surface plane = plane_surface(16, 1, 0);
+  for (std::size_t v = 0; v < plane.positions.size(); v += 7)
+    plane.positions[v] += Vec3(0.21, 0.13, 0);
+  expect_nothing(plane);
+  const Eigen::AngleAxisd turn(0.7, Vec3(1, 2, 3).normalized());
+  for (Vec3& p : plane.positions) p = turn * p + Vec3(5, -3, 2);
+  for (Vec3& n : plane.normals) n = turn * n;
+  expect_nothing(plane);
+}
+
 TEST(Intersections, CrossingSpheresMeetInOneCircle) {
   double last_error = 0;
   for (const int level : {2, 3, 4, 5}) {
