@@ -29,6 +29,7 @@ class LightArrays:
     edges: Any = None  # (2, 3)
     ellipse: bool = False
     casts_shadows: bool = True
+    contours: bool = True
 
 
 def read_light(data: Any, matrix: Any) -> LightArrays:
@@ -50,6 +51,7 @@ def read_light(data: Any, matrix: Any) -> LightArrays:
         light = LightArrays("point", position, watts / (4 * math.pi**2))
     light.falloff_distance = 0.0 if light.kind == "sun" else 1.0
     light.casts_shadows = data.use_shadow
+    light.contours = data.illustrate.contours
     return light
 
 

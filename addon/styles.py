@@ -142,6 +142,19 @@ class ILLUSTRATE_PG_style(bpy.types.PropertyGroup):
     }
 
 
+class ILLUSTRATE_PG_light(bpy.types.PropertyGroup):
+    """What is drawn of one light."""
+
+    __annotations__ = {
+        "contours": BoolProperty(
+            name="Contours",
+            default=True,
+            description="Draw its terminators and shadow outlines, where the scene's settings ask "
+            "for such lines",
+        ),
+    }
+
+
 class ILLUSTRATE_PG_material_style(bpy.types.PropertyGroup):
     """How faces of one material are drawn, within what the style of their object allows."""
 
@@ -197,17 +210,21 @@ def _collections(thing: Any, scene: Any) -> list[Any]:
 
 
 def register() -> None:
-    """Puts a style on every object and collection, as `illustrate`, and on every material."""
+    """Puts a style on every object and collection, as `illustrate`, on materials and lights."""
     bpy.utils.register_class(ILLUSTRATE_PG_style)
     bpy.utils.register_class(ILLUSTRATE_PG_material_style)
+    bpy.utils.register_class(ILLUSTRATE_PG_light)
     bpy.types.Material.illustrate_material = PointerProperty(type=ILLUSTRATE_PG_material_style)
+    bpy.types.Light.illustrate = PointerProperty(type=ILLUSTRATE_PG_light)
     for owner in (bpy.types.Object, bpy.types.Collection):
         owner.illustrate = PointerProperty(type=ILLUSTRATE_PG_style)
 
 
 def unregister() -> None:
     """Takes the styles away again."""
+    del bpy.types.Light.illustrate
     del bpy.types.Material.illustrate_material
+    bpy.utils.unregister_class(ILLUSTRATE_PG_light)
     bpy.utils.unregister_class(ILLUSTRATE_PG_material_style)
     for owner in (bpy.types.Object, bpy.types.Collection):
         del owner.illustrate

@@ -86,6 +86,27 @@ class ILLUSTRATE_PT_material_style(_StylePanel, bpy.types.Panel):
         return material.illustrate_material
 
 
+class ILLUSTRATE_PT_light(bpy.types.Panel):
+    """What is drawn of a light."""
+
+    bl_idname = "ILLUSTRATE_PT_light"
+    bl_space_type = "PROPERTIES"
+    bl_region_type = "WINDOW"
+    bl_context = "data"
+    bl_label = "Illustrate"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context: Any) -> bool:
+        """There is a light."""
+        return context.light is not None
+
+    def draw(self, context: Any) -> None:
+        """Shows its settings."""
+        self.layout.use_property_split = True
+        self.layout.prop(context.light.illustrate, "contours")
+
+
 class ILLUSTRATE_PT_guide(bpy.types.Panel):
     """What an object of the collection of guides says."""
 
@@ -110,6 +131,7 @@ CLASSES = (
     ILLUSTRATE_PT_object_style,
     ILLUSTRATE_PT_collection_style,
     ILLUSTRATE_PT_material_style,
+    ILLUSTRATE_PT_light,
     ILLUSTRATE_PT_guide,
 )
 

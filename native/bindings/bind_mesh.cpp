@@ -29,6 +29,8 @@ void bind_enumerations(py::module_& m) {
       .value("RIDGE", Kind::ridge)
       .value("VALLEY", Kind::valley)
       .value("LOOSE", Kind::loose)
+      .value("TERMINATOR", Kind::terminator)
+      .value("SHADOW_OUTLINE", Kind::shadow_outline)
       .finalize();
   py::native_enum<NodeKind>(m, "Node", "enum.IntEnum", "What a node of the curve network is.")
       .value("CUSP", NodeKind::cusp)
@@ -216,7 +218,7 @@ void require(const py::object& argument, const char* name, LightKind kind) {
 // What a light of any kind may have besides its place, strength and direction.
 struct LightDetails {
   py::object blend, falloff_distance, edges;
-  bool ellipse, casts_shadows;
+  bool ellipse, casts_shadows, contours;
 };
 
 void read_details(Light& light, const LightDetails& details) {
@@ -225,6 +227,7 @@ void read_details(Light& light, const LightDetails& details) {
                 read_number);
   light.ellipse = details.ellipse;
   light.casts_shadows = details.casts_shadows;
+  light.contours = details.contours;
   if (details.edges.is_none()) return;
   const Points edges = read_points(details.edges, "light.edges");
   if (edges.size() != 2) throw InvalidInput("light.edges must be (2, 3), the sides of an area");
@@ -264,13 +267,13 @@ void bind_light(py::module_& m) {
       .def(py::init([](const std::string& kind, const py::object& vector, double strength,
                        const py::object& direction, const py::object& angle_rad,
                        const py::object& blend, const py::object& falloff_distance,
-                       const py::object& edges, bool ellipse, bool casts_shadows) {
+                       const py::object& edges, bool ellipse, bool casts_shadows, bool contours) {
              return make_light(kind, vector, strength, direction, angle_rad,
-                               {blend, falloff_distance, edges, ellipse, casts_shadows});
+                               {blend, falloff_distance, edges, ellipse, casts_shadows, contours});
            }),
            "kind"_a, "vector"_a = none, "strength"_a = 1.0, "direction"_a = none,
            "angle_rad"_a = none, "blend"_a = 0.0, "falloff_distance"_a = 0.0, "edges"_a = none,
-           "ellipse"_a = false, "casts_shadows"_a = true)
+           "ellipse"_a = false, "casts_shadows"_a = true, "contours"_a = true)
       .def_property_readonly("kind", [](const Light& light) { return name_of(light.kind); })
       .def_property_readonly("vector",
                              [=](const Light& light) { return vector_array(light.vector); })
@@ -285,7 +288,8 @@ void bind_light(py::module_& m) {
                                return array_of(Points{light.edge_u, light.edge_v});
                              })
       .def_readonly("ellipse", &Light::ellipse)
-      .def_readonly("casts_shadows", &Light::casts_shadows);
+      .def_readonly("casts_shadows", &Light::casts_shadows)
+      .def_readonly("contours", &Light::contours);
 }
 
 }  // namespace

@@ -246,6 +246,14 @@ void bind_curvature_curve_options(Class& bound) {
          "Weaker valleys are left out");
 }
 
+template <class Class>
+void bind_light_contour_options(Class& bound) {
+  OPTION("terminators", values.light_contours.terminators,
+         "Draw where forms turn away from the lights");
+  OPTION("shadow_outlines", values.light_contours.shadow_outlines,
+         "Draw the outlines of cast shadows on what receives them");
+}
+
 std::optional<std::array<int, 2>> read_range(const py::object& value) {
   if (value.is_none()) return std::nullopt;
   const std::vector<int> range = read_indices(value, "hidden_lines");
@@ -267,6 +275,7 @@ void bind_draw_options(py::module_& m) {
   OPTION("scan_silhouettes", values.scan_silhouettes,
          "Look at every triangle for silhouettes instead of searching: slower, the same drawing");
   bind_curvature_curve_options(bound);
+  bind_light_contour_options(bound);
   OPTION("threads", values.threads, "0: all cores");
   bound.def_property(
       "visibility",

@@ -245,17 +245,16 @@ class RidgesAndValleys {
   std::vector<ZeroSegment> segments_;
 };
 
-void append_seen(const ZeroCurves& found, bool suggestive, const CurvatureCurveOptions& options,
-                 CurvatureCurves& result) {
+void append_seen(const ZeroCurves& found, Kind kind, const CurvatureCurveOptions& options,
+                 FreeLines& result) {
   const auto is_seen = [&](const ZeroPoint& p) {
-    return !p.unseen && (suggestive || options.wants(p.ridge ? Kind::ridge : Kind::valley));
+    return !p.unseen &&
+           (kind == Kind::suggestive || options.wants(p.ridge ? Kind::ridge : Kind::valley));
   };
   for (std::size_t c = 0; c < found.curves.size(); ++c) {
     const Span<const ZeroPoint> line = found.curves[c];
     if (std::none_of(line.begin(), line.end(), is_seen)) continue;
-    result.lines.curves.add(line);
-    result.lines.closed.push_back(found.closed[c]);
-    result.suggestive.push_back(suggestive);
+    result.add(line, found.closed[c] != 0, kind);
   }
 }
 
@@ -273,23 +272,24 @@ void validate(const CurvatureCurveOptions& options) {
   require_positive(options.valley_threshold, "valley_threshold");
 }
 
-CurvatureCurves curvature_curves(const Surface& surface, const CurvatureDerivative& derivative,
-                                 const IntersectionCurves& intersections, const Camera& camera,
-                                 const CurvatureCurveOptions& options) {
-  CurvatureCurves result;
+FreeLines curvature_curves(const Surface& surface, const CurvatureDerivative& derivative,
+                           const IntersectionCurves& intersections, const Camera& camera,
+                           const CurvatureCurveOptions& options) {
+  FreeLines result;
   if (!options.any()) return result;
   const SeenSurface seen(surface, intersections, camera);
   ZeroLimits limits{hysteresis, 1, seen.sizes};
   for (double& length : limits.shortest) length *= least_length;
   if (options.suggestive_contours) {
     SuggestiveContours finder(seen, derivative, options.suggestive_threshold);
-    append_seen(link_segments(surface, finder.segments(), limits), true, options, result);
+    append_seen(link_segments(surface, finder.segments(), limits), Kind::suggestive, options,
+                result);
   }
   if (options.ridges || options.valleys) {
     const double ridge = options.ridges ? options.ridge_threshold : options.valley_threshold;
     const double valley = options.valleys ? options.valley_threshold : options.ridge_threshold;
     RidgesAndValleys finder(seen, derivative, ridge, valley);
-    append_seen(link_segments(surface, finder.segments(), limits), false, options, result);
+    append_seen(link_segments(surface, finder.segments(), limits), Kind::ridge, options, result);
   }
   return result;
 }

@@ -33,18 +33,13 @@ struct CurvatureCurveOptions {
 };
 void validate(const CurvatureCurveOptions& options);  // throws InvalidInput naming the field
 
-struct CurvatureCurves {
-  ZeroCurves lines;
-  std::vector<std::uint8_t> suggestive;  // (lines) 0: ridge or valley, as its points say
-};
-
 // Suggestive contours: the radial curvature is 0 and grows towards the eye, on the side of the
 // surface that is seen. Ridges and valleys: the larger principal curvature is largest along its own
 // direction; what is a ridge from one side is a valley from the other, so the lines of both are
 // found together when either is wanted, and told apart point by point. Backs that cannot be seen
 // have none. `derivative`: of the surface's vertices.
-CurvatureCurves curvature_curves(const Surface& surface, const CurvatureDerivative& derivative,
-                                 const IntersectionCurves& intersections, const Camera& camera,
-                                 const CurvatureCurveOptions& options);
+FreeLines curvature_curves(const Surface& surface, const CurvatureDerivative& derivative,
+                           const IntersectionCurves& intersections, const Camera& camera,
+                           const CurvatureCurveOptions& options);
 
 }  // namespace illustrate

@@ -20,12 +20,12 @@ class JointFinder {
  public:
   JointFinder(const Surface& surface, const std::vector<FeatureEdge>& features,
               const Silhouettes& silhouettes, const IntersectionCurves& intersections,
-              const CurvatureCurves& curvature_curves, const Camera& camera)
+              const FreeLines& free_lines, const Camera& camera)
       : surface_(surface),
         features_(features),
         silhouettes_(silhouettes),
         intersections_(intersections),
-        lines_(curvature_curves.lines),
+        lines_(free_lines.lines),
         camera_(camera) {}
 
   Joints run() {
@@ -243,8 +243,8 @@ class JointFinder {
 
 Joints find_joints(const Surface& surface, const std::vector<FeatureEdge>& features,
                    const Silhouettes& silhouettes, const IntersectionCurves& intersections,
-                   const CurvatureCurves& curvature_curves, const Camera& camera) {
-  return JointFinder(surface, features, silhouettes, intersections, curvature_curves, camera).run();
+                   const FreeLines& free_lines, const Camera& camera) {
+  return JointFinder(surface, features, silhouettes, intersections, free_lines, camera).run();
 }
 
 }  // namespace illustrate

@@ -5,16 +5,16 @@
 #include <optional>
 
 #include "contour/contour_functions.h"
-#include "contour/curvature_curves.h"
 #include "contour/curve_network.h"
 #include "contour/exact_silhouettes.h"
 #include "contour/feature_edges.h"
 #include "contour/intersections.h"
+#include "contour/zero_curves.h"
 
 namespace illustrate {
 
 // A cut at `fraction` of a feature edge, from the first corner of its first side; `side` is the one
-// whose curve makes it, empty where the curve is one of curvature and says nothing of the side.
+// whose curve makes it, empty where the curve is a free line and says nothing of the side.
 struct EdgeCut {
   int feature;
   double fraction;
@@ -37,8 +37,8 @@ struct Joints {
   std::vector<EdgeCut> edges;           // sorted by feature, fraction
   std::vector<CurveCut> chains;         // sorted by curve, segment, fraction
   std::vector<CurveCut> intersections;  // sorted likewise
-  std::vector<CurveCut> lines;          // of curvature curves, sorted likewise
-  int first_line_node = 0;              // nodes from here on are only due to curvature curves
+  std::vector<CurveCut> lines;          // of free lines, sorted likewise
+  int first_line_node = 0;              // nodes from here on are only due to free lines
 };
 
 // Where a contour passes through another sheet it goes behind it (+1) or comes out in front of it
@@ -46,9 +46,9 @@ struct Joints {
 // meet at the contour to the farther one (+1), or back.
 //
 // Nodes where chains end on or pass over feature edges, where self-intersection curves cross
-// feature edges and chains, and at cusps; where curvature curves end or meet any of these.
+// feature edges and chains, and at cusps; where free lines end or meet any of these.
 Joints find_joints(const Surface& surface, const std::vector<FeatureEdge>& features,
                    const Silhouettes& silhouettes, const IntersectionCurves& intersections,
-                   const CurvatureCurves& curvature_curves, const Camera& camera);
+                   const FreeLines& free_lines, const Camera& camera);
 
 }  // namespace illustrate

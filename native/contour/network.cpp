@@ -44,6 +44,12 @@ std::optional<Unseen> tell_unseen(const ContourScene& scene, const Camera& camer
   return Unseen(scene.surface, camera, Unseen::Evidence::certain, options.threads);
 }
 
+void append(FreeLines& lines, const FreeLines& more) {
+  for (std::size_t i = 0; i < more.kinds.size(); ++i) {
+    lines.add(more.lines.curves[i], more.lines.closed[i] != 0, more.kinds[i]);
+  }
+}
+
 }  // namespace
 
 CurveNetwork build_network(const ContourScene& scene, const Camera& camera,
@@ -65,10 +71,10 @@ CurveNetwork build_network(const ContourScene& scene, const Camera& camera,
                         progress.part(0, 0.5), options.threads);
   const PolygonSilhouettes folds = polygon_silhouettes(surface, camera, scene.dual);
   progress.report(0.5);
-  CurvatureCurves lines;
+  FreeLines lines = scene.light_contours ? *scene.light_contours : FreeLines{};
   if (scene.derivative) {
-    lines = curvature_curves(surface, *scene.derivative, scene.intersections, camera,
-                             options.curvature_curves);
+    append(lines, curvature_curves(surface, *scene.derivative, scene.intersections, camera,
+                                   options.curvature_curves));
   }
   const Joints joints = find_joints(surface, features, found, scene.intersections, lines, camera);
   CurveNetwork network;
@@ -76,7 +82,7 @@ CurveNetwork build_network(const ContourScene& scene, const Camera& camera,
   add_silhouette_strands(surface, found, joints, network);
   add_intersection_strands(surface, scene.intersections, joints, network);
   add_feature_strands(surface, features, folds.edges, functions, camera, joints, network);
-  add_curvature_strands(surface, lines, options.curvature_curves, joints, network);
+  add_free_strands(surface, lines, options.curvature_curves, joints, network);
   CurveNetwork clipped = clip_near(surface, network, camera);
   if (unseen) clipped = cut_at_unseen(*unseen, clipped);
   clipped.is_incomplete = !scene.intersections.left_out.empty();

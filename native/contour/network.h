@@ -38,6 +38,7 @@ struct ContourScene {
   const IntersectionCurves& intersections;
   const DualSurface* dual = nullptr;  // null: every triangle is scanned, with the same result
   const CurvatureDerivative* derivative = nullptr;  // null: without curvature curves
+  const FreeLines* light_contours = nullptr;        // tone/light_contours.h, or none
 };
 
 // Adds "triangles_visited", "silhouette_triangles" (of smooth objects), "edges_visited",

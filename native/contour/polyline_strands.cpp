@@ -1,4 +1,4 @@
-// Silhouette, self-intersection and curvature strands: polylines cut at joints.
+// Silhouette, self-intersection and free strands: polylines cut at joints.
 #include <algorithm>
 
 #include "contour/strands.h"
@@ -131,6 +131,10 @@ struct Stretch {
   bool unseen;
 };
 
+bool is_wanted(Kind kind, const CurvatureCurveOptions& options) {
+  return !is_curvature_line(kind) || options.wants(kind);
+}
+
 // Whether a strand is what sticks out of a line beyond its meeting with another curve.
 bool is_stub(const CurveNetwork& network, std::size_t s, double shortest) {
   const Strand& strand = network.strands[s];
@@ -147,7 +151,7 @@ bool is_stub(const CurveNetwork& network, std::size_t s, double shortest) {
 }
 
 // Of the strands that a line is cut into at these points; one where it is not cut.
-std::vector<Stretch> stretches(Span<const ZeroPoint> line, bool closed, bool suggestive,
+std::vector<Stretch> stretches(Span<const ZeroPoint> line, bool closed, Kind kind,
                                const std::vector<int>& sources) {
   const int count = static_cast<int>(line.size());
   std::vector<Stretch> result;
@@ -160,7 +164,7 @@ std::vector<Stretch> stretches(Span<const ZeroPoint> line, bool closed, bool sug
       to = sources[0] + count;
     const bool ridge = most_are(line, from, to, &ZeroPoint::ridge);
     const bool unseen = most_are(line, from, to, &ZeroPoint::unseen);
-    result.push_back({suggestive ? Kind::suggestive : ridge ? Kind::ridge : Kind::valley, unseen});
+    result.push_back({kind == Kind::ridge && !ridge ? Kind::valley : kind, unseen});
   }
   return result;
 }
@@ -207,31 +211,31 @@ void add_intersection_strands(const Surface& surface, const IntersectionCurves& 
   }
 }
 
-void add_curvature_strands(const Surface& surface, const CurvatureCurves& curves,
-                           const CurvatureCurveOptions& options, const Joints& joints,
-                           CurveNetwork& network) {
-  if (curves.lines.curves.size() == 0) return;  // the sizes need a look at the whole surface
+void add_free_strands(const Surface& surface, const FreeLines& free_lines,
+                      const CurvatureCurveOptions& options, const Joints& joints,
+                      CurveNetwork& network) {
+  if (free_lines.lines.curves.size() == 0) return;  // the sizes need a look at the whole surface
   Strand strand;
   strand.left_layers = strand.right_layers = 1;
   CurveNetwork all;
   all.nodes = network.nodes;
   const std::vector<double> sizes = object_sizes(surface);
   std::vector<Stretch> found;
-  for (std::size_t c = 0; c < curves.lines.curves.size(); ++c) {
-    const Span<const ZeroPoint> line = curves.lines.curves[c];
-    const bool closed = curves.lines.closed[c];
+  for (std::size_t c = 0; c < free_lines.lines.curves.size(); ++c) {
+    const Span<const ZeroPoint> line = free_lines.lines.curves[c];
+    const bool closed = free_lines.lines.closed[c];
     Polyline polyline{{}, closed};
     for (const ZeroPoint& p : line) polyline.points.push_back({p.position, p.on});
     const std::vector<int> sources =
         add_polyline(surface, polyline, cuts_of(joints.lines, static_cast<int>(c)), strand, all);
-    for (const Stretch& s : stretches(line, closed, curves.suggestive[c], sources)) {
+    for (const Stretch& s : stretches(line, closed, free_lines.kinds[c], sources)) {
       found.push_back(s);
     }
   }
   for (std::size_t s = 0; s < all.strands.size(); ++s) {
     const double size = sizes[idx(all.strands[s].object)];
-    if (found[s].unseen || !options.wants(found[s].kind)) continue;
-    if (is_stub(all, s, longest_stub * size)) continue;
+    if (found[s].unseen || !is_wanted(found[s].kind, options)) continue;
+    if (is_curvature_line(found[s].kind) && is_stub(all, s, longest_stub * size)) continue;
     all.strands[s].kind = found[s].kind;
     network.points.add(all.points[s]);
     network.strands.push_back(all.strands[s]);

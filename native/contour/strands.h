@@ -15,11 +15,11 @@ void add_silhouette_strands(const Surface& surface, const Silhouettes& silhouett
 void add_intersection_strands(const Surface& surface, const IntersectionCurves& intersections,
                               const Joints& joints, CurveNetwork& network);
 
-// Curvature curves cut at their joints; a piece of a ridge that is seen from its other side is a
-// valley. Kinds that are not wanted are left out.
-void add_curvature_strands(const Surface& surface, const CurvatureCurves& curves,
-                           const CurvatureCurveOptions& options, const Joints& joints,
-                           CurveNetwork& network);
+// Free lines cut at their joints; a piece of a ridge that is seen from its other side is a valley.
+// Kinds of curvature that are not wanted are left out.
+void add_free_strands(const Surface& surface, const FreeLines& free_lines,
+                      const CurvatureCurveOptions& options, const Joints& joints,
+                      CurveNetwork& network);
 
 // Feature edges cut where a side turns from front to back, linked into strands of one kind and one
 // hiding; then the silhouettes of polygon objects.

@@ -28,6 +28,19 @@ struct ZeroCurves {
   std::vector<std::uint8_t> closed;  // closed ones do not repeat their first point
 };
 
+// Lines that neither hide nor bound anything and may end anywhere: of curvature
+// (curvature_curves.h), of light (tone/light_contours.h).
+struct FreeLines {
+  ZeroCurves lines;
+  std::vector<Kind> kinds;  // (lines) ridge: of ridges and valleys, as its points say
+
+  void add(Span<const ZeroPoint> line, bool closed, Kind kind) {
+    lines.curves.add(line);
+    lines.closed.push_back(closed);
+    kinds.push_back(kind);
+  }
+};
+
 struct ZeroLimits {
   double weak;                   // what has less strength is cut off
   double strong;                 // curves that nowhere reach it are left out (hysteresis)

@@ -61,12 +61,19 @@ enum class Kind : std::uint8_t {
   suggestive = 11,  // suggestive contour
   ridge = 12,
   valley = 13,
-  loose = 14,  // an edge of no face: hides nothing, lies on no triangle
+  loose = 14,           // an edge of no face: hides nothing, lies on no triangle
+  terminator = 15,      // where a form turns away from a light
+  shadow_outline = 16,  // of a cast shadow, on what receives it
 };
 
-// Lines of shape inside a smooth surface: they neither hide nor bound anything.
+// Lines of shape inside a smooth surface.
 constexpr bool is_curvature_line(Kind kind) {
   return kind == Kind::suggestive || kind == Kind::ridge || kind == Kind::valley;
+}
+
+// Lines on the surface that neither hide nor bound anything.
+constexpr bool is_free_line(Kind kind) {
+  return is_curvature_line(kind) || kind == Kind::terminator || kind == Kind::shadow_outline;
 }
 
 }  // namespace illustrate

@@ -50,8 +50,13 @@ class Kind(enum.IntEnum):
     RIDGE = 12
     """As seen from the viewer's side of the surface."""
     VALLEY = 13
-    LOOSE = 14
     """As seen from the viewer's side of the surface."""
+    LOOSE = 14
+    """An edge of no face."""
+    TERMINATOR = 15
+    """Where a form turns away from a light."""
+    SHADOW_OUTLINE = 16
+    """Of a cast shadow, on what receives it."""
 
 class Node(enum.IntEnum):
     """What a node of the curve network is."""
@@ -216,6 +221,7 @@ class Light:
         edges: ArrayLike | None = None,
         ellipse: bool = False,
         casts_shadows: bool = True,
+        contours: bool = True,
     ) -> None:
         """Copies its arguments.
 
@@ -235,6 +241,7 @@ class Light:
                 position; None: no larger than a point.
             ellipse: the ellipse that touches the rectangle's sides instead.
             casts_shadows: where DrawOptions.cast_shadows asks for them.
+            contours: whether DrawOptions.terminators and shadow_outlines are about this light.
 
         Raises:
             InvalidInput: an unknown kind, or what that kind needs is missing.
@@ -269,6 +276,9 @@ class Light:
         """As given."""
     @property
     def casts_shadows(self) -> bool:
+        """As given."""
+    @property
+    def contours(self) -> bool:
         """As given."""
 
 class Guide:
@@ -505,6 +515,10 @@ class DrawOptions:
     """Least curvature across a ridge, times the object's diagonal."""
     valley_threshold: float
     """Least curvature across a valley, times the object's diagonal."""
+    terminators: bool
+    """Draw where smooth forms turn away from the lights, as far as their light reaches there."""
+    shadow_outlines: bool
+    """Draw the outlines of cast shadows on what receives them."""
     styles: Sequence[ObjectStyle] | None
     """One per mesh, or None."""
     threads: int

@@ -24,6 +24,8 @@ KIND_NAMES = (
     "RIDGE",
     "VALLEY",
     "LOOSE",
+    "TERMINATOR",
+    "SHADOW_OUTLINE",
 )
 """Names of `illustrate_native.Kind`, by number; seams are never drawn."""
 
@@ -34,6 +36,8 @@ _BOTTOM_TO_TOP = (
     "UNDERCUT",
     "CROSS_HATCH",
     "HATCH",
+    "SHADOW_OUTLINE",
+    "TERMINATOR",
     "VALLEY",
     "RIDGE",
     "SUGGESTIVE",
@@ -52,6 +56,7 @@ _TITLES = {
     "FLAT_OUTLINE": "Flat Outline",
     "SUGGESTIVE": "Suggestive Contour",
     "LOOSE": "Loose Edge",
+    "SHADOW_OUTLINE": "Shadow Outline",
 }
 
 

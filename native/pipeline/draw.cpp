@@ -16,6 +16,7 @@
 #include "pipeline/see_through.h"
 #include "pipeline/seen_scene.h"
 #include "pipeline/stopwatch.h"
+#include "tone/light_contours.h"
 #include "visibility/label_network.h"
 #include "visibility/loose_labels.h"
 #include "visibility/vote.h"
@@ -144,7 +145,7 @@ class View {
     result_.timings = {{"contour", 0}, {"visibility", 0}, {"tone", 0}, {"hatch", 0}, {"stroke", 0}};
   }
 
-  void label_curves(const Progress& progress) {
+  void label_curves(const std::vector<Light>& lights, const Progress& progress) {
     const StrokeOptions& stroke = options_.stroke;
     const bool by_vote = options_.visibility == VisibilityMethod::vote;
     const NetworkOptions network_options{stroke.marks,
@@ -156,15 +157,21 @@ class View {
     const double unit = line_unit(camera_);
     const Camera on_paper = camera_.in_units_of(unit);
     const Progress search = progress.part(0, 0.2, "contour");
-    const ContourScene contour_scene{
-        scene_.surface(),
-        scene_.limit_surface(),
-        scene_.features(),
-        scene_.intersections(),
-        options_.scan_silhouettes ? nullptr : &scene_.dual_surface(search),
-        options_.curvature_curves.any() ? &scene_.curvature_derivative(progress.part(0.2, 0.3))
-                                        : nullptr};
+    ContourScene contour_scene{scene_.surface(),
+                               scene_.limit_surface(),
+                               scene_.features(),
+                               scene_.intersections(),
+                               options_.scan_silhouettes ? nullptr : &scene_.dual_surface(search),
+                               options_.curvature_curves.any()
+                                   ? &scene_.curvature_derivative(progress.part(0.2, 0.3))
+                                   : nullptr};
     const CurveNetwork network = timed(result_.timings["contour"], [&] {
+      FreeLines of_light;
+      if (options_.light_contours.any()) {
+        of_light = light_contours(contour_scene, scene_.bvh(), lights, camera_,
+                                  options_.light_contours, options_.threads, search);
+        contour_scene.light_contours = &of_light;
+      }
       return build_network(contour_scene, on_paper, network_options, result_.counts,
                            progress.part(0.3, 0.6, "contour"));
     });
@@ -305,7 +312,7 @@ DrawResult draw_seen(const Prepared& prepared, const Camera& camera, const DrawO
   const CrossField* field = hatching ? &prepared.field(progress.part(0.1, 0.3)) : nullptr;
   View view(scene, camera, options);
   if (hatching && previous) view.follow(*previous, prepared.surface());
-  view.label_curves(progress.part(0.3, hatching ? 0.5 : 0.95));
+  view.label_curves(lights, progress.part(0.3, hatching ? 0.5 : 0.95));
   if (hatching) {
     view.hatch(*field, lights, casters ? *casters : scene.bvh(), progress.part(0.5, 0.95));
   }

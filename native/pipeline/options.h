@@ -10,6 +10,7 @@
 #include "stroke/make_strokes.h"
 #include "surface/curvature.h"
 #include "surface/refine.h"
+#include "tone/light_contours.h"
 #include "tone/tone_regions.h"
 
 namespace illustrate {
@@ -59,6 +60,7 @@ struct DrawOptions {
   HatchOptions hatch;
   StrokeOptions stroke;  // its marks, materials and flat outlines are also those of the network
   CurvatureCurveOptions curvature_curves;
+  LightContourOptions light_contours;
   bool loose_edges = false;  // draw PolygonMesh::loose_edges
   // Patches of one tone smaller than a square of so many spacings of hatches join their neighbour,
   // [0, 20]; 0: none do.

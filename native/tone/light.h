@@ -24,6 +24,7 @@ struct Light {
   Vec3 edge_v = Vec3::Zero();  // no larger than a point
   bool ellipse = false;        // area: the ellipse that touches the rectangle's sides instead
   bool casts_shadows = true;   // where shadows are asked for
+  bool contours = true;  // has lines of its light (light_contours.h), where they are asked for
 
   bool has_extent() const { return !edge_u.isZero(0) || !edge_v.isZero(0); }
 };

@@ -63,7 +63,7 @@ class CrossingFinder {
     std::vector<Crossing> result;
     for (const auto& [i, j] : pairs) {
       const Crossing x = crossing(segments_[idx(i)], segments_[idx(j)]);
-      if (!is_curvature_line(network_.strands[idx(x.front.strand)].kind)) result.push_back(x);
+      if (!is_free_line(network_.strands[idx(x.front.strand)].kind)) result.push_back(x);
     }
     return result;
   }

@@ -27,8 +27,8 @@ inline CurvatureCurveOptions ridges_and_valleys(double threshold) {
 }
 
 // Segments lie in the triangles that they name, and points where they say.
-inline void check_curves(const Surface& surface, const CurvatureCurves& found) {
-  ASSERT_EQ(found.suggestive.size(), found.lines.curves.size());
+inline void check_curves(const Surface& surface, const FreeLines& found) {
+  ASSERT_EQ(found.kinds.size(), found.lines.curves.size());
   ASSERT_EQ(found.lines.closed.size(), found.lines.curves.size());
   for (const ZeroPoint& p : found.lines.curves.values) {
     EXPECT_LT((position_at(surface, p.on) - p.position).norm(), 1e-9 * surface.diagonal);

@@ -18,8 +18,8 @@ using shapes::pi;
 
 constexpr double torus_core = 1, torus_tube = 0.4;
 
-CurvatureCurves curves_of(const Surface& surface, const Camera& camera,
-                          const CurvatureCurveOptions& options) {
+FreeLines curves_of(const Surface& surface, const Camera& camera,
+                    const CurvatureCurveOptions& options) {
   const CurvatureDerivative derivative = curvature_derivative(surface, surface.curvature, 1);
   return curvature_curves(surface, derivative, {}, camera, options);
 }
@@ -48,7 +48,7 @@ struct WaveLines {
 
 WaveLines wave_lines(int n, const Vec3& direction) {
   const Surface surface = wave_surface(n);
-  const CurvatureCurves found =
+  const FreeLines found =
       curves_of(surface, cameras::orthographic(direction, 2), ridges_and_valleys(3));
   check_curves(surface, found);
   WaveLines result;
@@ -96,7 +96,7 @@ Surface ellipsoid(const Vec3& axes, int level) {
 double farthest_from_symmetry(int level) {
   const Surface surface = ellipsoid(Vec3(3, 2, 1), level);
   const Camera camera = cameras::orthographic(Vec3(1, 2, 3), 4);
-  const CurvatureCurves found = curves_of(surface, camera, ridges_and_valleys(2));
+  const FreeLines found = curves_of(surface, camera, ridges_and_valleys(2));
   check_curves(surface, found);
   double farthest = 0;
   bool rim = false;
@@ -166,7 +166,7 @@ double worst_radial_curvature(int n, const Camera& camera) {
   CurvatureCurveOptions options;
   options.suggestive_contours = true;
   options.suggestive_threshold = 3;
-  const CurvatureCurves found = curves_of(torus, camera, options);
+  const FreeLines found = curves_of(torus, camera, options);
   check_curves(torus, found);
   EXPECT_FALSE(found.lines.curves.empty());
   double worst = 0;

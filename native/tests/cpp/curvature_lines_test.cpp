@@ -56,8 +56,8 @@ TEST(RidgesAndValleys, OfAMoebiusBandAreToldApartByTheViewersSide) {
   const auto band = prepared({wavy_moebius(64, 20)});
   const Surface& surface = band->surface();
   const Camera camera = cameras::perspective(Vec3(4, 3, 4), Vec3::Zero());
-  const CurvatureCurves found = curvature_curves(
-      surface, band->curvature_derivative(), band->intersections(), camera, ridges_and_valleys(9));
+  const FreeLines found = curvature_curves(surface, band->curvature_derivative(),
+                                           band->intersections(), camera, ridges_and_valleys(9));
   check_curves(surface, found);
   ASSERT_EQ(found.lines.curves.size(), 1U) << "through the seam, twice";
   EXPECT_TRUE(found.lines.closed[0]);

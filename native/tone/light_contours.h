@@ -1,0 +1,30 @@
+// Light as lines: terminators, where a form turns away from a light, and outlines of cast shadows
+// on what receives them. Beyond the paper, which hatches light (section 6.1).
+//
+// A terminator is the contour that the light sees. What the light sees as an outline, labelled as
+// the viewer's own lines are, is carried on along its rays to the next surface.
+#pragma once
+
+#include "contour/network.h"
+#include "mesh/bvh.h"
+#include "tone/light.h"
+
+namespace illustrate {
+
+struct LightContourOptions {
+  bool terminators = false;
+  bool shadow_outlines = false;
+
+  bool any() const { return terminators || shadow_outlines; }
+};
+
+// Of the lights with `contours`; of areas with an extent from their middle. Terminators are left
+// out where something else keeps the light away, and shadow outlines of lights that cast none. What
+// is on backs that cannot be seen, or on the side that the viewer does not see, says so
+// (ZeroPoint::unseen). bvh: of the scene's surface.
+FreeLines light_contours(const ContourScene& scene, const Bvh& bvh,
+                         const std::vector<Light>& lights, const Camera& camera,
+                         const LightContourOptions& options, int threads,
+                         const Progress& progress = {});
+
+}  // namespace illustrate
