@@ -9,6 +9,6 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 "$ROOT/tools/build.sh"
 "$ROOT/tools/setup_python.sh" "$ROOT/build/farm" "$ROOT/tools/requirements_farm.txt"
 BLENDER=$(find_blender) || fail "no Blender at '${BLENDER:-blender}': set BLENDER to the program"
-export BLENDER
+export BLENDER TMPDIR=/run
 exec "$ROOT/tools/own_machine.sh" "$ROOT/build/farm/bin/python" -m pytest -q -ra \
     --rootdir "$ROOT" -p no:cacheprovider --basetemp /run/illustrate "$ROOT/farm/tests" "$@"
