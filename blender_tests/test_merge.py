@@ -41,7 +41,9 @@ def draw(shot: pathlib.Path, *arguments: str) -> pathlib.Path:
 
 
 def merge(shot: pathlib.Path, *arguments: str) -> int:
+    """The exit code; the file is open as it is now."""
     code: int = farm.main(["merge", str(shot.parent / "out"), "--into", str(shot), *arguments])
+    bpy.ops.wm.open_mainfile(filepath=str(shot))
     return code
 
 
@@ -71,7 +73,6 @@ def same(first: Any, second: Any) -> bool:
 def test_merged_frames_are_a_bake(shot: Any) -> None:
     draw(shot, "--frames", "1-3")
     assert merge(shot) == 0
-    bpy.ops.wm.open_mainfile(filepath=str(shot))
     merged = strokes()
     assert all({kind for _, kind in found} == {pencil.BAKED} for found in merged[0].values())
     assert {number for found in merged[0].values() for number, _ in found} == {1, 2, 3}
@@ -107,7 +108,6 @@ def pictures(folder: pathlib.Path) -> list[Any]:
 def test_merged_frames_render_as_a_bake(shot: Any, tmp_path: Any) -> None:
     draw(shot, "--frames", "1-3")
     assert merge(shot) == 0
-    bpy.ops.wm.open_mainfile(filepath=str(shot))
     merged = pictures(tmp_path / "merged")
     bpy.ops.illustrate.bake()
     baked = pictures(tmp_path / "baked")
@@ -129,6 +129,22 @@ def test_a_file_that_is_not_there_begins_as_another(shot: Any, tmp_path: Any, ca
     assert "Later" in bpy.data.texts
 
 
+def test_a_merge_that_fails_midway_leaves_the_file(shot: Any, monkeypatch: Any) -> None:
+    draw(shot, "--frames", "1-3")
+    before, append = shot.read_bytes(), output.PENCIL_API.append
+
+    def fails(data: Any, layer: Any, frame: Any, *others: Any) -> None:
+        if frame.frame_number == 2:
+            raise MemoryError
+        append(data, layer, frame, *others)
+
+    monkeypatch.setattr(output.PENCIL_API, "append", fails)
+    with pytest.raises(MemoryError):
+        merge(shot)
+    assert shot.read_bytes() == before and not bpy.app.handlers.save_pre
+    assert sorted(p.name for p in shot.parent.iterdir()) == ["out", "shot.blend"]
+
+
 def test_all_else_in_the_file_stays(shot: Any) -> None:
     bpy.data.texts.new("Notes").write("Mind the gap")
     bpy.ops.wm.save_mainfile()
@@ -136,7 +152,6 @@ def test_all_else_in_the_file_stays(shot: Any) -> None:
     bpy.ops.wm.open_mainfile(filepath=str(shot))
     before = {**tools.snapshot(), "active": None}
     assert merge(shot) == 0
-    bpy.ops.wm.open_mainfile(filepath=str(shot))
     output.clear(bpy.context.scene)
     assert {**tools.snapshot(), "active": None} == before
     assert bpy.data.texts["Notes"].as_string() == "Mind the gap"

@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-import json
-import shutil
-import subprocess
 from pathlib import Path
 from typing import Any
 
 import pytest
+from manager import JOB_TYPE, NODE, compile_job, tasks_of
 
-HERE = Path(__file__).parent
-JOB_TYPE = HERE.parent / "flamenco" / "illustrate.js"
 SETTINGS = {
     "frames": "1-10, 20",
     "chunk_size": 4,
@@ -20,22 +16,7 @@ SETTINGS = {
     "blendfile": "/shots/shot.flamenco.blend",
 }
 
-node = shutil.which("node")
-pytestmark = pytest.mark.skipif(node is None, reason="there is no node: make farm installs it")
-
-
-def run(folder: Path, script: Path, settings: dict[str, Any]) -> subprocess.CompletedProcess[str]:
-    job = folder / "job.json"
-    job.write_text(json.dumps(settings))
-    words = [str(node), str(HERE / "manager.js"), str(script), str(job)]
-    return subprocess.run(words, capture_output=True, text=True, check=False)
-
-
-def tasks_of(folder: Path, **settings: Any) -> list[dict[str, Any]]:
-    ran = run(folder, JOB_TYPE, {**SETTINGS, **settings})
-    assert ran.returncode == 0, ran.stderr
-    tasks: list[dict[str, Any]] = json.loads(ran.stdout)
-    return tasks
+pytestmark = pytest.mark.skipif(NODE is None, reason="there is no node: make farm installs it")
 
 
 def arguments_of(task: dict[str, Any]) -> list[str]:
@@ -47,7 +28,7 @@ def arguments_of(task: dict[str, Any]) -> list[str]:
 
 
 def test_a_task_for_each_chunk(tmp_path: Path) -> None:
-    tasks = tasks_of(tmp_path)
+    tasks = tasks_of(tmp_path, SETTINGS)
     assert [task["name"] for task in tasks] == ["draw-1-4", "draw-5-8", "draw-9,10,20"]
     assert not any(task["dependencies"] for task in tasks)
     assert arguments_of(tasks[2]) == [
@@ -57,7 +38,9 @@ def test_a_task_for_each_chunk(tmp_path: Path) -> None:
 
 
 def test_a_merge_after_all_of_them(tmp_path: Path) -> None:
-    *drawn, merge = tasks_of(tmp_path, merged="/shots/drawn.blend", script="/headless.py")
+    *drawn, merge = tasks_of(
+        tmp_path, {**SETTINGS, "merged": "/shots/drawn.blend", "script": "/headless.py"}
+    )
     assert merge["dependencies"] == [task["name"] for task in drawn]
     assert arguments_of(merge) == [
         "--python-exit-code", "3", "--python", "/headless.py", "--", "merge", "/frames",
@@ -66,7 +49,7 @@ def test_a_merge_after_all_of_them(tmp_path: Path) -> None:
 
 
 def test_merging_needs_json(tmp_path: Path) -> None:
-    ran = run(tmp_path, JOB_TYPE, {**SETTINGS, "merged": "/m.blend", "formats": "svg,png"})
+    ran = compile_job(tmp_path, {**SETTINGS, "merged": "/m.blend", "formats": "svg,png"})
     assert ran.returncode == 1 and "needs json" in ran.stderr
 
 
@@ -91,5 +74,5 @@ def test_the_stand_in_knows_what_the_manager_has_not(
     assert changed in text
     script = tmp_path / "other.js"
     script.write_text(text.replace(changed, to))
-    ran = run(tmp_path, script, SETTINGS)
+    ran = compile_job(tmp_path, SETTINGS, script)
     assert ran.returncode == 1 and words in ran.stderr

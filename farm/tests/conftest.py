@@ -1,4 +1,4 @@
-"""The cluster, the shots, and what one machine draws of them."""
+"""The cluster, the shots, and what one machine draws of them, for the tests in real."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
+sys.path.insert(0, str(Path(__file__).parent / "real"))
 
 from cluster import NODES, Cluster
 from shots import SCRIPT, Shot, draw, make_shot
