@@ -32,10 +32,15 @@ def run(tmp_path: Path) -> Run:
     ) -> tuple[subprocess.CompletedProcess[str], list[str]]:
         log = tmp_path / "log"
         log.write_text("")
-        path = f"{tmp_path}{os.pathsep}{os.environ['PATH']}"
+        stubs = {
+            "PATH": f"{tmp_path}{os.pathsep}{os.environ['PATH']}",
+            "BLENDER": "blender",
+            "LOG": str(log),
+            "TMPDIR": str(tmp_path),
+        }
         ran = subprocess.run(
             ["bash", str(SCRIPT), *map(str, arguments)],
-            env={**os.environ, "PATH": path, "LOG": str(log), "TMPDIR": str(tmp_path), **variables},
+            env={**os.environ, **stubs, **variables},
             capture_output=True,
             text=True,
             check=False,
