@@ -1,5 +1,5 @@
 # Each target sets up what it needs and can be run first; what is already there is not done again.
-.PHONY: build demo test test-window bench sanitize unoptimised extension matrix lint fresh
+.PHONY: build demo test test-window farm bench sanitize unoptimised extension matrix lint fresh
 
 build:
 	tools/build.sh
@@ -12,6 +12,9 @@ test:
 
 test-window:
 	tools/test_window.sh
+
+farm:
+	tools/farm.sh
 
 bench:
 	tools/bench.sh

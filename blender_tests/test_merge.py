@@ -9,6 +9,7 @@ import bpy
 import illustrate
 import numpy as np
 import pytest
+from blender_render import render_png
 from illustrate import output
 from illustrate.farm import main as farm
 from illustrate.output import pencil
@@ -40,7 +41,9 @@ def draw(shot: pathlib.Path, *arguments: str) -> pathlib.Path:
 
 
 def merge(shot: pathlib.Path, *arguments: str) -> int:
+    """The exit code; the file is open as it is now."""
     code: int = farm.main(["merge", str(shot.parent / "out"), "--into", str(shot), *arguments])
+    bpy.ops.wm.open_mainfile(filepath=str(shot))
     return code
 
 
@@ -70,7 +73,6 @@ def same(first: Any, second: Any) -> bool:
 def test_merged_frames_are_a_bake(shot: Any) -> None:
     draw(shot, "--frames", "1-3")
     assert merge(shot) == 0
-    bpy.ops.wm.open_mainfile(filepath=str(shot))
     merged = strokes()
     assert all({kind for _, kind in found} == {pencil.BAKED} for found in merged[0].values())
     assert {number for found in merged[0].values() for number, _ in found} == {1, 2, 3}
@@ -90,6 +92,59 @@ def test_chunks_that_warm_up_merge_into_one_bake(shot: Any) -> None:
     assert same(merged, strokes())
 
 
+def pictures(folder: pathlib.Path) -> list[Any]:
+    """The pixels of frames 1 to 3, as Blender renders the strokes."""
+    scene, read = bpy.context.scene, []
+    folder.mkdir()
+    for frame in (1, 2, 3):
+        scene.frame_set(frame)
+        path = folder / f"{frame}.png"
+        render_png(str(path), scene, [t for t in scene.objects if t.type == tools.pencil_type()])
+        image = bpy.data.images.load(str(path))
+        read.append(np.array(image.pixels[:]))
+    return read
+
+
+def test_merged_frames_render_as_a_bake(shot: Any, tmp_path: Any) -> None:
+    draw(shot, "--frames", "1-3")
+    assert merge(shot) == 0
+    merged = pictures(tmp_path / "merged")
+    bpy.ops.illustrate.bake()
+    baked = pictures(tmp_path / "baked")
+    assert all(np.array_equal(*pair) for pair in zip(merged, baked, strict=True))
+    assert not np.array_equal(merged[0], merged[2]) and merged[0].min() < 0.2
+
+
+def test_a_file_that_is_not_there_begins_as_another(shot: Any, tmp_path: Any, capsys: Any) -> None:
+    out, into = draw(shot, "--frames", "1-3"), tmp_path / "drawn.blend"
+    words = ["merge", str(out), "--into", str(into)]
+    assert farm.main(words) == 1 and "drawn.blend" in capsys.readouterr().err
+    before = shot.read_bytes()
+    assert farm.main([*words, "--from", str(shot)]) == 0
+    assert shot.read_bytes() == before
+    bpy.ops.wm.open_mainfile(filepath=str(into))
+    bpy.data.texts.new("Later")
+    bpy.ops.wm.save_mainfile()
+    assert farm.main([*words, "--from", str(shot)]) == 0
+    assert "Later" in bpy.data.texts
+
+
+def test_a_merge_that_fails_midway_leaves_the_file(shot: Any, monkeypatch: Any) -> None:
+    draw(shot, "--frames", "1-3")
+    before, append = shot.read_bytes(), output.PENCIL_API.append
+
+    def fails(data: Any, layer: Any, frame: Any, *others: Any) -> None:
+        if frame.frame_number == 2:
+            raise MemoryError
+        append(data, layer, frame, *others)
+
+    monkeypatch.setattr(output.PENCIL_API, "append", fails)
+    with pytest.raises(MemoryError):
+        merge(shot)
+    assert shot.read_bytes() == before and not bpy.app.handlers.save_pre
+    assert sorted(p.name for p in shot.parent.iterdir()) == ["out", "shot.blend"]
+
+
 def test_all_else_in_the_file_stays(shot: Any) -> None:
     bpy.data.texts.new("Notes").write("Mind the gap")
     bpy.ops.wm.save_mainfile()
@@ -97,7 +152,6 @@ def test_all_else_in_the_file_stays(shot: Any) -> None:
     bpy.ops.wm.open_mainfile(filepath=str(shot))
     before = {**tools.snapshot(), "active": None}
     assert merge(shot) == 0
-    bpy.ops.wm.open_mainfile(filepath=str(shot))
     output.clear(bpy.context.scene)
     assert {**tools.snapshot(), "active": None} == before
     assert bpy.data.texts["Notes"].as_string() == "Mind the gap"

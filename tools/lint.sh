@@ -29,7 +29,7 @@ check "ruff check" ruff check .
 check "ruff format" ruff format --check .
 # One folder at a time: several have a conftest.py.
 for folder in native/illustrate_native native/benchmarks native/tests/python tools addon \
-    blender_tests examples; do
+    farm/tests blender_tests examples; do
     check "mypy $folder" mypy "$folder"
 done
 check clang-tidy tidy

@@ -1,8 +1,8 @@
 """Runs every test suite, whatever the others do, and adds up their results.
 
-The suites: C++ (GoogleTest), the Python module, and the built packages in some of the Blenders of
-the matrix: the oldest, one with Grease Pencil 2 and extensions, the newest. The last line is the
-total.
+The suites: C++ (GoogleTest), the Python module, the job templates for farms, and the built packages
+in some of the Blenders of the matrix: the oldest, one with Grease Pencil 2 and extensions, the
+newest. The last line is the total.
 """
 
 from __future__ import annotations
@@ -22,12 +22,15 @@ SIDE_BY_SIDE = 2  # most of a suite keeps one core busy
 
 def native_suites() -> list[Suite]:
     """The tests that need no Blender."""
-    cpp, python = suites.junit_file("cpp"), suites.junit_file("python")
-    pytest = [sys.executable, "-m", "pytest", "-q", str(ROOT / "native" / "tests" / "python")]
+    cpp, python, farm = (suites.junit_file(name) for name in ("cpp", "python", "farm"))
+    pytest = [sys.executable, "-m", "pytest", "-q"]
+    native, templates = str(ROOT / "native" / "tests" / "python"), str(ROOT / "farm" / "tests")
+    no_cluster = f"--ignore={ROOT / 'farm' / 'tests' / 'real'}"  # make farm sets it up
     executable = [str(ROOT / "build" / "native" / "illustrate_tests"), "--gtest_brief=1"]
     return [
         Suite("cpp", [*executable, f"--gtest_output=xml:{cpp}"], cpp),
-        Suite("python", [*pytest, f"--junitxml={python}"], python),
+        Suite("python", [*pytest, native, f"--junitxml={python}"], python),
+        Suite("farm", [*pytest, templates, no_cluster, f"--junitxml={farm}"], farm),
     ]
 
 

@@ -26,7 +26,7 @@ def parse(arguments: list[str]) -> Any:
 
 
 def parse_merge(arguments: list[str]) -> Any:
-    """What the command line asks to be merged: out, into, frames, partial."""
+    """What the command line asks to be merged: out, into, begun_from, frames, partial."""
     parser = argparse.ArgumentParser(
         prog=f"{PROGRAM} {MERGE}",
         description="Makes keyframes of the JSON files of drawn frames.",
@@ -34,6 +34,12 @@ def parse_merge(arguments: list[str]) -> Any:
     parser.add_argument("out", metavar="OUT", help="the folder that the frames were written to")
     parser.add_argument(
         "--into", required=True, metavar="FILE.blend", help="the file that gets the keyframes"
+    )
+    parser.add_argument(
+        "--from",
+        dest="begun_from",
+        metavar="FILE.blend",
+        help="the file that it begins as where it is not there yet, such as the one drawn",
     )
     _add_frames(parser, "which frames must be there; those from the first to the last if left out")
     parser.add_argument(

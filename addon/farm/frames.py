@@ -111,7 +111,10 @@ class Sequence:
         """Draws the frames before one whose predecessor was not drawn by this command."""
         if not self._follows or self._last is not None:
             return
+        begin = min(self._scene.frame_start, frame)  # before it nothing has been animated
         for earlier in frames_before(self._frames, frame, self._chosen.warm_up):
+            if earlier < begin:
+                continue
             try:
                 self._drawn(earlier, f"warming up on frame {earlier}")
             except IllustrateError as error:

@@ -43,7 +43,8 @@ def _draw(chosen: Any, summaries: list[str]) -> int:
 
 
 def _merge(chosen: Any) -> int:
-    _open(chosen.into)
+    begins = chosen.begun_from if chosen.begun_from and not os.path.exists(chosen.into) else None
+    _open(begins or chosen.into)
     merge_into(chosen.into, chosen.out, chosen.frames, chosen.partial)
     return 0
 

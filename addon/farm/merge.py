@@ -1,8 +1,11 @@
 """Keyframes of the JSON files of frames that were drawn apart."""
 
+import gc
 import os
 import pathlib
 from collections import Counter
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any
@@ -13,6 +16,7 @@ import numpy as np
 from .. import native, output
 from ..messages import IllustrateError, counted, quoted
 from ..output.files import write_blend
+from ..output.saving import only_saved
 from ..output.strokes import Sheet
 from ..scene import CameraArrays
 from .lines import complain, say
@@ -55,12 +59,13 @@ def find_frames(folder: str, wanted: list[int] | None = None) -> Found:
     cannot be read.
     """
     found, read = Found(), []
-    for path in _json_files(folder):
-        try:
-            read.append((path.name, _read(path)))
-        except (OSError, ValueError) as error:
-            kind = found.foreign if isinstance(error, _Foreign) else found.damaged
-            kind.append(path.name)
+    with _no_garbage_collection():
+        for path in _json_files(folder):
+            try:
+                read.append((path.name, _read(path)))
+            except (OSError, ValueError) as error:
+                kind = found.foreign if isinstance(error, _Foreign) else found.damaged
+                kind.append(path.name)
     made = Counter(stamp for _, (stamp, _) in read).most_common(1)
     sheets: dict[int, Sheet] = {}
     for name, (stamp, sheet) in read:
@@ -81,24 +86,50 @@ def merge(scene: Any, found: Found, partial: bool) -> list[str]:
 
     partial: what is whole and of the same settings is written all the same.
     """
-    output.check_can_bake(scene.illustrate.output)
-    if not found.sheets or (found.problems and not partial):
-        told = ". ".join(["Nothing was merged", *found.problems])
-        raise IllustrateError(told if found.problems else f"{told}: there are no frames")
+    _check(scene, found, partial)
     return [*found.problems, *output.bake_drawings(scene, found.sheets)]
 
 
 def merge_into(path: str, folder: str, wanted: list[int] | None, partial: bool) -> None:
-    """Merges into the open file, which is at `path`, and writes it anew. Raises IllustrateError."""
-    found = find_frames(folder, wanted)
-    for warning in merge(bpy.context.scene, found, partial):
-        complain(f"warning: {warning}")
+    """Writes the open file to `path` with what is merged into it. Raises IllustrateError.
+
+    The open file is left without an illustration.
+    """
+    scene, found = bpy.context.scene, find_frames(folder, wanted)
+    warnings: list[str] = []
+    _check(scene, found, partial)
+    saving = only_saved(
+        write=lambda: warnings.extend(merge(scene, found, partial)),
+        remove=lambda: output.clear(scene),
+    )
     try:
-        write_blend(os.path.abspath(path))
+        write_blend(os.path.abspath(path), saving=saving)
     except (OSError, RuntimeError) as error:
         raise IllustrateError(f'"{path}" cannot be written: {error}') from error
+    for warning in warnings:
+        complain(f"warning: {warning}")
     say(f"Saved: '{path}'")
     say(f"merged {counted(len(found.sheets), 'frame')}")
+
+
+def _check(scene: Any, found: Found, partial: bool) -> None:
+    """Raises IllustrateError where nothing is to be merged."""
+    output.check_can_bake(scene.illustrate.output)
+    if not found.sheets or (found.problems and not partial):
+        told = ". ".join(["Nothing was merged", *found.problems])
+        raise IllustrateError(told if found.problems else f"{told}: there are no frames")
+
+
+@contextmanager
+def _no_garbage_collection() -> Iterator[None]:
+    """A JSON file is ten thousands of lists: looking for circles among them takes a third more."""
+    was_on = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was_on:
+            gc.enable()
 
 
 class _Foreign(ValueError):

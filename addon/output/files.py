@@ -4,7 +4,7 @@ import os
 import signal
 import tempfile
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from dataclasses import dataclass
 from typing import Any
 from uuid import uuid4
@@ -61,12 +61,17 @@ def write_file(path: str, page: Page) -> None:
         raise IllustrateError(f'"{path}" cannot be written: {error}') from error
 
 
-def write_blend(path: str, made_by: dict[str, Any] | None = None) -> None:
+def write_blend(
+    path: str,
+    made_by: dict[str, Any] | None = None,
+    saving: AbstractContextManager[None] | None = None,
+) -> None:
     """A copy of the open file as it is, illustration and all; the open file stays the open file.
 
-    Raises OSError or RuntimeError.
+    saving: what is entered while it is saved. Raises OSError, RuntimeError, and what `saving`
+    raises; then nothing is written.
     """
-    with _whole(path) as unfinished, _no_preview():
+    with _whole(path) as unfinished, _no_preview(), saving or nullcontext():
         bpy.ops.wm.save_as_mainfile(filepath=unfinished, copy=True, check_existing=False)
         if made_by is not None:
             append_stamp(unfinished, made_by)

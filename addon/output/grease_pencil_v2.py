@@ -83,18 +83,17 @@ def remove_strokes(data: Any, layer: Any, frame: Any) -> None:
 
 def append(data: Any, layer: Any, frame: Any, group: StrokeGroup, pen: int) -> None:
     """Adds the strokes of a group after those that are there."""
-    ends = np.cumsum(group.sizes)
+    ends, points, widths = np.cumsum(group.sizes), group.points, 2 * group.radii
     for size, end, closed in zip(
         group.sizes.tolist(), ends.tolist(), group.closed.tolist(), strict=True
     ):
         stroke = frame.strokes.new()
         stroke.display_mode = "3DSPACE"
         stroke.line_width, stroke.material_index, stroke.use_cyclic = LINE_WIDTH, pen, closed
-        stroke.points.add(size)
+        stroke.points.add(size, strength=1.0)
         span = slice(end - size, end)
-        stroke.points.foreach_set("co", group.points[span].ravel())
-        stroke.points.foreach_set("pressure", 2 * group.radii[span])
-        stroke.points.foreach_set("strength", np.ones(size, np.float32))
+        stroke.points.foreach_set("co", points[span].ravel())
+        stroke.points.foreach_set("pressure", widths[span])
     _remember(data, layer, frame, group)
 
 
