@@ -1,0 +1,36 @@
+"""Drawings on paper: pages, pens, the order of strokes, and files of millimetres.
+
+    strokes = strokes_of(drawing)
+    plot = plot_of(strokes, width_px, height_px, PlotOptions(paper="A4", margin_mm=10))
+    open("torus.svg", "w").write(svg_of(plot))
+
+Each step is a function on plain arrays, in a file of its own; docs/plot.md.
+"""
+
+from .errors import PlotError
+from .order import Cost, Machine
+from .pages import FORMATS, Page
+from .pens import Layer, Pen, one_pen, pens_by_line
+from .plans import Plot, PlotOptions, Thing, plot_of, strokes_of
+from .strokes import Strokes, Subject
+from .svg_file import svg_of
+
+__all__ = [
+    "FORMATS",
+    "Cost",
+    "Layer",
+    "Machine",
+    "Page",
+    "Pen",
+    "Plot",
+    "PlotError",
+    "PlotOptions",
+    "Strokes",
+    "Subject",
+    "Thing",
+    "one_pen",
+    "pens_by_line",
+    "plot_of",
+    "strokes_of",
+    "svg_of",
+]
