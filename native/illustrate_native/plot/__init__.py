@@ -8,14 +8,16 @@ Each step is a function on plain arrays, in a file of its own; docs/plot.md.
 """
 
 from .errors import PlotError
+from .formats import EXTENSIONS, file_of
 from .order import Cost, Machine
 from .pages import FORMATS, Page
 from .pens import Layer, Pen, one_pen, pens_by_line
-from .plans import Plot, PlotOptions, Thing, plot_of, strokes_of
-from .strokes import Strokes, Subject
+from .plans import Plot, PlotOptions, Thing, placing_of, plot_of, strokes_of
+from .strokes import Strokes, Subject, make_strokes
 from .svg_file import svg_of
 
 __all__ = [
+    "EXTENSIONS",
     "FORMATS",
     "Cost",
     "Layer",
@@ -28,8 +30,11 @@ __all__ = [
     "Strokes",
     "Subject",
     "Thing",
+    "file_of",
+    "make_strokes",
     "one_pen",
     "pens_by_line",
+    "placing_of",
     "plot_of",
     "strokes_of",
     "svg_of",

@@ -260,6 +260,11 @@ def _weights(u: Floats) -> Floats:
     return np.stack([v**3, 3 * v * v * u, 3 * v * u * u, u**3], axis=1)
 
 
+def bezier(controls: Floats, u: Floats) -> Floats:
+    """(n, 2) points of one Bézier (4, 2) at parameters (n,)."""
+    return np.asarray(_weights(u) @ controls)
+
+
 def _bezier(controls: Floats, u: Floats) -> Floats:
     return np.asarray(np.einsum("ij,ijk->ik", _weights(u), controls))
 

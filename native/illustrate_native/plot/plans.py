@@ -101,8 +101,10 @@ def _subject(kind: str, things: Sequence[Thing], index: int, material: str) -> S
     return Subject(kind, thing.name, thing.collections, material)
 
 
-def plot_of(strokes: Strokes, width_px: float, height_px: float, options: PlotOptions) -> Plot:
-    """Strokes of a picture, in pixels, as a plot. Raises PlotError naming what cannot be done."""
+def placing_of(
+    strokes: Strokes, width_px: float, height_px: float, options: PlotOptions
+) -> tuple[Page, Placing]:
+    """The page, and where a picture of width_px by height_px lies on it. Raises PlotError."""
     frame = (0.0, 0.0, float(width_px), float(height_px))
     page = make_page(
         options.paper,
@@ -111,8 +113,13 @@ def plot_of(strokes: Strokes, width_px: float, height_px: float, options: PlotOp
         options.bleed_mm,
         is_wide=width_px > height_px,
     )
+    return page, place(page, frame, options.fit, box_of(strokes), options.scale)
+
+
+def plot_of(strokes: Strokes, width_px: float, height_px: float, options: PlotOptions) -> Plot:
+    """Strokes of a picture, in pixels, as a plot. Raises PlotError naming what cannot be done."""
     _check(options)
-    placing = place(page, frame, options.fit, box_of(strokes), options.scale)
+    page, placing = placing_of(strokes, width_px, height_px, options)
     laid = without_repeats(placed(without_repeats(strokes), placing))
     laid = _without_dots(without_repeats(cropped(laid, page.printed)))
     layers, warnings = layers_of(laid, list(options.pens))

@@ -21,12 +21,12 @@ from .strokes import Floats
 _HEAD = """<?xml version="1.0" encoding="UTF-8"?>
 <svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"
      version="1.1" width="{width}mm" height="{height}mm" viewBox="{left} {top} {width} {height}">"""
-_END = "</svg>"
+END = "</svg>"
 
 
 def svg_of(plot: Plot, made_by: Mapping[str, Any] | None = None) -> str:
     """SVG text; the same plot gives the same. made_by: as of `illustrate_native.svg.to_svg`."""
-    return "\n".join([*head(plot, made_by), *layers(plot), _END, ""])
+    return "\n".join([*head(plot, made_by), *layers(plot), END, ""])
 
 
 def head(plot: Plot, made_by: Mapping[str, Any] | None) -> Iterator[str]:
