@@ -132,6 +132,11 @@ def nothing_to_draw(scene: Any, selected_only: bool, without_faces: list[str]) -
     )
 
 
+def collections_of(scene: Any, name: str) -> tuple[str, ...]:
+    """Names of the scene's collections that an object is in, those that these are in too."""
+    return tuple(c.name for c in scene.collection.children_recursive if name in c.all_objects)
+
+
 # --- Camera -------------------------------------------------------------------------------------
 
 

@@ -8,9 +8,9 @@ Each step is a function on plain arrays, in a file of its own; docs/plot.md.
 """
 
 from .errors import PlotError
-from .formats import EXTENSIONS, file_of
+from .formats import EXTENSIONS, check, file_of, read_made_by
 from .order import Cost, Machine
-from .pages import FORMATS, Page
+from .pages import FORMATS, Page, read_paper
 from .pens import Layer, Pen, one_pen, pens_by_line
 from .plans import Plot, PlotOptions, Thing, placing_of, plot_of, strokes_of
 from .strokes import Strokes, Subject, make_strokes
@@ -30,12 +30,15 @@ __all__ = [
     "Strokes",
     "Subject",
     "Thing",
+    "check",
     "file_of",
     "make_strokes",
     "one_pen",
     "pens_by_line",
     "placing_of",
     "plot_of",
+    "read_made_by",
+    "read_paper",
     "strokes_of",
     "svg_of",
 ]

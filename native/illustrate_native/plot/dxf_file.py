@@ -8,9 +8,10 @@ library.
 from __future__ import annotations
 
 import io
+import json
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
 
@@ -29,10 +30,11 @@ _FORBIDDEN = re.compile(r"[^\w \-$]")  # in names of layers
 _MILLIMETRES = 4
 _LONGEST_R12 = 31  # letters of a name
 _BY_LAYER = 256  # the colour of what has that of its layer
+_MADE_BY = "illustrate "  # begins the comment that says how a file was made
 _FINEST_MM = 0.001  # that curves are followed to
 
 
-def dxf_of(plot: Plot, version: str = "R2000") -> bytes:
+def dxf_of(plot: Plot, version: str = "R2000", made_by: Mapping[str, Any] | None = None) -> bytes:
     """DXF of a version of VERSIONS; the same plot gives the same bytes.
 
     Raises PlotError for another version and without ezdxf.
@@ -47,8 +49,18 @@ def dxf_of(plot: Plot, version: str = "R2000") -> bytes:
             name = _name(layer.label, version, document.layers)
             document.layers.add(name, **_look(ezdxf, layer, version))
             _draw(document.modelspace(), plot, layer, {"layer": name}, version == "R12")
+        if made_by is not None:
+            text.write(f"999\n{_MADE_BY}{json.dumps(made_by)}\n")
         document.write(text)
     return text.getvalue().encode(document.output_encoding, "dxfreplace")
+
+
+def read_made_by(data: bytes) -> dict[str, Any]:
+    """What `dxf_of` was given as made_by. Raises ValueError where there is none, or no end."""
+    lines = data.decode("latin-1").splitlines()
+    if len(lines) < 2 or not lines[1].startswith(_MADE_BY) or lines[-1] != "EOF":
+        raise ValueError("not a whole DXF that says how it was made")
+    return dict(json.loads(lines[1].removeprefix(_MADE_BY)))
 
 
 @contextmanager

@@ -12,10 +12,10 @@ from ..line_groups import DrawingArrays, line_groups
 from .curves import Curves, fitted
 from .dashes import dashed
 from .errors import PlotError
-from .order import Cost, Machine, cost, ordered
+from .order import Cost, Machine, cost, ordered, pen_up_segments
 from .pages import Box, Page, Placing, box_of, cropped, make_page, place, placed
 from .pens import Layer, Pen, layers_of, one_pen
-from .strokes import Strokes, Subject, chosen, without_repeats
+from .strokes import Floats, Strokes, Subject, chosen, without_repeats
 
 ROUNDED_MM = 0.0071  # the farthest that rounding to hundredths moves a point
 DOT_MM = 0.015  # strokes within a square of this size cannot be drawn
@@ -57,6 +57,10 @@ class Plot:
     tolerance_mm: float
     costs: Cost
     warnings: tuple[str, ...] = ()
+
+    def travel(self) -> list[Floats]:
+        """(n, 2, 2) the ways with the pen up of each layer that is plotted, millimetres."""
+        return [pen_up_segments(layer.strokes) for layer in self.layers if layer.pen.is_plotted]
 
     def curves(self, layer: Layer) -> Curves:
         """The strokes of a layer as curves within the tolerance, after they are rounded."""
