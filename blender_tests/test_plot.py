@@ -142,12 +142,34 @@ def test_other_millimetres_than_those_of_the_drawing_are_said(scene: Any) -> Non
     tools.cube_scene(scene)
     scene.illustrate.unit = "MILLIMETRE"
     made = illustrate.illustration.illustrate(scene, bpy.context.evaluated_depsgraph_get())
-    arguments = made.drawing, made.arrays.camera, made.names
     width = 320 * 190 / 240
-    [warning] = [w for w in plots.plot_of(scene, *arguments).warnings if "Page Width" in w]
+    [warning] = [w for w in plots.plot_of(scene, made).warnings if "Page Width" in w]
     assert f"{width:.1f} mm wide on the page" in warning
     scene.illustrate.page_width_mm = width
-    assert not [w for w in plots.plot_of(scene, *arguments).warnings if "Page Width" in w]
+    assert not [w for w in plots.plot_of(scene, made).warnings if "Page Width" in w]
+
+
+def test_regions_are_filled_below_the_lines(scene: Any, tmp_path: Any) -> None:
+    pytest.importorskip("shapely", reason="shapely is not installed")
+    cube = tools.cube_scene(scene)
+    material = bpy.data.materials.new("Red")
+    material.diffuse_color = (1.0, 0.0, 0.0, 1.0)
+    cube.data.materials.append(material)
+    scene.illustrate_plot.fill_regions = True
+    export(tmp_path / "cube.svg")
+    layers = groups(tmp_path / "cube.svg")
+    assert next(iter(layers)) == "%Regions"
+    [path] = layers["%Regions"]
+    assert (path.get("fill"), path.get(INKSCAPE + "label")) == ("#ff0000", "Box")
+
+
+def test_regions_without_shapely_are_refused(scene: Any, tmp_path: Any, monkeypatch: Any) -> None:
+    tools.cube_scene(scene)
+    scene.illustrate_plot.fill_regions = True
+    monkeypatch.setitem(sys.modules, "shapely", None)
+    with pytest.raises(RuntimeError, match="Filling regions needs the Python package shapely"):
+        export(tmp_path / "cube.svg")
+    assert not list(tmp_path.iterdir())
 
 
 def test_a_sequence_is_animated_and_goes_back(scene: Any, tmp_path: Any) -> None:

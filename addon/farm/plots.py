@@ -20,9 +20,12 @@ def choose(scene: Any, chosen: Any) -> None:
     """Puts what the command line says of plots into the scene. Raises IllustrateError."""
     if chosen.plot and chosen.plot != OWN:
         presets.apply(chosen.plot, presets.PLOT_FOLDER)
-    for extension in (*chosen.format, *chosen.sequence):
-        if extension in PLOT_FORMATS:
-            check_format(extension)
+    files = PlotFiles(chosen)
+    for extension in chosen.format:
+        if files.takes(extension):
+            check_format(scene, extension)
+    for extension in chosen.sequence:
+        check_format(scene, extension, True)
     settings, plot = scene.illustrate_plot, native.load_part("plot")
     if chosen.page:
         try:
@@ -56,7 +59,7 @@ class PlotFiles:
         """Puts the drawing of a frame on its page, where any file asks for it."""
         if not self.is_any:
             return
-        self._plot = plot_of(scene, made.drawing, made.arrays.camera, made.names)
+        self._plot = plot_of(scene, made)
         for warning in self._plot.warnings:
             complain(f"warning: {warning}")
         if self._sequences:

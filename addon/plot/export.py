@@ -49,8 +49,8 @@ class ILLUSTRATE_OT_export_drawing(DrawingOperator, bpy.types.Operator):
         """Draws, puts on paper and writes."""
         path = bpy.path.abspath(self.filepath)
         extension = os.path.splitext(path)[1][1:].lower()
-        check_format(extension, self.sequence)
         scene = context.scene
+        check_format(scene, extension, self.sequence)
         name, rate = scene.name, scene.render.fps / scene.render.fps_base
         now = scene.frame_current
         frames = frames_of(scene) if self.sequence else range(now, now + 1)
@@ -94,7 +94,7 @@ def _plots(
                 still_there(name).frame_set(frame)
             made = yield from _drawn(operator, context, name, exposed, share)
             exposed = exposed or made.drawing
-            plots.append(plot_of(still_there(name), made.drawing, made.arrays.camera, made.names))
+            plots.append(plot_of(still_there(name), made))
             found = [*made.warnings, *plots[-1].warnings]
             warnings += [warning for warning in found if warning not in warnings]
     finally:

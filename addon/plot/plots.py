@@ -10,28 +10,45 @@ import numpy as np
 from .. import native
 from ..messages import IllustrateError
 from ..output.png import encoded
-from ..scene import collections_of
+from ..scene import collections_of, colour_of
 from ..settings import draw_values
 
 LENGTHS_OFF = 0.02  # share by which the drawing's page may be off the plot's before it is said
 
 
-def plot_of(scene: Any, drawing: Any, camera: Any, names: list[str]) -> Any:
-    """`illustrate_native.plot.Plot` of a drawing seen by a camera (CameraArrays).
+def plot_of(scene: Any, made: Any) -> Any:
+    """`illustrate_native.plot.Plot` of an Illustration of the scene.
 
-    names: of the meshes. Raises IllustrateError for settings that cannot be plotted with.
+    Raises IllustrateError for settings that cannot be plotted with.
     """
-    plot = native.load_part("plot")
+    plot, camera, names = native.load_part("plot"), made.arrays.camera, made.names
     size = camera.width_px, camera.height_px
     with _explained():
         things = [plot.Thing(name, collections_of(scene, name)) for name in names]
-        strokes = plot.strokes_of(drawing, things)
+        strokes = plot.strokes_of(made.drawing, things)
         options = _options(plot, scene, camera)
         _, placing = plot.placing_of(strokes, *size, options)
         pens = _pens(plot, scene, camera.width_px, placing.scale)
-        made = plot.plot_of(strokes, *size, replace(options, pens=tuple(pens)))
-    warnings = (*made.warnings, *_off(scene.illustrate, placing.scale * camera.width_px))
-    return replace(made, warnings=warnings)
+        areas = _regions(plot, scene, made) if scene.illustrate_plot.fill_regions else ()
+        laid = plot.plot_of(strokes, *size, replace(options, pens=tuple(pens)), areas)
+    warnings = (*laid.warnings, *_off(scene.illustrate, placing.scale * camera.width_px))
+    return replace(laid, warnings=warnings)
+
+
+def _regions(plot: Any, scene: Any, made: Any) -> list[Any]:
+    """What is seen of each object, in the colour of its material."""
+    camera = made.arrays.camera
+    size = camera.width_px, camera.height_px
+    seen = plot.seen_from(made.prepared.surface, camera.projection, camera.view, *size)
+    names = made.names
+    return [
+        replace(
+            region,
+            name=names[region.object],
+            colour=_hex(colour_of(scene, names[region.object]), True),
+        )
+        for region in plot.regions_of(made.drawing.graph, seen, *size)
+    ]
 
 
 def page_of(scene: Any, camera: Any) -> tuple[Any, Any] | None:
@@ -145,10 +162,11 @@ def _off(settings: Any, width_mm: float) -> Iterator[str]:
         )
 
 
-def check_format(extension: str, is_sequence: bool = False) -> None:
-    """Raises IllustrateError where `bytes_of` would, before anything is drawn."""
+def check_format(scene: Any, extension: str, is_sequence: bool = False) -> None:
+    """Raises IllustrateError for what is not there to write a scene's plot, before it is drawn."""
     with _explained():
-        native.load_part("plot").check(extension, is_sequence)
+        fills = scene.illustrate_plot.fill_regions
+        native.load_part("plot").check(extension, is_sequence, fills)
 
 
 def bytes_of(

@@ -113,6 +113,11 @@ class ILLUSTRATE_PG_plot(bpy.types.PropertyGroup):
         name="Scale 1:", default=50.0, min=1e-6, soft_max=1000.0,
         description="How many times smaller than the scene the drawing is",
     )  # fmt: skip
+    fill_regions: BoolProperty(
+        name="Fill Objects",
+        default=False,
+        description="Fill what is seen of objects with their materials' colours, below the lines",
+    )
     pens_by: EnumProperty(name="Pens", items=PENS, default="LINES", description="What draws what")
     pen_width_mm: _mm("Pen Width", 0.3, "How wide the only pen draws")
     hidden_dash_mm: _mm("Hidden Dash", 2.0, "Dashes of hidden lines, 0 for whole lines")

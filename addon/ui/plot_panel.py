@@ -77,7 +77,7 @@ class ILLUSTRATE_PT_pens(_Plot, bpy.types.Panel):
     bl_idname = "ILLUSTRATE_PT_pens"
     bl_label = "Pens"
     bl_parent_id = "ILLUSTRATE_PT_plot"
-    fields = ("pens_by", "pen_width_mm", "hidden_dash_mm", "hidden_gap_mm")
+    fields = ("fill_regions", "pens_by", "pen_width_mm", "hidden_dash_mm", "hidden_gap_mm")
 
     def draw(self, context: Any) -> None:
         """Shows the choice, and own pens as a list."""

@@ -13,6 +13,7 @@ from .order import Cost, Machine
 from .pages import FORMATS, Page, read_paper
 from .pens import Layer, Pen, one_pen, pens_by_line
 from .plans import Plot, PlotOptions, Thing, placing_of, plot_of, strokes_of
+from .regions import Region, regions_of, seen_from
 from .strokes import Strokes, Subject, make_strokes
 from .svg_file import svg_of
 
@@ -27,6 +28,7 @@ __all__ = [
     "Plot",
     "PlotError",
     "PlotOptions",
+    "Region",
     "Strokes",
     "Subject",
     "Thing",
@@ -39,6 +41,8 @@ __all__ = [
     "plot_of",
     "read_made_by",
     "read_paper",
+    "regions_of",
+    "seen_from",
     "strokes_of",
     "svg_of",
 ]

@@ -19,10 +19,9 @@ import numpy as np
 from .strokes import Flags, Floats, Indices, Strokes, opened
 
 CORNER_DEG = 50.0  # a stroke that turns more at a point has a corner there
-STRAIGHT_SHARE = 0.5  # of the tolerance: nearer to its chord than this, a piece is a line
 SAMPLES = 3  # of each segment that the curve is held to
 NEWTON_STEPS = 3  # for the distances that count
-REFITS = 3
+REFITS = 5
 WEIGHT_ALONG = 0.001  # of squares of distances along the curve
 LEAST_DETERMINANT = 1e-15  # below it the samples say too little of the inner points
 
@@ -95,7 +94,7 @@ class _Fit:
         lines = _lines(self._points[starts], self._points[ends])
         u = done / (done + left)
         off_line = np.linalg.norm(_bezier(lines[rows.piece], u) - points, axis=1)
-        straight = rows.greatest(off_line) <= STRAIGHT_SHARE * self._tolerance
+        straight = rows.greatest(off_line) <= self._tolerance
         straight |= ends - starts <= SAMPLES
         controls, off = _closest(lines, rows, points, u)
         good = straight | (rows.greatest(off) <= self._tolerance)

@@ -29,12 +29,14 @@ def read_made_by(extension: str, data: bytes) -> dict[str, Any]:
     return dxf_file.read_made_by(data)
 
 
-def check(extension: str, is_sequence: bool = False) -> None:
-    """Raises PlotError where `file_of` would: nothing need be drawn for it."""
+def check(extension: str, is_sequence: bool = False, has_regions: bool = False) -> None:
+    """Raises PlotError where `file_of` or filling regions would: nothing need be drawn for it."""
     if extension not in EXTENSIONS:
         raise PlotError(f"{extension!r} is no format of plots: choose {', '.join(EXTENSIONS)}")
     if is_sequence and extension == "dxf":
         raise PlotError("a DXF holds one drawing: choose PDF or SVG for a sequence")
+    if has_regions:
+        load("shapely", "Filling regions")
     if extension in LIBRARIES:
         load(LIBRARIES[extension], extension.upper())
 

@@ -18,6 +18,7 @@ from .pages import Box
 from .pens import Layer
 from .plans import Plot
 from .strokes import Floats
+from .svg_file import REGIONS
 
 POINTS_PER_MM = 72 / 25.4
 MADE_BY = "/Illustrate"
@@ -31,7 +32,9 @@ def pdf_of(plots: Sequence[Plot], made_by: Mapping[str, Any] | None = None) -> b
     """
     pypdf = load("pypdf", "PDF")
     writer = pypdf.PdfWriter()
-    names = list(dict.fromkeys(layer.label for plot in plots for layer in plot.layers))
+    areas = [REGIONS] if any(plot.regions for plot in plots) else []
+    labels = [layer.label for plot in plots for layer in plot.layers]
+    names = list(dict.fromkeys([*areas, *labels]))
     groups = {name: _optional_content(pypdf.generic, writer, name) for name in names}
     for plot in plots:
         _add_page(pypdf.generic, writer, plot, groups)
@@ -79,6 +82,8 @@ def _add_page(generic: Any, writer: Any, plot: Plot, groups: dict[str, Any]) -> 
     for name, box in (("/BleedBox", outer), ("/TrimBox", trim)):
         page[generic.NameObject(name)] = _box(generic, box, outer)
     used = generic.DictionaryObject()
+    if plot.regions:
+        used[generic.NameObject("/R")] = groups[REGIONS]
     for i, layer in enumerate(plot.layers):
         used[generic.NameObject(f"/L{i}")] = groups[layer.label]
     resources = generic.DictionaryObject()
@@ -102,6 +107,12 @@ def _content(plot: Plot) -> Iterator[str]:
     left, _, _, bottom = plot.page.outer
     k = POINTS_PER_MM
     yield f"{k:.9f} 0 0 {-k:.9f} {-left * k:.6f} {bottom * k:.6f} cm 1 J 1 j"
+    if plot.regions:
+        yield "/OC /R BDC"
+        for region in plot.regions:
+            rings = (_ring(ring) for polygon in region.polygons for ring in polygon)
+            yield f"{_ink(region.colour)} rg {' '.join(rings)} f*"
+        yield "EMC"
     for i, layer in enumerate(plot.layers):
         yield f"/OC /L{i} BDC"
         yield from _layer(plot, layer)
@@ -109,7 +120,7 @@ def _content(plot: Plot) -> Iterator[str]:
 
 
 def _layer(plot: Plot, layer: Layer) -> Iterator[str]:
-    ink = " ".join(f"{int(layer.pen.colour[i : i + 2], 16) / 255:.4g}" for i in (1, 3, 5))
+    ink = _ink(layer.pen.colour)
     if layer.pen.is_tapered:
         yield f"{ink} rg"
         yield from (" ".join(map(_ring, rings)) + " f" for rings in outlines(layer.strokes))
@@ -126,6 +137,10 @@ def _layer(plot: Plot, layer: Layer) -> Iterator[str]:
             ends = controls[piece, 3:] if is_line else controls[piece, 1:]
             parts.append(f"{_numbers(*ends.ravel())} {'l' if is_line else 'c'}")
         yield " ".join(parts) + (" s" if is_closed else " S")
+
+
+def _ink(colour: str) -> str:
+    return " ".join(f"{int(colour[i : i + 2], 16) / 255:.4g}" for i in (1, 3, 5))
 
 
 def _ring(ring: Floats) -> str:

@@ -15,6 +15,7 @@ from .errors import PlotError
 from .order import Cost, Machine, cost, ordered, pen_up_segments
 from .pages import Box, Page, Placing, box_of, cropped, make_page, place, placed
 from .pens import Layer, Pen, layers_of, one_pen
+from .regions import Region, placed_regions
 from .strokes import Floats, Strokes, Subject, chosen, without_repeats
 
 ROUNDED_MM = 0.0071  # the farthest that rounding to hundredths moves a point
@@ -57,6 +58,7 @@ class Plot:
     tolerance_mm: float
     costs: Cost
     warnings: tuple[str, ...] = ()
+    regions: tuple[Region, ...] = ()  # areas to be filled, below all layers
 
     def travel(self) -> list[Floats]:
         """(n, 2, 2) the ways with the pen up of each layer that is plotted, millimetres."""
@@ -120,8 +122,17 @@ def placing_of(
     return page, place(page, frame, options.fit, box_of(strokes), options.scale)
 
 
-def plot_of(strokes: Strokes, width_px: float, height_px: float, options: PlotOptions) -> Plot:
-    """Strokes of a picture, in pixels, as a plot. Raises PlotError naming what cannot be done."""
+def plot_of(
+    strokes: Strokes,
+    width_px: float,
+    height_px: float,
+    options: PlotOptions,
+    regions: Sequence[Region] = (),
+) -> Plot:
+    """Strokes and areas of a picture, in pixels, as a plot.
+
+    Raises PlotError naming what cannot be done.
+    """
     _check(options)
     page, placing = placing_of(strokes, width_px, height_px, options)
     laid = without_repeats(placed(without_repeats(strokes), placing))
@@ -135,7 +146,8 @@ def plot_of(strokes: Strokes, width_px: float, height_px: float, options: PlotOp
     done = tuple(_finished(layer, options) for layer in layers)
     costs = [cost(layer.strokes, options.machine) for layer in done if layer.pen.is_plotted]
     whole = sum(costs, Cost())
-    return Plot(page, placing, done, options.tolerance_mm, whole, tuple(warnings))
+    areas = placed_regions(regions, placing, page.printed)
+    return Plot(page, placing, done, options.tolerance_mm, whole, tuple(warnings), areas)
 
 
 def _without_dots(strokes: Strokes) -> Strokes:

@@ -16,12 +16,15 @@ from .curves import Curves
 from .outlines import outlines
 from .pens import Layer
 from .plans import Plot
+from .regions import Region
 from .strokes import Floats
 
 _HEAD = """<?xml version="1.0" encoding="UTF-8"?>
 <svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"
      version="1.1" width="{width}mm" height="{height}mm" viewBox="{left} {top} {width} {height}">"""
 END = "</svg>"
+REGIONS = "%Regions"
+"""The layer of areas, which AxiDraw does not plot."""
 
 
 def svg_of(plot: Plot, made_by: Mapping[str, Any] | None = None) -> str:
@@ -40,6 +43,10 @@ def head(plot: Plot, made_by: Mapping[str, Any] | None) -> Iterator[str]:
 
 def layers(plot: Plot, prefix: str = "pen") -> Iterator[str]:
     """All layers as groups; prefix: of their ids, which are each their own in a file."""
+    if plot.regions:
+        yield f'<g id="{prefix}-regions" inkscape:groupmode="layer" inkscape:label="{REGIONS}">'
+        yield from map(_region, plot.regions)
+        yield "</g>"
     for place, layer in enumerate(plot.layers):
         name = f"{prefix}-{place + 1}"
         yield (
@@ -70,6 +77,14 @@ def _paint(layer: Layer) -> str:
 def _outlines(layer: Layer) -> Iterator[str]:
     for rings in outlines(layer.strokes):
         yield "".join(_ring(ring) for ring in rings)
+
+
+def _region(region: Region) -> str:
+    rings = (_ring(ring) for polygon in region.polygons for ring in polygon)
+    return (
+        f'<path inkscape:label={quoteattr(region.name)} fill="{region.colour}" fill-rule="evenodd" '
+        f'd="{"".join(rings)}"/>'
+    )
 
 
 def _ring(ring: Floats) -> str:

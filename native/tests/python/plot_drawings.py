@@ -34,19 +34,25 @@ def drawing_of_every_kind() -> StoredDrawing:
     )
 
 
-@cache
-def torus_drawing() -> Any:
-    """A hatched torus at WIDTH_PX x HEIGHT_PX."""
+def torus_mesh(turn: Any = None, place: Any = (0.0, 0.0, 0.0)) -> ill.PolygonMesh:
+    """A ring of 16 x 16 quads; turn: (3, 3), place: (3,)."""
     u, v = (a.ravel() for a in np.meshgrid(*[np.arange(16)] * 2, indexing="ij"))
     au, av = u * np.pi / 8, v * np.pi / 8
     ring = 1 + 0.4 * np.cos(av)
     positions = np.c_[ring * np.cos(au), ring * np.sin(au), 0.4 * np.sin(av)]
+    positions = positions @ (np.eye(3) if turn is None else turn).T + place
     corners = [((u + i) % 16) * 16 + (v + j) % 16 for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))]
-    mesh = ill.PolygonMesh(positions, np.full(256, 4), np.stack(corners, axis=1).ravel())
-    return ill.draw(ill.prepare([mesh]), _camera(), ill.DrawOptions(hidden_lines=(1, 3)))
+    return ill.PolygonMesh(positions, np.full(256, 4), np.stack(corners, axis=1).ravel())
 
 
-def _camera() -> ill.Camera:
+@cache
+def torus_drawing() -> Any:
+    """A hatched torus at WIDTH_PX x HEIGHT_PX."""
+    return ill.draw(ill.prepare([torus_mesh()]), camera(), ill.DrawOptions(hidden_lines=(1, 3)))
+
+
+def camera() -> ill.Camera:
+    """It looks down at the origin, at WIDTH_PX x HEIGHT_PX."""
     eye = np.array([0.0, -4.0, 3.0])
     back = eye / np.linalg.norm(eye)
     right = np.array([1.0, 0.0, 0.0])
