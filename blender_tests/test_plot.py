@@ -13,7 +13,6 @@ import pytest
 from illustrate.messages import IllustrateError
 from illustrate.output import stamps
 from illustrate.plot import plots
-from illustrate.plot.export import minutes
 from illustrate.plot.settings import KINDS
 from illustrate.scene import read_camera
 from illustrate.ui import plot_panel, presets
@@ -286,7 +285,7 @@ def test_the_switches_of_the_overlay() -> None:
 
 
 def test_times_are_in_words() -> None:
-    assert [minutes(s) for s in (0.4, 59.6, 200)] == ["0 s", "1 min 0 s", "3 min 20 s"]
+    assert [plots.minutes(s) for s in (0.4, 59.6, 200)] == ["0 s", "1 min 0 s", "3 min 20 s"]
 
 
 def saved(folder: Any) -> pathlib.Path:
@@ -303,6 +302,7 @@ def test_headless_plots_with_a_preset(scene: Any, tmp_path: Any) -> None:
     ran = headless(blend, *arguments)
     assert ran.returncode == 0, ran.stdout + ran.stderr
     names = sorted(path.name for path in out.iterdir())
+    assert re.search(r"shot_0001.svg: \d layers, \d+ strokes, .* about \d+ min \d+ s", ran.stdout)
     assert names == ["shot.svg", "shot_0001.svg", "shot_0002.svg"]
     assert 'width="210mm" height="148mm"' in (out / names[1]).read_text()
     assert "2 Hatching" in groups(out / names[1])

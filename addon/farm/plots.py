@@ -9,7 +9,7 @@ from .. import native
 from ..illustration import Illustration
 from ..messages import IllustrateError
 from ..output.files import PLOT_FORMATS, write_bytes
-from ..plot.plots import bytes_of, check_format, plot_of
+from ..plot.plots import bytes_of, check_format, plot_of, summary
 from ..ui import presets
 from .lines import complain, say
 
@@ -68,6 +68,7 @@ class PlotFiles:
     def write(self, path: str, made_by: dict[str, Any]) -> None:
         """Writes the plot of the last frame."""
         write_bytes(path, bytes_of(os.path.splitext(path)[1][1:], [self._plot], made_by))
+        say(summary(path, [self._plot]))
 
     def write_sequences(self, folder: str, name: str) -> None:
         """Writes the files of all frames, where there are some."""

@@ -11,13 +11,12 @@ from bpy.props import BoolProperty, StringProperty
 
 from ..bake import frames_of
 from ..illustration import Illustration, compute, hatches_render, read_request
-from ..messages import counted
 from ..operators import DrawingOperator, still_there
 from ..output.files import write_bytes
 from ..rendering import render_steps
 from ..tasks import Step, Task
 from ..tone_images import tone_of
-from .plots import PLANNED, bytes_of, check_format, plot_of
+from .plots import PLANNED, bytes_of, check_format, plot_of, summary
 
 
 class ILLUSTRATE_OT_export_drawing(DrawingOperator, bpy.types.Operator):
@@ -58,24 +57,6 @@ class ILLUSTRATE_OT_export_drawing(DrawingOperator, bpy.types.Operator):
         write_bytes(path, bytes_of(extension, plots, rate=rate))
         PLANNED.remember(name, plots[0])
         return [*(("WARNING", warning) for warning in warnings), ("INFO", summary(path, plots))]
-
-
-def summary(path: str, plots: list[Any]) -> str:
-    """What a plot takes, in a line."""
-    costs = sum((plot.costs for plot in plots[1:]), plots[0].costs)
-    layers = counted(len(plots[0].layers), "layer")
-    pages = f"{counted(len(plots), 'page')}, " if len(plots) > 1 else ""
-    return (
-        f"{os.path.basename(path)}: {pages}{layers}, {counted(costs.strokes, 'stroke')}, "
-        f"{costs.down_mm / 1000:.1f} m drawn, {costs.up_mm / 1000:.1f} m with the pen up, about "
-        f"{minutes(costs.seconds)}"
-    )
-
-
-def minutes(seconds: float) -> str:
-    """Such as '3 min 20 s'."""
-    whole, rest = divmod(round(seconds), 60)
-    return f"{whole} min {rest} s" if whole else f"{rest} s"
 
 
 def _plots(

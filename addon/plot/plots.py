@@ -1,5 +1,6 @@
 """From a drawing and the scene's settings to a plot (illustrate_native.plot)."""
 
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
@@ -8,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from .. import native
-from ..messages import IllustrateError
+from ..messages import IllustrateError, counted
 from ..output.png import encoded
 from ..scene import collections_of, colour_of
 from ..settings import draw_values
@@ -176,6 +177,24 @@ def bytes_of(
     with _explained():
         data: bytes = native.load_part("plot").file_of(extension, plots, made_by, rate)
     return data
+
+
+def summary(path: str, plots: list[Any]) -> str:
+    """What a plot takes, in a line."""
+    costs = sum((plot.costs for plot in plots[1:]), plots[0].costs)
+    layers = counted(len(plots[0].layers), "layer")
+    pages = f"{counted(len(plots), 'page')}, " if len(plots) > 1 else ""
+    return (
+        f"{os.path.basename(path)}: {pages}{layers}, {counted(costs.strokes, 'stroke')}, "
+        f"{costs.down_mm / 1000:.1f} m drawn, {costs.up_mm / 1000:.1f} m with the pen up, about "
+        f"{minutes(costs.seconds)}"
+    )
+
+
+def minutes(seconds: float) -> str:
+    """Such as '3 min 20 s'."""
+    whole, rest = divmod(round(seconds), 60)
+    return f"{whole} min {rest} s" if whole else f"{rest} s"
 
 
 class Planned:
