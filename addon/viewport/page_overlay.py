@@ -11,7 +11,7 @@ from ..plot.plots import PLANNED, page_of
 from ..scene import camera_problem, read_camera
 from .live import _redraw
 
-PAPER, MARGIN, TRAVEL = (0.1, 0.1, 0.1, 1.0), (0.2, 0.5, 0.9, 1.0), (0.9, 0.1, 0.1, 0.7)
+PAPER, MARGIN, TRAVEL = (1.0, 1.0, 1.0, 1.0), (0.3, 0.6, 1.0, 1.0), (0.9, 0.1, 0.1, 0.7)
 
 
 def rectangle(box: Any) -> Any:
