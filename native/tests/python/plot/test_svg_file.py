@@ -182,6 +182,26 @@ def test_tapered_pens_fill_outlines() -> None:
     assert box == pytest.approx((10, 9, 31, 11), abs=0.02)
 
 
+def test_tapered_pens_fill_dashes_that_go_on_widening() -> None:
+    line = make_strokes([[[100.0, 100.0], [300.0, 100.0]]], [[0.0, 20.0]])
+    pen = Pen("Brush", 0.3, is_tapered=True, dashes_mm=(5.0, 5.0))
+    plot = plot_of(line, 400, 300, PlotOptions(paper=(40, 30), margin_mm=0.0, pens=(pen,)))
+    root = ElementTree.fromstring(svg_of(plot).encode())
+    [group] = (e for e in root if e.tag.endswith("}g"))
+    boxes = sorted(svgelements.Path(path.get("d")).bbox() for path in group)
+    assert [box[0] for box in boxes] == pytest.approx([10, 19.5], abs=0.02)
+    assert [box[3] - box[1] for box in boxes] == pytest.approx([0.5, 1.5], abs=0.02)
+
+
+@pytest.mark.parametrize("marks", [{"pauses": True}, {"is_plotted": False}])
+def test_vpype_knows_the_numbers_of_marked_layers(marks: dict[str, bool], tmp_path: Path) -> None:
+    plot = torus_plot(pens=tuple(replace(pen, **marks) for pen in ISO_PENS))  # type: ignore[arg-type]
+    document = read_by_vpype(svg_of(plot), tmp_path / "marked.svg")
+    assert {i: layer.property("vp_name") for i, layer in document.layers.items()} == {
+        layer.number: layer.label for layer in plot.layers
+    }
+
+
 def test_bleed_widens_the_sheet_and_not_the_place(tmp_path: Path) -> None:
     line = make_strokes([[[0.0, 0.0], [400.0, 300.0]]])
     options = PlotOptions(paper=(40, 30), margin_mm=0.0, bleed_mm=3.0)
