@@ -21,7 +21,7 @@ from .strokes import Flags, Floats, Indices, Strokes, opened
 CORNER_DEG = 50.0  # a stroke that turns more at a point has a corner there
 SAMPLES = 3  # of each segment that the curve is held to
 NEWTON_STEPS = 3  # for the distances that count
-REFITS = 5
+REFITS = 5  # more shorten files by little
 WEIGHT_ALONG = 0.001  # of squares of distances along the curve
 LEAST_DETERMINANT = 1e-15  # below it the samples say too little of the inner points
 
@@ -42,10 +42,10 @@ def fitted(strokes: Strokes, tolerance_mm: float) -> Curves:
     starts, ends = fit.between_corners()
     done: list[tuple[Indices, Floats, Flags]] = []
     while len(starts):
-        controls, straight, worst = fit.pieces(starts, ends)
-        good = worst < 0
+        controls, straight, cuts = fit.pieces(starts, ends)
+        good = cuts < 0
         done.append((starts[good], controls[good], straight[good]))
-        left, right, middle = starts[~good], ends[~good], worst[~good]
+        left, right, middle = starts[~good], ends[~good], cuts[~good]
         starts, ends = np.concatenate([left, middle]), np.concatenate([middle, right])
     return _in_order(done, fit.owners, strokes.closed)
 
@@ -70,8 +70,7 @@ class _Fit:
         corner = _corners(whole)
         before = _sources(whole)
         self._points = _samples(whole, corner, before, tolerance_mm)
-        self._is_point = np.diff(before, append=-1) != 0
-        self._is_point = np.roll(self._is_point, 1)
+        self._is_point = np.diff(before, prepend=-1) != 0
         self._corner = self._is_point & corner[before]
         self.owners = whole.owners[before]
         self._bounds = np.flatnonzero(np.diff(self.owners, prepend=-1, append=-1))
