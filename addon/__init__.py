@@ -14,6 +14,8 @@ from . import (
     viewport,
 )
 from .farm import operator as farm_operator
+from .plot import export, pens
+from .plot import settings as plot_settings
 from .worker import stop_all
 
 bl_info = {
@@ -35,6 +37,9 @@ PARTS = (
     operators,
     bake,
     farm_operator,
+    plot_settings,
+    pens,
+    export,
     *viewport.PARTS,
     *ui.PARTS,
     translations,

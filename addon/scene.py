@@ -25,6 +25,7 @@ UNITS_ACROSS = 1024.0
 MOST_PIXELS = 4.0
 MEASURED_EDGES = 20_000
 LEEWAY = 1.4  # below 2, which would be another level
+NO_COLOUR = (0.6, 0.6, 0.6, 1.0)  # of objects without a material, linear
 MOST_HALVINGS = 12  # more than any level of subdivision
 
 
@@ -130,6 +131,23 @@ def nothing_to_draw(scene: Any, selected_only: bool, without_faces: list[str]) -
         f'Nothing in scene "{scene.name}" can be drawn{empty}: add a mesh with '
         "faces, or show one in viewport and render"
     )
+
+
+def collections_of(scene: Any, name: str) -> tuple[str, ...]:
+    """Names of the scene's collections that an object is in, those that these are in too."""
+    return tuple(c.name for c in scene.collection.children_recursive if name in c.all_objects)
+
+
+def colour_of(scene: Any, name: str) -> tuple[float, ...]:
+    """The colour of an object's first material, linear: its base colour, or in the viewport."""
+    thing = scene.objects.get(name)
+    material = next((slot.material for slot in thing.material_slots), None) if thing else None
+    if material is None:
+        return NO_COLOUR
+    for node in material.node_tree.nodes if material.node_tree else ():
+        if node.type == "BSDF_PRINCIPLED" and not node.inputs["Base Color"].is_linked:
+            return tuple(node.inputs["Base Color"].default_value)
+    return tuple(material.diffuse_color)
 
 
 # --- Camera -------------------------------------------------------------------------------------

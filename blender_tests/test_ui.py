@@ -143,7 +143,8 @@ def test_materials_have_a_panel() -> None:
 
 def test_menus_have_an_entry() -> None:
     assert draw(menus.ILLUSTRATE_MT_main) == [
-        "illustrate.illustrate", "illustrate.bake", "illustrate.import_frames", "illustrate.clear",
+        "illustrate.illustrate", "illustrate.bake", "illustrate.import_frames",
+        "illustrate.export_drawing", "illustrate.clear",
     ]  # fmt: skip
     for name in menus.MENUS:
         entries = getattr(bpy.types, name)._dyn_ui_initialize()

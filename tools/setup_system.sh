@@ -17,7 +17,7 @@ packages_of() {
             echo g++ make patch xz-utils libeigen3-dev
             find_python >/dev/null || echo python3.11 python3.11-venv python3.11-dev
             ;;
-        test) echo libgtest-dev && packages_of bpy ;;
+        test) echo libgtest-dev poppler-utils && packages_of bpy ;;
         bpy)
             echo libegl1 libgl1 libgl1-mesa-dri libice6 libsm6 libx11-6 libxext6 \
                 libxfixes3 libxi6 libxkbcommon0 libxrender1

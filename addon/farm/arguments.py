@@ -5,11 +5,14 @@ import pathlib
 import re
 from typing import Any
 
-from ..output.files import FORMATS
+from ..output.files import FORMATS, PLOT_FORMATS
 from .lines import PROGRESS
 
 PROGRAM = "illustrate"
 MERGE = "merge"
+ALL_FORMATS = (*FORMATS, *PLOT_FORMATS)
+ORDERS = ("shortest", "drawing", "wet")
+SEQUENCES = ("pdf", "svg")
 _PART = re.compile(r"(-?\d+)(?:-(-?\d+)(?:[x:](\d+))?)?")
 
 
@@ -22,6 +25,8 @@ def parse(arguments: list[str]) -> Any:
             f"--name {chosen.name} is one name for {len(chosen.frames)} frames: "
             "put #### for the frame's number"
         )
+    if chosen.sequence and chosen.skip_existing:
+        parser.error("--sequence draws all frames: leave out --skip-existing")
     return chosen
 
 
@@ -60,6 +65,7 @@ def _draw_parser() -> argparse.ArgumentParser:
     _add_frames(parser, "which frames; the scene's current one when left out")
     _add_files(parser)
     _add_look(parser)
+    _add_plot(parser)
     _add_sequence(parser)
     return parser
 
@@ -70,7 +76,7 @@ def _add_frames(parser: argparse.ArgumentParser, words: str) -> None:
 
 def _add_files(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--out", required=True, metavar="DIR", help="the folder to write to")
-    parser.add_argument("--format", type=_formats, default=["svg"], metavar=",".join(FORMATS))
+    parser.add_argument("--format", type=_formats, default=["svg"], metavar=",".join(ALL_FORMATS))
     parser.add_argument(
         "--name",
         type=_name,
@@ -109,6 +115,23 @@ def _add_look(parser: argparse.ArgumentParser) -> None:
         choices=("centerline", "tapered"),
         default="centerline",
         help="paths along the strokes, or outlines as wide as they are",
+    )
+
+
+def _add_plot(parser: argparse.ArgumentParser) -> None:
+    plot = parser.add_argument_group("plots", "PDF and DXF are plots; SVG with one of these is")
+    plot.add_argument(
+        "--plot", metavar="NAME", help='a preset of plots, or "scene": the scene\'s own settings'
+    )
+    plot.add_argument("--page", metavar="A4", help="paper: a format, or such as 150x100 (mm)")
+    plot.add_argument("--scale", type=_scale, metavar="1:50", help="of parallel cameras")
+    plot.add_argument("--order", choices=ORDERS, help="which stroke is drawn next")
+    plot.add_argument(
+        "--sequence",
+        type=_sequences,
+        default=[],
+        metavar="pdf,svg",
+        help="all frames in one file, too: pages of a PDF, an animated SVG",
     )
 
 
@@ -162,9 +185,25 @@ def _name(text: str) -> str:
 def _formats(text: str) -> list[str]:
     formats = text.split(",")
     for name in formats:
-        if name not in FORMATS:
-            raise argparse.ArgumentTypeError(f"{name!r} is not one of {', '.join(FORMATS)}")
+        if name not in ALL_FORMATS:
+            raise argparse.ArgumentTypeError(f"{name!r} is not one of {', '.join(ALL_FORMATS)}")
     return formats
+
+
+def _sequences(text: str) -> list[str]:
+    formats = text.split(",")
+    for name in formats:
+        if name not in SEQUENCES:
+            raise argparse.ArgumentTypeError(f"{name!r} is not one of {', '.join(SEQUENCES)}")
+    return formats
+
+
+def _scale(text: str) -> float:
+    """The number after '1:'."""
+    try:
+        return _millimetres(text.removeprefix("1:"))
+    except argparse.ArgumentTypeError as error:
+        raise argparse.ArgumentTypeError(f"{text!r} is no scale such as 1:50") from error
 
 
 def _millimetres(text: str) -> float:

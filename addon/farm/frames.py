@@ -26,12 +26,18 @@ from ..output import files, stamps
 from ..rendering import render_now
 from ..tone_images import tone_of
 from .lines import Progress, complain, say, time_text
+from .plots import PlotFiles
 
 
 def file_name(pattern: str, frame: int) -> str:
     """The pattern with the open file's name for FILE and the frame's number, padded, for ####."""
     name = pattern.replace("FILE", pathlib.Path(bpy.data.filepath).stem or "untitled")
     return re.sub("#+", lambda marks: f"{frame:0{len(marks[0])}}", name)
+
+
+def sequence_name(pattern: str) -> str:
+    """The name of a file of all frames: the pattern without the frame's number."""
+    return file_name(re.sub("[._-]?#+", "", pattern), 0) or "sequence"
 
 
 class Sequence:
@@ -41,7 +47,10 @@ class Sequence:
         self._scene, self._chosen, self._summaries = bpy.context.scene, chosen, summaries
         self._frames = chosen.frames or [self._scene.frame_current]
         self._width_mm = chosen.width_mm or self._scene.illustrate.page_width_mm
-        self._stamp = stamps.stamp_of(self._scene, self._width_mm, chosen.svg_style)
+        self._plots = PlotFiles(chosen)
+        self._stamp = stamps.stamp_of(
+            self._scene, self._width_mm, chosen.svg_style, self._plots.is_any
+        )
         self._progress = Progress(chosen.progress, len(self._frames))
         self._follows = self._scene.illustrate.keep_strokes and native.can_seed()
         self._last: Any = None  # the drawing that the next one starts from
@@ -54,6 +63,7 @@ class Sequence:
             if not self._succeeds(frame):
                 failed.append(frame)
             self._progress.end()
+        self._plots.write_sequences(self._chosen.out, sequence_name(self._chosen.name))
         if failed:
             numbers = ", ".join(map(str, failed))
             of_all = f"of {counted(len(self._frames), 'frame')}"
@@ -163,9 +173,13 @@ class Sequence:
             self._chosen.svg_style,
             {**self._stamp, "frame": scene.frame_current, "exposure": exposure},
         )
+        self._plots.add(scene, made)
         for extension in self._chosen.format:
             begun, path = time.perf_counter(), self._path(name, extension)
-            files.write_file(path, page)
+            if self._plots.takes(extension):
+                self._plots.write(path, page.made_by or {})
+            else:
+                files.write_file(path, page)
             made.seconds[extension] = time.perf_counter() - begun
             say(f"Saved: '{path}'")
 

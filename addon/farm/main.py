@@ -13,6 +13,7 @@ from .arguments import MERGE, parse, parse_merge
 from .frames import Sequence
 from .lines import complain
 from .merge import merge_into
+from .plots import choose as choose_plot
 
 
 def main(arguments: list[str], summaries: list[str] | None = None) -> int:
@@ -38,6 +39,7 @@ def _draw(chosen: Any, summaries: list[str]) -> int:
         bpy.context.scene.illustrate.tone_source = chosen.tone_from.upper()
     if chosen.tone_image:
         choose_file(bpy.context.scene, chosen.tone_image)
+    choose_plot(bpy.context.scene, chosen)
     prepare_folder(chosen.out)
     return 1 if Sequence(chosen, summaries).draw() else 0
 

@@ -17,6 +17,8 @@ from .png import png_of
 from .stamps import append_stamp
 
 FORMATS = ("svg", "png", "json", "blend")
+PLOT_FORMATS = ("pdf", "dxf")
+"""Written as plots, always on the page of the scene's plot settings (plot/plots.py)."""
 
 
 @dataclass(frozen=True)
@@ -122,6 +124,14 @@ def _removed_at_the_end(path: str) -> Iterator[None]:
 def _remove(path: str) -> None:
     with suppress(FileNotFoundError):
         os.remove(path)
+
+
+def write_bytes(path: str, data: bytes) -> None:
+    """Writes a file that is there already in memory. Raises IllustrateError as `write_file`."""
+    try:
+        _write(path, data)
+    except OSError as error:
+        raise IllustrateError(f'"{path}" cannot be written: {error}') from error
 
 
 def _write(path: str, data: bytes) -> None:

@@ -27,10 +27,10 @@ def _inks(settings: Any, strokes: list[Any]) -> dict[str, tuple[int, int, int, i
     for thing in strokes:
         for pen, index in pens.of_data(thing.data).items():
             inks[pen] = tuple(pens.colour_of(thing.data.materials[index]))
-    return {pen: _encoded(colour) for pen, colour in inks.items()}
+    return {pen: encoded(colour) for pen, colour in inks.items()}
 
 
-def _encoded(colour: tuple[float, ...]) -> tuple[int, int, int, int]:
+def encoded(colour: tuple[float, ...]) -> tuple[int, int, int, int]:
     """From linear light, with alpha or without, to bytes of sRGB."""
     *light, alpha = (min(max(value, 0.0), 1.0) for value in (*colour, 1.0)[:4])
     encoded = [12.92 * v if v <= 0.0031308 else 1.055 * v ** (1 / 2.4) - 0.055 for v in light]

@@ -18,14 +18,16 @@ from ..cache import digest
 _LOOK = ("resolution_x", "resolution_y", "resolution_percentage", "pixel_aspect_x",
          "pixel_aspect_y", "film_transparent")  # fmt: skip
 _NO_LOOK = {"frame_start", "frame_end", "frame_step", "use_scene_range", "keep_frames", "threads",
-            "rna_type"}  # fmt: skip
+            "rna_type", "pens", "active_pen"}  # fmt: skip
 _SKIPPED = 0x184D2A50  # begins a frame that Zstandard passes over; plain files have ended before it
 _TITLE = b"illustrate-stamp "
 _MOST = 4096  # bytes of a stamp in a .blend
 
 
-def stamp_of(scene: Any, width_mm: float, svg_style: str) -> dict[str, Any]:
-    """What all frames of a scene's drawing have in their stamps.
+def stamp_of(
+    scene: Any, width_mm: float, svg_style: str, is_plotted: bool = False
+) -> dict[str, Any]:
+    """What all frames of a scene's drawing have in their stamps; of plots, page and pens too.
 
     Settings that are animated count as they are now: in a file just opened, as it was saved.
     """
@@ -41,8 +43,13 @@ def stamp_of(scene: Any, width_mm: float, svg_style: str) -> dict[str, Any]:
         for material in bpy.data.materials
         if material.illustrate_material.use_own
     )
-    told = (_values(scene.illustrate), render, styles, float(width_mm), svg_style)
+    told: tuple[Any, ...] = (_values(scene.illustrate), render, styles, float(width_mm), svg_style)
+    told += _plot_values(scene.illustrate_plot) if is_plotted else ()
     return {"version": native.load().__version__, "settings": digest(told)}
+
+
+def _plot_values(chosen: Any) -> tuple[Any, ...]:
+    return _values(chosen), [_values(pen) for pen in chosen.pens]
 
 
 def _values(settings: Any) -> list[tuple[str, str]]:
@@ -54,7 +61,9 @@ def _values(settings: Any) -> list[tuple[str, str]]:
 def _text(value: Any) -> str:
     if isinstance(value, bpy.types.ID):
         return str(value.name_full)
-    return repr(value if isinstance(value, str | int | float | set | None) else tuple(value))
+    if isinstance(value, set):
+        return repr(sorted(value))
+    return repr(value if isinstance(value, str | int | float | None) else tuple(value))
 
 
 def read_stamp(path: str) -> dict[str, Any]:
@@ -66,6 +75,8 @@ def read_stamp(path: str) -> dict[str, Any]:
         data = file.read()
     if extension == ".png":
         return dict(native.load_part("png").read_made_by(data))
+    if extension in (".pdf", ".dxf"):
+        return dict(native.load_part("plot").read_made_by(extension[1:], data))
     if extension == ".svg":
         return dict(native.load_part("svg").read_made_by(data.decode()))
     return dict(native.load_part("drawing_json").from_json(data.decode()).made_by)

@@ -7,6 +7,7 @@ import bpy
 from ..bake import ILLUSTRATE_OT_bake
 from ..farm.operator import ILLUSTRATE_OT_import_frames
 from ..operators import ILLUSTRATE_OT_clear, ILLUSTRATE_OT_illustrate
+from ..plot.export import ILLUSTRATE_OT_export_drawing
 
 MENUS = ("TOPBAR_MT_render", "VIEW3D_MT_object")
 
@@ -23,6 +24,7 @@ class ILLUSTRATE_MT_main(bpy.types.Menu):
         self.layout.operator(ILLUSTRATE_OT_illustrate.bl_idname, icon="GREASEPENCIL")
         self.layout.operator(ILLUSTRATE_OT_bake.bl_idname, icon="RENDER_ANIMATION")
         self.layout.operator(ILLUSTRATE_OT_import_frames.bl_idname, icon="IMPORT")
+        self.layout.operator(ILLUSTRATE_OT_export_drawing.bl_idname, icon="EXPORT")
         self.layout.operator(ILLUSTRATE_OT_clear.bl_idname)
 
 

@@ -50,7 +50,7 @@ def fields_of(panel: str, *first: str) -> tuple[str, ...]:
     return tuple(dict.fromkeys((*first, *own)))
 
 
-class _SidePanel:
+class SidePanel:
     """Where the panels are."""
 
     bl_space_type = "VIEW_3D"
@@ -59,7 +59,7 @@ class _SidePanel:
     layout: Any
 
 
-class _Fields(_SidePanel):
+class _Fields(SidePanel):
     """A closed panel that shows settings one below the other."""
 
     bl_parent_id = "ILLUSTRATE_PT_main"
@@ -116,7 +116,7 @@ def _show_live(layout: Any, context: Any) -> None:
         _show_problem(layout, context, LIVE.problem)
 
 
-class ILLUSTRATE_PT_main(_SidePanel, bpy.types.Panel):
+class ILLUSTRATE_PT_main(SidePanel, bpy.types.Panel):
     """The button, and what is changed most often."""
 
     bl_idname = "ILLUSTRATE_PT_main"

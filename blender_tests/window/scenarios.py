@@ -12,7 +12,7 @@ import hands
 import numpy as np
 from illustrate import tasks, worker
 from illustrate.ui import panel as side_panel
-from illustrate.ui import style_panel
+from illustrate.ui import plot_panel, style_panel
 from illustrate.viewport.inspect import INSPECTOR, KINDS
 from illustrate.viewport.live import LIVE
 from mathutils import Quaternion
@@ -20,7 +20,7 @@ from mathutils import Quaternion
 import tools
 
 Steps = Generator[Any, None, None]
-SUB_PANELS = [p for p in side_panel.CLASSES if hasattr(p, "bl_parent_id")]
+SUB_PANELS = [p for p in (*side_panel.CLASSES, *plot_panel.CLASSES) if hasattr(p, "bl_parent_id")]
 
 
 def new_scene(detail: int = 2) -> Any:
@@ -313,6 +313,29 @@ def overlays_are_shown(out: pathlib.Path) -> Steps:
     assert INSPECTOR._handle is None
 
 
+def the_page_is_shown(out: pathlib.Path) -> Steps:
+    """Paper and margins about the camera's frame, and the ways with the pen up of an export."""
+    scene = new_scene()
+    scene.illustrate_plot.margins_mm = (20, 20, 20, 20)
+    yield 0.3
+    with hands.override():
+        bpy.ops.illustrate.export_drawing(filepath=str(out / "16_plot.svg"))
+        bpy.ops.view3d.view_camera()
+    yield 0.5
+    hands.viewport().spaces.active.region_3d.view_camera_zoom = 0.0
+    plain = hands.pixels(hands.picture(out / "16_without_page.png"))
+    for name in ("page", "travel"):
+        switch = f"illustrate_show_{name}"
+        setattr(hands.manager(), switch, True)
+        shown = hands.pixels(hands.picture(out / f"16_{name}.png"))
+        changed = int((np.abs(shown - plain).max(axis=2) > 0.1).sum())
+        assert changed > 300, (name, changed)
+        setattr(hands.manager(), switch, False)
+        yield 0.05
+    after = hands.pixels(hands.picture(out / "16_page_off.png"))
+    assert np.abs(after - plain).max() < 0.1
+
+
 def the_panel_says_what_is_wrong(out: pathlib.Path) -> Steps:
     """Without a camera the button is grey, and the panel says why."""
     scene = new_scene()
@@ -360,6 +383,7 @@ ALL = [
     live_lines_follow_the_view,
     live_lines_end_with_the_file,
     overlays_are_shown,
+    the_page_is_shown,
     the_panel_says_what_is_wrong,
     every_panel_is_shown,
 ]

@@ -100,7 +100,7 @@ def _paths(drawing: DrawingArrays, group: LineGroup, style: str) -> Iterator[str
 
 def _outline(points: NDArray[np.float64], radii: NDArray[np.float64], closed: bool) -> str:
     """Path data of the area that a round pen of changing radius covers."""
-    side = _side_vectors(points, closed) * radii[:, None]
+    side = side_vectors(points, closed) * radii[:, None]
     left, right = points + side, (points - side)[::-1]
     if closed:
         return f"M{_polyline(left)}ZM{_polyline(right)}Z"
@@ -115,7 +115,7 @@ def _cap(radius: float, end: NDArray[np.float64]) -> str:
     return f"A{_number(radius)},{_number(radius)} 0 0 1 {_polyline(end[None])}"
 
 
-def _side_vectors(points: NDArray[np.float64], closed: bool) -> NDArray[np.float64]:
+def side_vectors(points: NDArray[np.float64], closed: bool) -> NDArray[np.float64]:
     """(n, 2) from each point to the edge of a stroke of radius 1, mitred at corners."""
     following = np.roll(points, -1, axis=0) if closed else points[1:]
     along = following - points[: len(following)]

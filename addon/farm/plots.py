@@ -1,0 +1,80 @@
+"""Plots of the headless command: which of its files they are, and all frames in one."""
+
+import os
+from typing import Any
+
+import bpy
+
+from .. import native
+from ..illustration import Illustration
+from ..messages import IllustrateError
+from ..output.files import PLOT_FORMATS, write_bytes
+from ..plot.plots import bytes_of, check_format, plot_of, summary
+from ..ui import presets
+from .lines import complain, say
+
+OWN = "scene"
+
+
+def choose(scene: Any, chosen: Any) -> None:
+    """Puts what the command line says of plots into the scene. Raises IllustrateError."""
+    if chosen.plot and chosen.plot != OWN:
+        presets.apply(chosen.plot, presets.PLOT_FOLDER)
+    files = PlotFiles(chosen)
+    for extension in chosen.format:
+        if files.takes(extension):
+            check_format(scene, extension)
+    for extension in chosen.sequence:
+        check_format(scene, extension, True)
+    settings, plot = scene.illustrate_plot, native.load_part("plot")
+    if chosen.page:
+        try:
+            paper = plot.read_paper(chosen.page)
+        except plot.PlotError as error:
+            raise IllustrateError(str(error)) from error
+        settings.paper = paper if isinstance(paper, str) else "OWN"
+        settings.size_mm = settings.size_mm if isinstance(paper, str) else paper
+    if chosen.scale:
+        settings.fit, settings.scale = "scale", chosen.scale
+    if chosen.order:
+        settings.order = chosen.order
+
+
+class PlotFiles:
+    """The plots that one command writes."""
+
+    def __init__(self, chosen: Any) -> None:
+        self._sequences = chosen.sequence
+        is_svg = bool(chosen.plot or chosen.page or chosen.scale or chosen.order)
+        self._formats = (*PLOT_FORMATS, "svg") if is_svg else PLOT_FORMATS
+        self.is_any = bool(self._sequences) or any(self.takes(e) for e in chosen.format)
+        self._plot: Any = None
+        self._plots: list[Any] = []
+
+    def takes(self, extension: str) -> bool:
+        """True where files of this format are plots."""
+        return extension in self._formats
+
+    def add(self, scene: Any, made: Illustration) -> None:
+        """Puts the drawing of a frame on its page, where any file asks for it."""
+        if not self.is_any:
+            return
+        self._plot = plot_of(scene, made)
+        for warning in self._plot.warnings:
+            complain(f"warning: {warning}")
+        if self._sequences:
+            self._plots.append(self._plot)
+
+    def write(self, path: str, made_by: dict[str, Any]) -> None:
+        """Writes the plot of the last frame."""
+        write_bytes(path, bytes_of(os.path.splitext(path)[1][1:], [self._plot], made_by))
+        say(summary(path, [self._plot]))
+
+    def write_sequences(self, folder: str, name: str) -> None:
+        """Writes the files of all frames, where there are some."""
+        render = bpy.context.scene.render
+        for extension in self._sequences if self._plots else ():
+            path = os.path.join(folder, f"{name}.{extension}")
+            rate = render.fps / render.fps_base
+            write_bytes(path, bytes_of(extension, self._plots, rate=rate))
+            say(f"Saved: '{path}'")

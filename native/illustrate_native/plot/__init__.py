@@ -1,0 +1,48 @@
+"""Drawings on paper: pages, pens, the order of strokes, and files of millimetres.
+
+    strokes = strokes_of(drawing)
+    plot = plot_of(strokes, width_px, height_px, PlotOptions(paper="A4", margin_mm=10))
+    open("torus.svg", "w").write(svg_of(plot))
+
+Each step is a function on plain arrays, in a file of its own; docs/plot.md.
+"""
+
+from .errors import PlotError
+from .formats import EXTENSIONS, check, file_of, read_made_by
+from .order import Cost, Machine
+from .pages import FORMATS, Page, read_paper
+from .pens import Layer, Pen, one_pen, pens_by_line
+from .plans import Plot, PlotOptions, Thing, placing_of, plot_of, strokes_of
+from .regions import Region, regions_of, seen_from
+from .strokes import Strokes, Subject, make_strokes
+from .svg_file import svg_of
+
+__all__ = [
+    "EXTENSIONS",
+    "FORMATS",
+    "Cost",
+    "Layer",
+    "Machine",
+    "Page",
+    "Pen",
+    "Plot",
+    "PlotError",
+    "PlotOptions",
+    "Region",
+    "Strokes",
+    "Subject",
+    "Thing",
+    "check",
+    "file_of",
+    "make_strokes",
+    "one_pen",
+    "pens_by_line",
+    "placing_of",
+    "plot_of",
+    "read_made_by",
+    "read_paper",
+    "regions_of",
+    "seen_from",
+    "strokes_of",
+    "svg_of",
+]

@@ -1,0 +1,67 @@
+"""Drawings for plots: of every kind of line, and of a real mesh."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import illustrate_native as ill
+import numpy as np
+from illustrate_native.drawing_json import StoredDrawing
+from illustrate_native.line_groups import KIND_NAMES
+
+WIDTH_PX, HEIGHT_PX = 1024, 768
+
+
+def drawing_of_every_kind() -> StoredDrawing:
+    """One straight stroke of each kind that is drawn, and a hidden one."""
+    kinds = [i for i, name in enumerate(KIND_NAMES) if name != "SEAM"]
+    count = len(kinds) + 1
+    start = np.c_[np.full(count, 10.0), 10.0 * np.arange(1, count + 1)]
+    image = np.stack([start, start + np.array([200.0, 0.0])], axis=1).reshape(-1, 2)
+    return StoredDrawing(
+        400,
+        300,
+        ["Thing"],
+        points=np.c_[image, np.zeros(len(image))],
+        image=image,
+        widths=np.full(len(image), 1.0, np.float32),
+        offsets=np.arange(0, 2 * count + 1, 2).astype(np.int32),
+        kinds=np.array([*kinds, 0], np.uint8),
+        closed=np.zeros(count, bool),
+        objects=np.zeros(count, np.int32),
+        invisibility=np.array([0] * len(kinds) + [1], np.int32),
+    )
+
+
+def torus_mesh(turn: Any = None, place: Any = (0.0, 0.0, 0.0)) -> ill.PolygonMesh:
+    """A ring of 16 x 16 quads; turn: (3, 3), place: (3,)."""
+    u, v = (a.ravel() for a in np.meshgrid(*[np.arange(16)] * 2, indexing="ij"))
+    au, av = u * np.pi / 8, v * np.pi / 8
+    ring = 1 + 0.4 * np.cos(av)
+    positions = np.c_[ring * np.cos(au), ring * np.sin(au), 0.4 * np.sin(av)]
+    positions = positions @ (np.eye(3) if turn is None else turn).T + place
+    corners = [((u + i) % 16) * 16 + (v + j) % 16 for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))]
+    return ill.PolygonMesh(positions, np.full(256, 4), np.stack(corners, axis=1).ravel())
+
+
+@cache
+def torus_drawing() -> Any:
+    """A hatched torus at WIDTH_PX x HEIGHT_PX."""
+    return ill.draw(ill.prepare([torus_mesh()]), camera(), ill.DrawOptions(hidden_lines=(1, 3)))
+
+
+def camera() -> ill.Camera:
+    """It looks down at the origin, at WIDTH_PX x HEIGHT_PX."""
+    eye = np.array([0.0, -4.0, 3.0])
+    back = eye / np.linalg.norm(eye)
+    right = np.array([1.0, 0.0, 0.0])
+    view = np.eye(4)
+    view[:3, :3] = [right, np.cross(back, right), back]
+    view[:3, 3] = -view[:3, :3] @ eye
+    near, far, zoom = 0.1, 100.0, 3.2
+    projection = np.zeros((4, 4))
+    projection[0, 0], projection[1, 1] = zoom * HEIGHT_PX / WIDTH_PX, zoom
+    projection[2, 2:] = -(far + near) / (far - near), -2 * far * near / (far - near)
+    projection[3, 2] = -1.0
+    return ill.Camera(projection, view, WIDTH_PX, HEIGHT_PX)
