@@ -86,10 +86,10 @@ class ILLUSTRATE_PT_material_style(_StylePanel, bpy.types.Panel):
         return material.illustrate_material
 
 
-class ILLUSTRATE_PT_light(bpy.types.Panel):
+class ILLUSTRATE_PT_light_style(bpy.types.Panel):
     """What is drawn of a light."""
 
-    bl_idname = "ILLUSTRATE_PT_light"
+    bl_idname = "ILLUSTRATE_PT_light_style"
     bl_space_type = "PROPERTIES"
     bl_region_type = "WINDOW"
     bl_context = "data"
@@ -131,7 +131,7 @@ CLASSES = (
     ILLUSTRATE_PT_object_style,
     ILLUSTRATE_PT_collection_style,
     ILLUSTRATE_PT_material_style,
-    ILLUSTRATE_PT_light,
+    ILLUSTRATE_PT_light_style,
     ILLUSTRATE_PT_guide,
 )
 
