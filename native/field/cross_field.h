@@ -70,7 +70,7 @@ struct CrossField {
 // What is at hand already, each null where it is not.
 struct FieldAids {
   const Bvh* bvh = nullptr;  // of the surface; made where `needs_tree`
-  // The last frame's, or that of other options: where the triangles are the same, the search starts
+  // The last frame's, or that of other options: where the vertices are the same, the search starts
   // and ends near this field, moved along with the surface.
   const Surface* last_surface = nullptr;
   const CrossField* last_field = nullptr;

@@ -2,15 +2,10 @@
 
 #include <cmath>
 
+#include "surface/same_vertices.h"
+
 namespace illustrate {
 namespace {
-
-// Whether vertices of one number are one. Triangles may differ: quads are split by their shorter
-// diagonals.
-bool has_same_vertices(const Surface& a, const Surface& b) {
-  return a.objects == b.objects && a.places == b.places && a.base_faces == b.base_faces &&
-         a.base_uv == b.base_uv;
-}
 
 // (n) the kept directions, each moved as a sum of the edges at its vertex; any length.
 Points moved_directions(const Surface& surface, const LastFamilies& last) {

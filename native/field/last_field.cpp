@@ -1,17 +1,13 @@
 #include "field/last_field.h"
 
 #include "core/parallel.h"
+#include "surface/same_vertices.h"
 
 namespace illustrate {
 namespace {
 
-bool has_same_triangles(const Surface& a, const Surface& b) {
-  return a.positions.size() == b.positions.size() && a.triangles == b.triangles &&
-         a.flips == b.flips;
-}
-
 // (n) how far the edges round each vertex have turned in the vertex's frame, four times, between
-// two surfaces of the same triangles; the length has no meaning.
+// two surfaces of the same vertices; the length has no meaning.
 CrossNumbers turns_of_edges(const Surface& from, const TangentFrames& from_frames,
                             const Surface& to, const TangentFrames& to_frames,
                             const TriangleEdges& edges, const Progress& progress) {
@@ -38,7 +34,7 @@ CrossNumbers last_crosses(const Surface& surface, const TangentFrames& frames,
                           const Progress& progress) {
   if (!aids.last_field || !aids.last_surface) return {};
   const bool is_same_surface = aids.last_surface == &surface;
-  if (!is_same_surface && !has_same_triangles(*aids.last_surface, surface)) return {};
+  if (!is_same_surface && !has_same_vertices(*aids.last_surface, surface)) return {};
   CrossNumbers z(frames.size());
   for (std::size_t i = 0; i < z.size(); ++i) {
     const double u = 4 * aids.last_field->theta[i];

@@ -59,6 +59,27 @@ def test_a_moved_mesh_starts_from_the_last_field() -> None:
     assert np.abs(turns - np.round(turns)).max() < 0.05  # by quarter turns at most
 
 
+def apart(one: ill.Prepared, other: ill.Prepared) -> float:
+    """Median of the degrees between two crosses of a vertex."""
+    first, second = one.field.directions, other.field.directions
+    sine = np.linalg.norm(np.cross(first, second), axis=1)
+    cosine = np.abs((first * second).sum(1))
+    return float(np.median(np.degrees(np.arcsin(np.minimum(1, np.minimum(sine, cosine))))))
+
+
+def test_a_mesh_that_deforms_keeps_its_field_though_quads_are_split_anew() -> None:
+    guided = options(guides=[ill.Guide(great_circle(0.6), weight=10)])
+    first = ill.prepare([sphere().mesh()], guided)
+    shape = sphere()
+    shape.positions[:, 0] += 0.02 * np.sin(3 * shape.positions[:, 1])
+    fresh = ill.prepare([shape.mesh()], options())
+    free = ill.prepare([sphere().mesh()], options(), previous=first)
+    moved = ill.prepare([shape.mesh()], options(), previous=first)
+    assert (moved.surface.triangles != first.surface.triangles).any()
+    assert apart(fresh, free) > 10
+    assert apart(moved, free) < 2
+
+
 def test_prescribed_singularities_are_listed_where_they_were_put(ball: ill.Prepared) -> None:
     corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]) / np.sqrt(3)
     places = np.concatenate([corners, np.eye(3), -np.eye(3)])
