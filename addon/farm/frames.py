@@ -159,6 +159,7 @@ class Sequence:
             self._width_mm,
             self._chosen.svg_style,
             {**self._stamp, "frame": scene.frame_current, "exposure": exposure},
+            self._follows,
         )
         for extension in self._chosen.format:
             begun, path = time.perf_counter(), self._path(name, extension)
