@@ -30,6 +30,7 @@ from motion import Doubles, Eye, Samples, compare, samples_of, strokes_of
 HATCHES = (ill.Kind.HATCH, ill.Kind.CROSS_HATCH)
 LINES = (ill.Kind.SILHOUETTE, ill.Kind.BOUNDARY, ill.Kind.CREASE, ill.Kind.INTERSECTION)
 SIZE_PX = 1024
+ROOT = Path(__file__).resolve().parents[2]
 
 
 def dented() -> tuple[Doubles, np.ndarray]:
@@ -93,7 +94,7 @@ def peers(prepared: ill.Prepared, cameras: list[ill.Camera], eyes: list[Eye]) ->
     program = shutil.which(os.environ.get("BLENDER", "blender"))
     if program is None:
         return {}
-    spacing, script = ill.DrawOptions().spacing_px, Path(__file__).with_name("peers_in_blender.py")
+    spacing, script = ill.DrawOptions().spacing_px, ROOT / "examples" / "peers_in_blender.py"
     with tempfile.TemporaryDirectory() as folder:
         given, found = Path(folder, "scene.npz"), Path(folder, "strokes.json")
         np.savez(given, positions=prepared.surface.positions, triangles=prepared.surface.triangles,
