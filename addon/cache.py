@@ -36,12 +36,18 @@ class Cache:
         """True when `prepared` would be there at once."""
         return self._prepared[0] == key
 
-    def prepared(self, key: str, surface_key: str, make: Callable[[Any], Any]) -> Any:
-        """What was prepared for `key`, else make(what is left of the last: the same surface)."""
+    def prepared(
+        self, key: str, surface_key: str, make: Callable[[Any], Any], follows: bool = False
+    ) -> Any:
+        """What was prepared for `key`, else make(what is left of the last: the same surface).
+
+        follows: the last is of the frame before, and handed on whatever its surface: it may be the
+        same in another pose.
+        """
         last_key, last_surface_key, last = self._prepared
         if last_key == key:
             return last
-        if last_surface_key != surface_key:
+        if last_surface_key != surface_key and not follows:
             last = None
             self.clear()  # two at a time would need twice the memory
         made = make(last)

@@ -220,7 +220,8 @@ def compute_prepared(
         return prepared
 
     with _explained(request):
-        return cache.prepared(request.prepared_key, request.meshes_key, make)
+        follows = request.previous is not None
+        return cache.prepared(request.prepared_key, request.meshes_key, make, follows)
 
 
 def native_meshes(ill: Any, arrays: SceneArrays) -> list[Any]:

@@ -115,6 +115,7 @@ def test_a_chunk_warms_up_on_the_frames_before(tmp_path: Any, seeds: list[Any]) 
     assert chained(seeds) == [True, True, True]
     assert contents(chunk) == {name: contents(whole)[name] for name in contents(chunk)}
     assert len(contents(chunk)) == 2
+    assert all(b"data-id=" in data for data in contents(whole).values())
     (whole / "shot_0004.svg").unlink()
     assert draw(whole, "--frames", "1-4", "--warm-up", "3", "--skip-existing") == 0
     assert contents(whole)["shot_0004.svg"] == contents(chunk)["shot_0004.svg"]

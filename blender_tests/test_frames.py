@@ -1,5 +1,6 @@
 """Keyframes: what a click and a bake write, and what they leave."""
 
+import itertools
 from typing import Any
 
 import bpy
@@ -76,6 +77,19 @@ def test_a_bake_starts_from_the_strokes_of_the_last_frame(scene: Any, monkeypatc
     seeds.clear()
     bpy.ops.illustrate.bake()
     assert seeds == [None] * len(seeds)
+
+
+@pytest.mark.skipif(not tools.V3, reason="strokes of Grease Pencil 2 have no attributes")
+def test_strokes_keep_their_numbers_through_a_bake(scene: Any) -> None:
+    moving_cube(scene)
+    bpy.ops.illustrate.bake()
+    [layer] = pencil_object().data.layers
+    numbers = [
+        {value.value for value in frame.drawing.attributes["stroke_id"].data}
+        for frame in layer.frames
+    ]
+    assert all(len(a & b) > len(b) / 2 for a, b in itertools.pairwise(numbers))
+    assert all("stroke_start" in frame.drawing.attributes for frame in layer.frames)
 
 
 def test_every_second_frame_of_a_range_of_its_own(scene: Any) -> None:

@@ -5,8 +5,9 @@
 
 ARGUMENTS: [--out DIR] [SCENE ...]
 
-Each scene leaves an .svg, a .png and a .blend in DIR (out/demo); the run ends with a line per
-scene: strokes by kind, seconds per stage.
+Each scene leaves an .svg, a .png and a .blend in DIR (out/demo), those that move the .json of
+twelve frames in a folder of their own (motion.py makes pictures of them); the run ends with a line
+per scene or frame: strokes by kind, seconds per stage.
 """
 
 import argparse
@@ -43,21 +44,25 @@ def main(headless: ModuleType) -> int:
         nargs="*",
         metavar="SCENE",
         default=[],
-        help=f"of {', '.join(scenes.SCENES)}; all when left out",
+        help=f"of {', '.join((*scenes.SCENES, *scenes.SEQUENCES))}; all when left out",
     )
     chosen = parser.parse_args(headless.own_arguments())
+    every = (*scenes.SCENES, *scenes.SEQUENCES)
     for name in chosen.scenes:
-        if name not in scenes.SCENES:
-            parser.error(f"there is no scene {name}, only {', '.join(scenes.SCENES)}")
+        if name not in every:
+            parser.error(f"there is no scene {name}, only {', '.join(every)}")
     lines, code = [], 0
     headless.find_package()
-    for name in chosen.scenes or scenes.SCENES:
+    for name in chosen.scenes or every:
         if not scenes.is_available(name):
             lines.append(f"{name}: left out, {scenes.FILES[name]} is not there")
             continue
         settings = scenes.build(name).illustrate
         settings.line_width_px, settings.feature_width_px = LINE_WIDTH_PX, FEATURE_WIDTH_PX
         command = ["--out", chosen.out, "--format", "svg,png,blend", "--name", name]
+        if name in scenes.SEQUENCES:
+            command = ["--out", str(pathlib.Path(chosen.out, name)), "--format", "json"]
+            command += ["--frames", "1-12", "--name", "####"]
         code |= headless.main(command, lines)
         if name in scenes.CAGES and not code:
             scenes.save_cage(pathlib.Path(chosen.out, f"{name}.obj"), scenes.CAGES[name])

@@ -63,6 +63,30 @@ def goblet() -> None:
     settings.lighting, settings.tones, settings.cast_shadows = "SIDE", "AREA", True
 
 
+def turntable() -> None:
+    """Suzanne, round whom the camera goes."""
+    suzanne()
+    scene = bpy.context.scene
+    scene.render.resolution_x, scene.render.resolution_y = 700, 600
+    pivot = bpy.data.objects.new("Pivot", None)
+    scene.collection.objects.link(pivot)
+    scene.camera.parent = pivot
+    for frame, turn in ((1, 0.0), (13, np.pi / 6)):
+        pivot.rotation_euler[2] = turn
+        pivot.keyframe_insert("rotation_euler", frame=frame)
+    for curve in pivot.animation_data.action.fcurves:
+        for key in curve.keyframe_points:
+            key.interpolation = "LINEAR"
+
+
+def robot() -> None:
+    """A walking robot of fourteen parts."""
+    bpy.ops.wm.open_mainfile(filepath=str(SHARED / "scenes" / "RobotExpressive.blend"))
+    bpy.data.objects["RobotArmature"].animation_data.action = bpy.data.actions["Robot_Walking"]
+    parts = [thing for thing in bpy.data.objects if thing.type == "MESH"]
+    finish(parts, toward_camera=(0.62, -1.0, 0.5), size=(700, 700))
+
+
 def cube() -> None:
     """Blender's plain cube."""
     bpy.ops.mesh.primitive_cube_add()
@@ -92,8 +116,15 @@ SCENES: dict[str, Callable[[], None]] = {
     "koala_100k": koala,
 }
 
-FILES = {"spot_cage": "smooth/spot_cage.obj", "koala_100k": "smooth/koala_100k.ply"}
-"""What a scene reads from the folder of shared meshes."""
+SEQUENCES: dict[str, Callable[[], None]] = {"turntable": turntable, "robot": robot}
+"""Scenes that move, in frames 1 to 12."""
+
+FILES = {
+    "spot_cage": "meshes/smooth/spot_cage.obj",
+    "koala_100k": "meshes/smooth/koala_100k.ply",
+    "robot": "scenes/RobotExpressive.blend",
+}
+"""What a scene reads from the shared folder."""
 
 CAGES = {"suzanne": "Suzanne"}
 """Objects whose control cages the demo leaves as .obj, for curvature.py."""
@@ -101,13 +132,13 @@ CAGES = {"suzanne": "Suzanne"}
 
 def is_available(name: str) -> bool:
     """Whether the scene's files are there."""
-    return name not in FILES or (SHARED / "meshes" / FILES[name]).is_file()
+    return name not in FILES or (SHARED / FILES[name]).is_file()
 
 
 def build(name: str) -> Any:
-    """Empties the open file and builds a scene of SCENES in it; the scene."""
+    """Empties the open file and builds a scene of SCENES or SEQUENCES in it; the scene."""
     bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
-    SCENES[name]()
+    {**SCENES, **SEQUENCES}[name]()
     return bpy.context.scene
 
 

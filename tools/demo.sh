@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds, then illustrates the example scenes in a real Blender, headless: out/demo. Without
-# arguments the curvature of three surfaces as well.
+# arguments pictures of those that move and the curvature of three surfaces as well.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 "$ROOT/tools/setup_system.sh" build blender
@@ -9,6 +9,11 @@ blender=$(find_blender) || fail "no Blender at '${BLENDER:-blender}': set BLENDE
 "$blender" -b --factory-startup --python-exit-code 3 --python "$ROOT/examples/demo.py" -- \
     --out "$ROOT/out/demo" "$@"
 [ $# = 0 ] || exit 0
+
+for sequence in turntable robot; do
+    [ ! -d "$ROOT/out/demo/$sequence" ] ||
+        "$VENV/bin/python" "$ROOT/examples/motion.py" "$ROOT/out/demo/$sequence" "$sequence"
+done
 
 # curvature X Y Z SURFACE: seen from there.
 curvature() {

@@ -172,6 +172,7 @@ class Sequence:
             self._width_mm,
             self._chosen.svg_style,
             {**self._stamp, "frame": scene.frame_current, "exposure": exposure},
+            self._follows,
         )
         self._plots.add(scene, made)
         for extension in self._chosen.format:

@@ -1,6 +1,7 @@
 """Writes curve objects, one per line kind, for renderers that have no Grease Pencil.
 
-Kind, object and invisibility of the splines are properties of the curve, in the splines' order.
+Kind, object, invisibility and number through a sequence of the splines are properties of the curve,
+in the splines' order.
 """
 
 import json
@@ -16,6 +17,7 @@ from .strokes import Sheet, StrokeGroup
 COLLECTION = "Illustration"
 TITLE = "illustrate_title"
 KINDS, OBJECTS, INVISIBILITY = "illustrate_kinds", "illustrate_of", "illustrate_invisibility"
+STROKE_IDS = "stroke_ids"
 NAMES = "illustrate_objects"
 
 
@@ -111,6 +113,7 @@ def _fill(curve: Any, group: StrokeGroup) -> None:
     curve[KINDS] = group.kinds.tolist()
     curve[OBJECTS] = group.objects.tolist()
     curve[INVISIBILITY] = group.invisibility.tolist()
+    curve[STROKE_IDS] = group.ids.tolist()
 
 
 def _remove(objects: Any) -> None:

@@ -33,6 +33,7 @@ class Page:
     width_mm: float = 200.0
     svg_style: str = "centerline"
     made_by: dict[str, Any] | None = None  # the stamp (stamps.py)
+    tracks: bool = False  # SVG and JSON tell which strokes are the same in other frames
 
 
 def prepare_folder(folder: str) -> None:
@@ -148,6 +149,7 @@ def _svg(page: Page) -> bytes:
         page.width_mm,
         page.svg_style,
         page.made_by,
+        page.tracks,
     )
     return text.encode()
 
@@ -159,6 +161,6 @@ def _json(page: Page) -> bytes:
         matrices = {name: getattr(camera, name).tolist() for name in ("projection", "view")}
         made_by = {**made_by, "camera": matrices}
     text: str = native.load_part("drawing_json").to_json(
-        page.drawing, camera.width_px, camera.height_px, page.names, made_by
+        page.drawing, camera.width_px, camera.height_px, page.names, made_by, page.tracks
     )
     return text.encode()

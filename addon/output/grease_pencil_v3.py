@@ -1,8 +1,9 @@
 """Grease Pencil version 3, of Blender 4.3 and later, for pencil.py.
 
 A layer of the add-on carries the attribute OWNER, a stroke the attributes KIND (1 + Kind; 0 is the
-artist's own), OBJECT (index of the mesh) and INVISIBILITY (layers of surface in front): they follow
-reordering and are saved.
+artist's own), OBJECT (index of the mesh), INVISIBILITY (layers of surface in front), STROKE_ID (its
+number through the frames of a sequence) and STROKE_START (px along it that its first point counts
+as): they follow reordering and are saved.
 """
 
 from typing import Any
@@ -14,6 +15,7 @@ from .strokes import StrokeGroup
 
 OWNER = "illustrate_owner"
 KIND, OBJECT, INVISIBILITY = "illustrate_kind", "illustrate_object", "illustrate_invisibility"
+STROKE_ID, STROKE_START = "stroke_id", "stroke_start"
 TYPE = "GREASEPENCIL"
 NAME = "Illustration"
 
@@ -115,6 +117,8 @@ def append(_data: Any, _layer: Any, frame: Any, group: StrokeGroup, pen: int) ->
     _set_tail(drawing, KIND, "INT", "CURVE", strokes, group.kinds + 1)
     _set_tail(drawing, OBJECT, "INT", "CURVE", strokes, group.objects)
     _set_tail(drawing, INVISIBILITY, "INT", "CURVE", strokes, group.invisibility)
+    _set_tail(drawing, STROKE_ID, "INT", "CURVE", strokes, group.ids)
+    _set_tail(drawing, STROKE_START, "FLOAT", "CURVE", strokes, group.starts)
     drawing.tag_positions_changed()
 
 

@@ -23,6 +23,8 @@ class StrokeGroup:
     kinds: Any  # (s,) int32 illustrate_native.Kind
     objects: Any  # (s,) int32 index of the mesh
     invisibility: Any  # (s,) int32 layers of surface in front
+    ids: Any  # (s,) int32 number through the frames of a sequence; -1: unknown
+    starts: Any  # (s,) float32 px along the stroke that its first point counts as
 
 
 @dataclass(frozen=True)
@@ -69,6 +71,8 @@ def _gather(drawing: Any, group: Any, points: Any, radii: Any) -> StrokeGroup:
         kinds,
         of_strokes(drawing.objects, np.int32),
         of_strokes(drawing.invisibility, np.int32),
+        of_strokes(drawing.stroke_ids, np.int32),
+        of_strokes(drawing.stroke_starts, np.float32),
     )
 
 

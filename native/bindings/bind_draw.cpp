@@ -103,6 +103,14 @@ void bind_drawing(py::module_& m) {
   stroke("invisibility", &Drawing::invisibility);
   const auto own = array_attributes<DrawingHandle>(
       bound, [](const DrawingArrays& d) -> const DrawingArrays& { return d; });
+  const auto track = array_attributes<DrawingHandle>(
+      bound, [](const DrawingArrays& d) -> const StrokeTracks& { return d.result.drawing.tracks; });
+  track("stroke_ids", &StrokeTracks::ids);
+  track("stroke_births", &StrokeTracks::births);
+  track("stroke_starts", &StrokeTracks::starts);
+  track("stroke_deaths", &StrokeTracks::deaths);
+  bound.def_property_readonly(
+      "frame", [](const DrawingHandle& h) { return h.drawing->result.drawing.tracks.frame; });
   own("triangles", &DrawingArrays::triangles);
   own("barycentrics", &DrawingArrays::barycentrics);
   bound

@@ -142,6 +142,22 @@ std::shared_ptr<PolygonMesh> make_instance(const std::shared_ptr<PolygonMesh>& m
   return made;
 }
 
+std::shared_ptr<PolygonMesh> make_deformed(const PolygonMesh& mesh, const py::object& positions,
+                                           const py::object& corner_normals) {
+  auto made = std::make_shared<PolygonMesh>(mesh);
+  made->original.reset();
+  made->placement = {};
+  made->positions = read_points(positions, "positions");
+  if (made->positions.size() != mesh.positions.size()) {
+    throw InvalidInput("positions has " + std::to_string(made->positions.size()) +
+                       " rows, but the mesh has " + std::to_string(mesh.positions.size()) +
+                       " vertices");
+  }
+  read_if_given(corner_normals, "corner_normals", made->corner_normals, read_points);
+  validate(*made);
+  return made;
+}
+
 void bind_polygon_mesh(py::module_& m) {
   using namespace py::literals;
   const py::none none;
@@ -158,6 +174,8 @@ void bind_polygon_mesh(py::module_& m) {
            "The same mesh at another place, moved by a (4, 4) affine matrix. Where that is a "
            "similarity (no mirror, one scale), what is prepared of the mesh is made once and "
            "shared; else the result is a mesh of its own. edge_length: its own, world units.")
+      .def("deformed", &make_deformed, "positions"_a, "corner_normals"_a = none,
+           "The same faces with their vertices elsewhere.")
       .def_readonly("name", &PolygonMesh::name)
       .def_property_readonly("vertex_count",
                              [](const PolygonMesh& mesh) { return mesh.positions.size(); })

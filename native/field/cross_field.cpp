@@ -222,6 +222,26 @@ void describe(const Surface& surface, const FieldProblem& p, const CrossNumbers&
   }
 }
 
+// Parts of a mesh that deforms in which no guide or prescribed singularity asks for another field.
+std::vector<std::uint8_t> parts_that_go_on(const FieldProblem& p, bool deforms) {
+  std::vector<std::uint8_t> go_on(idx(p.parts.count), deforms && p.turns.empty());
+  for (std::size_t i = 0; i < p.guide_pulls.size(); ++i) {
+    if (p.guide_pulls[i] != CrossNumber(0)) go_on[idx(p.parts.of_vertex[i])] = 0;
+  }
+  return go_on;
+}
+
+// What rests in them keeps its cross of the frame before.
+void hold_resting(const std::vector<std::uint8_t>& go_on, const std::vector<std::uint8_t>& rests,
+                  const CrossNumbers& last, FieldProblem& p,
+                  std::vector<std::uint8_t>& is_settled) {
+  for (std::size_t i = 0; i < rests.size(); ++i) {
+    if (!rests[i] || !go_on[idx(p.parts.of_vertex[i])] || p.is_held(i)) continue;
+    p.initial[i] = last[i];
+    is_settled[i] = 1;
+  }
+}
+
 // Near which field the search is to stay; empty: anywhere.
 CrossNumbers start_of(const Surface& surface, const FieldProblem& p, const FieldOptions& options,
                       const FieldAids& aids, const Progress& progress) {
@@ -265,9 +285,12 @@ CrossField solve_cross_field(const Surface& surface, const Curvature& curvature,
                              const Progress& progress) {
   validate(options);
   progress.report(0);
-  const FieldProblem p = state_problem(surface, curvature, options, aids, progress.part(0, 0.15));
+  FieldProblem p = state_problem(surface, curvature, options, aids, progress.part(0, 0.15));
   const CrossNumbers nearby = start_of(surface, p, options, aids, progress.part(0.15, 0.2));
-  const std::vector<std::uint8_t> is_settled = settled_vertices(p);
+  std::vector<std::uint8_t> is_settled = settled_vertices(p);
+  const std::vector<std::uint8_t> rests = resting_vertices(surface, p.triangle_edges, aids);
+  const std::vector<std::uint8_t> go_on = parts_that_go_on(p, !rests.empty());
+  hold_resting(go_on, rests, nearby, p, is_settled);
   CrossNumbers z = p.initial;
   std::vector<std::uint8_t> improved(idx(p.parts.count), 0);
   CrossField field;
@@ -287,6 +310,7 @@ CrossField solve_cross_field(const Surface& surface, const Curvature& curvature,
             progress.part(0.7, 0.85));
   }
   progress.report(0.85);
+  for (std::size_t part = 0; part < go_on.size(); ++part) improved[part] &= !go_on[part];
   turn_improved_parts(p, curvature, improved, z);
   keep_initial_where_better(p, z);
   field.energy_initial = total(part_energies(p, p.initial));

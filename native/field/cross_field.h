@@ -70,8 +70,9 @@ struct CrossField {
 // What is at hand already, each null where it is not.
 struct FieldAids {
   const Bvh* bvh = nullptr;  // of the surface; made where `needs_tree`
-  // The last frame's, or that of other options: where the triangles are the same, the search starts
-  // and ends near this field, moved along with the surface.
+  // The last frame's, or that of other options: on objects that are the same the search starts and
+  // ends near this field, moved along with the surface; without guides and prescribed
+  // singularities what has not been stretched keeps it.
   const Surface* last_surface = nullptr;
   const CrossField* last_field = nullptr;
   // False: each object stands in a space of its own, and has no neighbours.

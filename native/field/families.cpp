@@ -1,5 +1,6 @@
 #include "field/families.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "field/last_families.h"
@@ -134,8 +135,15 @@ Families find_families(const Surface& surface, const Curvature& curvature, const
                        const LastFamilies& last, const Progress& progress) {
   const FamilyProblem problem(surface, field, progress.part(0, 0.1));
   const SignedGraph graph = problem.graph(curvature, progress.part(0.1, 0.4));
-  const Families before = last_families(surface, field, last);
-  return before.empty() ? cheap_labels(graph, progress.part(0.4, 1)) : nearby_labels(graph, before);
+  Families before = last_families(surface, field, last);
+  if (before.empty()) return cheap_labels(graph, progress.part(0.4, 1));
+  if (std::find(before.begin(), before.end(), 0) != before.end()) {
+    const Families anew = cheap_labels(graph, progress.part(0.4, 1));
+    for (std::size_t v = 0; v < before.size(); ++v) {
+      if (before[v] == 0) before[v] = anew[v];
+    }
+  }
+  return nearby_labels(graph, before);
 }
 
 double kept_share(const Surface& surface, const CrossField& field, const Families& families,

@@ -24,8 +24,8 @@ inline Vec3 across(const Surface& surface, const CrossField& field, std::size_t 
   return surface.normals[vertex].cross(field.directions[vertex]);
 }
 
-// Of the last frame: where the vertices are the same, its families stay and only seams move a
-// little. All null where there was none.
+// Of the last frame: families of objects that are the same (surface/same_objects.h) stay and only
+// seams move a little. All null where there was none.
 struct LastFamilies {
   const Surface* surface = nullptr;
   const CrossField* field = nullptr;

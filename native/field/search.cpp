@@ -22,7 +22,7 @@ constexpr std::size_t vertices_at_a_time = 256;
 SearchResult search_part(const FieldGraph& graph, const SearchStarts& starts,
                          const FieldOptions& options, int threads, const Progress& progress) {
   progress.report(0);
-  const bool is_wide = starts.nearby.empty();
+  const bool is_wide = starts.nearby.empty() || starts.nearby[0] == CrossNumber(0);
   SearchResult found{is_wide ? starts.initial : starts.nearby, {}};
   if (is_wide) {
     found.z = portfolio_start(graph, {starts.principal, starts.initial}, progress.part(0, 0.7));

@@ -11,7 +11,8 @@ namespace illustrate {
 
 struct SearchStarts {
   CrossNumbers initial, principal;  // (n)
-  CrossNumbers nearby;              // (n) the search stays near; empty: it goes far and wide
+  // (n) the search stays near; empty, or 0 on a connected part: it goes far and wide.
+  CrossNumbers nearby;
 };
 
 struct SearchResult {

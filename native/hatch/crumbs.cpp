@@ -29,7 +29,7 @@ class Sweeper {
 
   Hatches run() {
     for (int h = 0; h < static_cast<int>(is_kept_.size()); ++h) {
-      const bool is_crumb = length(h) < least_length * spacing(h);
+      const bool is_crumb = length(h) < (has_lived(h) ? least_lived : least_length) * spacing(h);
       if (!is_crumb || !(meets_tone(h, false) || meets_tone(h, true))) keep(h);
     }
     leave_out_lone();
@@ -50,6 +50,11 @@ class Sweeper {
     const Span<const HatchPoint> points = curve(hatch);
     const std::size_t from = i == 0 ? 0 : i - 1, to = std::min(i + 1, points.size() - 1);
     return (points[to].position - points[from].position).normalized();
+  }
+
+  bool has_lived(int hatch) const {
+    return scene_.last && hatches_.kinds[idx(hatch)] != Kind::undercut &&
+           scene_.last->was_along(curve(hatch), spacing(hatch));
   }
 
   void keep(int hatch) {
@@ -81,7 +86,7 @@ class Sweeper {
     std::vector<int> lone;
     for (int h = 0; h < static_cast<int>(is_kept_.size()); ++h) {
       const bool is_short = is_kept_[idx(h)] && hatches_.kinds[idx(h)] != Kind::undercut &&
-                            length(h) < short_length * spacing(h);
+                            length(h) < short_length * spacing(h) && !has_lived(h);
       if (is_short && !has_company(h)) lone.push_back(h);
     }
     for (const int h : lone) is_kept_[idx(h)] = 0;

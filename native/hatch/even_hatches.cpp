@@ -27,6 +27,9 @@ constexpr double finest_radius = 0.8;
 constexpr double midtone_margin = 8;
 constexpr double shadow_margin = 3;
 
+// What the last drawing placed stays unless it has become uneven by so much, in spacings.
+constexpr double least_move = 0.12;
+
 // Of each object, one after another: none hinders another.
 void place_surface_curves(StreamlineSet& set, const HatchView& view, const CurvesOfObjects& curves,
                           const Progress& progress) {
@@ -56,19 +59,30 @@ void place_anew(StreamlineSet& set, const HatchView& view, const CurvesOfObjects
   cut_streamlines(set, view, 0.5, 1);
 }
 
-// A drawing that follows another: what was even moves little.
+// A drawing that follows another: what was even moves little. Objects that have curves are new.
 void place_after(StreamlineSet& set, const HatchView& view, const Ragged<SurfacePoint>& first,
-                 const std::vector<StreamlineNode>& seeds, int threads, const Progress& progress) {
-  place_curves(set, view, first, {0.5, 0.5, 0.5, true}, progress.part(0, 0.3));
+                 const CurvesOfObjects& curves, const std::vector<StreamlineNode>& seeds,
+                 int threads, const Progress& progress) {
+  place_curves(set, view, first, {0.5, 0.5, 0.5, true}, progress.part(0, 0.2));
+  place_surface_curves(set, view, curves, progress.part(0.2, 0.3));
   extend_streamlines(set, view, 0.65);
   merge_streamlines(set, view);
   fill_streamlines(set, view, seeds, {0.75, 0.65, 1.5}, progress.part(0.3, 0.4));
   for (int round = 0; round < 2; ++round) {
     progress.report(0.4 + 0.3 * round);
     if (round > 0) merge_streamlines(set, view);
-    relax_streamlines(set, view, 1, threads);
+    relax_streamlines(set, view, 1, threads, {}, least_move);
     cut_streamlines(set, view, 0.5, 1);
   }
+}
+
+Ragged<SurfacePoint> places_of(const Streamlines& streamlines) {
+  Ragged<SurfacePoint> places;
+  for (const Streamline& streamline : streamlines) {
+    for (const StreamlineNode& node : streamline.nodes) places.push(node.on);
+    places.close_list();
+  }
+  return places;
 }
 
 // Right up to what ends the streamlines, and into what is left.
@@ -113,11 +127,12 @@ Hatches even_hatches(const HatchScene& scene, const CurvesOfObjects& curves,
   if (first.empty()) {
     place_anew(set, view, curves, seeds, threads, progress.part(0.1, 0.7));
   } else {
-    place_after(set, view, first, seeds, threads, progress.part(0.1, 0.7));
+    place_after(set, view, first, curves, seeds, threads, progress.part(0.1, 0.7));
   }
   finish_ends(set, view, seeds, threads, progress.part(0.7, 0.9));
   progress.report(0.9);
   Hatches hatches = finished(set.streamlines, HatchView(scene, options));
+  hatches.placed = places_of(set.streamlines);
   add_undercuts(hatches, set, scene, curves, options, threads, progress.part(0.9, 1));
   counts["hatch_steps"] += set.steps;
   counts["hatches"] += static_cast<std::int64_t>(hatches.kinds.size());

@@ -18,9 +18,10 @@ namespace illustrate {
 // world units; infinite where nothing of an object is seen and hatched.
 std::vector<double> wanted_radii(const HatchScene& scene, const HatchOptions& options);
 
-// `first`: strokes of the drawing before this one, as points on this surface; where there are any,
-// they are placed instead of the curves. The rules of HatchOptions hold for
-// both kinds of seeding. Adds "hatch_steps" and "hatches" to `counts`. Throws as place_hatches.
+// `first`: what was placed for the drawing before this one (Hatches::placed), as points on this
+// surface; where there is anything, what is there moves little. An object of which there is
+// something needs only the seeds among `curves`. The rules of HatchOptions hold for both kinds of
+// seeding. Adds "hatch_steps" and "hatches" to `counts`. Throws as place_hatches.
 Hatches even_hatches(const HatchScene& scene, const CurvesOfObjects& curves,
                      const Ragged<SurfacePoint>& first, const HatchOptions& options, int threads,
                      Counts& counts, const Progress& progress = {});

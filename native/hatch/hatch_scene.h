@@ -3,6 +3,7 @@
 
 #include "field/families.h"
 #include "hatch/critical_curves.h"
+#include "hatch/last_hatches.h"
 #include "tone/tone_regions.h"
 
 namespace illustrate {
@@ -19,6 +20,7 @@ struct HatchScene {
   const CriticalCurves& curves;                // of the graph
   const std::vector<double>& spacing_scale;    // one factor per object, empty: 1
   const std::vector<std::uint8_t>& unhatched;  // one flag per object, empty: all are hatched
+  const LastHatches* last = nullptr;           // what the frame before drew; null: nothing
 
   bool is_hatched(int object) const { return unhatched.empty() || !unhatched[idx(object)]; }
   // `spacing_px` on one object; never less than a pixel.

@@ -16,6 +16,7 @@ struct Hatches {
   Ragged<HatchPoint> curves;
   std::vector<Kind> kinds;  // hatch, cross_hatch or undercut
   std::vector<int> objects;
+  Ragged<SurfacePoint> placed;  // by even_hatches: the streamlines that these were cut from
 
   void add(Span<const HatchPoint> curve, Kind kind, int object) {
     curves.add(curve);

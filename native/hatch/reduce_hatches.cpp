@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <utility>
+#include <tuple>
 
 #include "hatch/critical_curves.h"
 #include "hatch/hatch_runs.h"
@@ -118,7 +118,12 @@ class Reducer {
     return region_[point] == Region::single && !is_undercut(owner_[point]);
   }
 
-  // Farthest from the ends first: each point stays that crosses none before.
+  bool was_drawn(int point) const {
+    return scene_.last &&
+           scene_.last->was_at(points_[point], tangent_at(point), spacing_of(owner_[point]));
+  }
+
+  // What was drawn, and farthest from the ends, first: each point stays that crosses none before.
   void clip_at_seams() {
     NeighbourGrid all = empty_grid(), kept = empty_grid();
     const auto node = [&](int i) { return HatchNode{points_[i].image, tangent_at(i), i}; };
@@ -126,12 +131,12 @@ class Reducer {
     for (int i = 0; i < size; ++i) {
       if (is_at_stake(i)) all.add(node(i));
     }
-    std::vector<std::pair<double, int>> order;
+    std::vector<std::tuple<bool, double, int>> order;
     for (int i = 0; i < size; ++i) {
-      if (is_at_stake(i) && is_crossed_at(i, all)) order.push_back({-to_end_[i], i});
+      if (is_at_stake(i) && is_crossed_at(i, all)) order.push_back({!was_drawn(i), -to_end_[i], i});
     }
     std::sort(order.begin(), order.end());
-    for (const auto& [depth, i] : order) {
+    for (const auto& [is_new, depth, i] : order) {
       kept_[i] = !is_crossed_at(i, kept);
       if (kept_[i]) kept.add(node(i));
     }
@@ -208,6 +213,10 @@ class Reducer {
     const int hatch = owner_[run.from], middle = (run.from + run.to) / 2;
     const double spacing = spacing_of(hatch);
     const double length = length_of(run) / spacing;
+    const Span<const HatchPoint> points{&points_[run.from],
+                                        static_cast<std::size_t>(run.to - run.from)};
+    if (length >= least_lived && scene_.last && scene_.last->was_along(points, spacing))
+      return true;
     const bool second = is_second(run);
     if (length >= (second ? second_speck : speck)) return true;
     if (second && length < least_second) return false;

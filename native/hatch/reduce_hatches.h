@@ -7,7 +7,8 @@
 // a silhouette where what lies on its two sides is more than 3 * spacing apart in depth. A hatch
 // that lies in shadows and undercuts altogether is of kind cross_hatch. Undercut hatches stay as
 // they are. Strokes shorter than 1.5 * spacing with no longer parallel one near are dropped outside
-// undercuts; below 3 those in shadows of the family that stays nowhere else there.
+// undercuts; below 3 those in shadows of the family that stays nowhere else there. What the frame
+// before drew goes later (last_hatches.h), and at seams before what it did not.
 //
 // Departure from section 6.5, where all hatches are placed and in each view those are deleted that
 // are perpendicular to others, breadth-first over parallel neighbours: patches of the other

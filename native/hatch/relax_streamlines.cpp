@@ -304,6 +304,16 @@ void sweep(StreamlineSet& set, const HatchView& view, int number, int threads,
   set.rebuild();
 }
 
+// Whether nodes are nearly where they were.
+bool rests(const Streamline& before, const std::vector<StreamlineNode>& after, double least_move) {
+  if (!(least_move > 0) || before.nodes.size() != after.size()) return false;
+  const double least = least_move * before.spacing;
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    if ((after[i].image - before.nodes[i].image).norm() >= least) return false;
+  }
+  return true;
+}
+
 void forget_joins(StreamlineSet& set) {
   for (Streamline& streamline : set.streamlines) streamline.is_joined = false;
 }
@@ -311,12 +321,16 @@ void forget_joins(StreamlineSet& set) {
 }  // namespace
 
 void relax_streamlines(StreamlineSet& set, const HatchView& view, int sweeps, int threads,
-                       const Progress& progress) {
+                       const Progress& progress, double least_move) {
   for (int k = 0; k < sweeps; ++k) {
     progress.report(static_cast<double>(k) / sweeps);
     sweep(
         set, view, k, threads, [](const Streamline& streamline) { return !streamline.is_fixed; },
-        [](const Relaxer& relaxer, int number) { return relaxer.evened(number); });
+        [&](const Relaxer& relaxer, int number) {
+          std::vector<StreamlineNode> nodes = relaxer.evened(number);
+          const Streamline& streamline = set.streamlines[idx(number)];
+          return rests(streamline, nodes, least_move) ? streamline.nodes : nodes;
+        });
   }
   forget_joins(set);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 #include "hatch/curve_cells.h"
@@ -24,6 +25,9 @@ constexpr double least_length = 1.5;
 
 // In finest radii: between points of a curve.
 constexpr double point_step = 0.6;
+
+// An object's area may change so much, as a factor, before its seeds are spread anew.
+constexpr double most_change = 2;
 
 // Seeds for each square of a level's radius.
 constexpr double seeds_per_square = 2.5;
@@ -49,21 +53,35 @@ struct CurveSeed {
 // Of each seed, for both directions: a parallel curve is known to be so near, in finest radii.
 using SeedBounds = std::vector<std::array<float, 2>>;
 
+double area_of(const Surface& surface, const Triangle& corners) {
+  const Vec3& origin = surface.positions[idx(corners[0])];
+  const Vec3 u = surface.positions[idx(corners[1])] - origin;
+  const Vec3 v = surface.positions[idx(corners[2])] - origin;
+  const double area = u.cross(v).norm() / 2;
+  return std::isfinite(area) ? area : 0;
+}
+
+// The areas that the seeds of these triangles are spread by. first: of all triangles, or empty.
+std::vector<double> areas_for_seeds(const Surface& surface, const std::vector<int>& triangles,
+                                    const std::vector<double>& first) {
+  std::vector<double> now, then;
+  for (const int t : triangles) {
+    now.push_back(area_of(surface, surface.triangles[idx(t)]));
+    if (!first.empty()) then.push_back(first[idx(t)]);
+  }
+  const auto sum = [](const std::vector<double>& a) {
+    return std::accumulate(a.begin(), a.end(), 0.0);
+  };
+  const double before = sum(then), after = sum(now);
+  return before > after / most_change && before < after * most_change ? then : now;
+}
+
 // Places spread evenly over the surface by area.
 class EvenPlaces {
  public:
-  EvenPlaces(const Surface& surface, std::vector<int> triangles)
-      : triangles_(std::move(triangles)) {
-    double sum = 0;
-    for (const int t : triangles_) {
-      const Triangle& corner = surface.triangles[idx(t)];
-      const Vec3& origin = surface.positions[idx(corner[0])];
-      const Vec3 u = surface.positions[idx(corner[1])] - origin;
-      const Vec3 v = surface.positions[idx(corner[2])] - origin;
-      const double area = u.cross(v).norm() / 2;
-      sum += std::isfinite(area) ? area : 0;
-      area_to_.push_back(sum);
-    }
+  EvenPlaces(std::vector<int> triangles, const std::vector<double>& areas)
+      : triangles_(std::move(triangles)), area_to_(areas.size()) {
+    std::partial_sum(areas.begin(), areas.end(), area_to_.begin());
   }
 
   double area() const { return area_to_.empty() ? 0 : area_to_.back(); }
@@ -196,7 +214,8 @@ class LevelBuilder {
 
 class RankedCurves::Builder {
  public:
-  Builder(const Surface& surface, const CrossField& field, std::vector<int> triangles)
+  Builder(const Surface& surface, const CrossField& field, std::vector<int> triangles,
+          const std::vector<double>& areas)
       : surface_(surface), walker_(surface, field) {
     for (const int t : triangles) {
       for (const int vertex : surface.triangles[idx(t)]) {
@@ -204,7 +223,8 @@ class RankedCurves::Builder {
         if (p.allFinite()) box_.extend(p);
       }
     }
-    places_.emplace(surface, std::move(triangles));
+    const std::vector<double> of_object = areas_for_seeds(surface, triangles, areas);
+    places_.emplace(std::move(triangles), of_object);
     const double area = places_->area();
     finest_ = area > 0 && std::isfinite(area) ? std::sqrt(area / finest_squares) : 0;
   }
@@ -226,14 +246,20 @@ class RankedCurves::Builder {
       make(k, progress.part(done, done + share));
       done += share;
     }
-    SurfaceCurves result;
-    result.area = places_->area();
-    result.step = step();
+    SurfaceCurves result = seeds_to(level);
     for (std::size_t c = 0; c < ends_[idx(level)]; ++c) {
       for (const CurvePlace& place : lines_[c]) result.curves.push(place.on);
       result.curves.close_list();
     }
-    for (std::size_t i = 0; i < seed_count(level); ++i) result.seeds.push_back(seeds_[i].on);
+    return result;
+  }
+
+  SurfaceCurves seeds_to(int level) const {
+    SurfaceCurves result;
+    if (!(finest_ > 0)) return result;
+    result.area = places_->area();
+    result.step = step();
+    for (std::size_t i = 0; i < seed_count(level); ++i) result.seeds.push_back(places_->place(i));
     return result;
   }
 
@@ -284,9 +310,18 @@ class RankedCurves::Builder {
   std::vector<std::size_t> ends_;  // of each of them, in `lines_`
 };
 
+std::vector<double> triangle_areas(const Surface& surface) {
+  std::vector<double> areas;
+  areas.reserve(surface.triangles.size());
+  for (const Triangle& corners : surface.triangles) areas.push_back(area_of(surface, corners));
+  return areas;
+}
+
 RankedCurves::RankedCurves(const Surface& surface, const CrossField& field,
-                           std::vector<int> triangles)
-    : builder_(std::make_unique<Builder>(surface, field, std::move(triangles))), made_(levels) {}
+                           std::vector<int> triangles, const std::vector<double>& areas)
+    : builder_(std::make_unique<Builder>(surface, field, std::move(triangles), areas)),
+      made_(levels),
+      seeds_(levels) {}
 
 RankedCurves::~RankedCurves() = default;
 
@@ -302,24 +337,39 @@ const SurfaceCurves& RankedCurves::down_to(double radius, const Progress& progre
   return *made_[idx(level)];
 }
 
-ObjectCurves::ObjectCurves(const Surface& surface, const CrossField& field) {
+const SurfaceCurves& RankedCurves::seeds_to(double radius) {
+  const std::lock_guard<std::recursive_mutex> lock(mutex_);
+  const int level = builder_->level_of(radius);
+  if (!seeds_[idx(level)]) {
+    seeds_[idx(level)] = std::make_unique<const SurfaceCurves>(builder_->seeds_to(level));
+  }
+  return *seeds_[idx(level)];
+}
+
+ObjectCurves::ObjectCurves(const Surface& surface, const CrossField& field,
+                           const std::vector<double>& areas) {
   std::vector<std::vector<int>> triangles(surface.object_is_smooth.size());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     triangles[idx(surface.triangle_objects[t])].push_back(static_cast<int>(t));
   }
   for (std::vector<int>& of_object : triangles) {
-    objects_.push_back(std::make_unique<RankedCurves>(surface, field, std::move(of_object)));
+    objects_.push_back(std::make_unique<RankedCurves>(surface, field, std::move(of_object), areas));
   }
 }
 
-CurvesOfObjects ObjectCurves::down_to(const std::vector<double>& radii, const Progress& progress) {
+CurvesOfObjects ObjectCurves::down_to(const std::vector<double>& radii,
+                                      const std::vector<std::uint8_t>& seeds_only,
+                                      const Progress& progress) {
   CurvesOfObjects curves(objects_.size(), nullptr);
   const auto count = static_cast<double>(curves.size());
   progress.report(0);
   for (std::size_t i = 0; i < curves.size(); ++i) {
     if (!std::isfinite(radii[i])) continue;
     const auto done = static_cast<double>(i);
-    curves[i] = &objects_[i]->down_to(radii[i], progress.part(done / count, (done + 1) / count));
+    const Progress part = progress.part(done / count, (done + 1) / count);
+    const bool has_curves = seeds_only.empty() || !seeds_only[i];
+    curves[i] =
+        has_curves ? &objects_[i]->down_to(radii[i], part) : &objects_[i]->seeds_to(radii[i]);
   }
   progress.report(1);
   return curves;

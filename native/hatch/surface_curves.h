@@ -26,12 +26,19 @@ struct SurfaceCurves {
   double area = 0;  // of the object
 };
 
+// (t) of the triangles as they are; 0 where not finite.
+std::vector<double> triangle_areas(const Surface& surface);
+
 // All curves of one object, made radius by radius, no further than anybody has asked. They depend
-// on nothing but its surface and field.
+// on nothing but its surface, its field and `areas`.
 class RankedCurves {
  public:
-  // Refers to surface and field. `triangles`: those of the object.
-  RankedCurves(const Surface& surface, const CrossField& field, std::vector<int> triangles);
+  // Refers to surface and field. `triangles`: those of the object. `areas`: of all triangles, as
+  // seeds and radii count them: of the first frame of a mesh that deforms, whose curves then stay
+  // where it rests. Those that differ from the object's own by more than a factor of two count for
+  // nothing, nor do empty ones.
+  RankedCurves(const Surface& surface, const CrossField& field, std::vector<int> triangles,
+               const std::vector<double>& areas = {});
   ~RankedCurves();
 
   // The curves of all radii down to the first that is not above `radius` (world units), or to the
@@ -39,12 +46,15 @@ class RankedCurves {
   // same whatever was asked before. Stays where it is. May be called by several threads; the work
   // is done on one core. Throws Cancelled through `progress` and can then be asked again.
   const SurfaceCurves& down_to(double radius, const Progress& progress = {});
+  // The same without curves: what takes no time.
+  const SurfaceCurves& seeds_to(double radius);
 
  private:
   class Builder;
   std::recursive_mutex mutex_;
   std::unique_ptr<Builder> builder_;
-  std::vector<std::unique_ptr<const SurfaceCurves>> made_;  // down to each radius, null until asked
+  // Down to each radius, null until asked.
+  std::vector<std::unique_ptr<const SurfaceCurves>> made_, seeds_;
 };
 
 // Of each object; null where none are wanted.
@@ -53,11 +63,15 @@ using CurvesOfObjects = std::vector<const SurfaceCurves*>;
 // The ranked curves of all objects.
 class ObjectCurves {
  public:
-  // Refers to both.
-  ObjectCurves(const Surface& surface, const CrossField& field);
+  // Refers to surface and field; `areas` as above.
+  ObjectCurves(const Surface& surface, const CrossField& field,
+               const std::vector<double>& areas = {});
 
-  // Of each object down to its own radius, as above; infinite: none of it.
-  CurvesOfObjects down_to(const std::vector<double>& radii, const Progress& progress = {});
+  // Of each object down to its own radius, as above; infinite: none of it. seeds_only: (objects) 1:
+  // without curves; empty: all with.
+  CurvesOfObjects down_to(const std::vector<double>& radii,
+                          const std::vector<std::uint8_t>& seeds_only = {},
+                          const Progress& progress = {});
 
  private:
   std::vector<std::unique_ptr<RankedCurves>> objects_;

@@ -2,6 +2,7 @@
 
     prepared = prepare([PolygonMesh(positions, face_sizes, corner_vertices)])
     drawing = draw(prepared, Camera(projection, view, width_px, height_px))
+    for drawing in draw_sequence(meshes, cameras, positions): ...
 
 Lengths are in pixels; `lengths_in_pixels` gives them from millimetres on paper.
 `illustrate_native.svg` and `illustrate_native.drawing_json` write drawings to files.
@@ -36,6 +37,7 @@ from illustrate_native._core import (
     solve_cross_field,
 )
 from illustrate_native.millimetres import lengths_in_pixels
+from illustrate_native.sequence import draw_sequence
 
 __version__ = "0.1.0"
 
@@ -62,6 +64,7 @@ __all__ = [
     "Texture",
     "ToneMap",
     "draw",
+    "draw_sequence",
     "lengths_in_pixels",
     "prepare",
     "rasterise",

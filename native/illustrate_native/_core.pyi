@@ -161,6 +161,20 @@ class PolygonMesh:
             edge_length: its own, world units; this mesh's where it is None.
         """
 
+    def deformed(
+        self, positions: ArrayLike, corner_normals: ArrayLike | None = None
+    ) -> PolygonMesh:
+        """The same faces with their vertices elsewhere: the mesh in another frame.
+
+        Args:
+            positions: (n, 3) float, world space, as many as this mesh has.
+            corner_normals: as those of the constructor; this mesh's where None, from which edges
+                are known to be sharp.
+
+        Raises:
+            InvalidInput: another number of positions or normals.
+        """
+
     @property
     def name(self) -> str:
         """As given."""
@@ -702,7 +716,8 @@ def prepare(
         options: None: the defaults.
         progress: told how far it is.
         previous: what it made from the same meshes with the same options is taken over. Where the
-            triangles are the same and its field is solved, the search for this field starts there.
+            vertices are the same and its field is solved, the search for this field starts there,
+            and families and seeds of hatches stay: a mesh that deforms keeps its hatching.
 
     Raises:
         InvalidInput: an option out of its range, named; singularities that cannot be.
@@ -831,6 +846,24 @@ class Drawing:
     def invisibility(self) -> _Indices:
         """(s,) layers of surface in front; 0 is visible."""
     @property
+    def frame(self) -> int:
+        """How many drawings came before in the sequence; 0 without a previous one."""
+    @property
+    def stroke_ids(self) -> _Indices:
+        """(s,) number that a stroke keeps through the frames of a sequence."""
+    @property
+    def stroke_births(self) -> _Indices:
+        """(s,) the frame in which each stroke was first."""
+    @property
+    def stroke_starts(self) -> _Doubles:
+        """(s,) px along the stroke that its first point counts as.
+
+        So dashes and textures stay in place through the frames.
+        """
+    @property
+    def stroke_deaths(self) -> _Indices:
+        """(d,) numbers of the previous drawing's strokes that have no heir, ascending."""
+    @property
     def graph(self) -> Graph:
         """The curves that the lines come from."""
     @property
@@ -862,12 +895,11 @@ def draw(
         options: None: the defaults.
         lights: none: one headlight.
         progress: told how far it is.
-        previous: the drawing of the frame before, of the same scene or of one with the same
-            triangles that has moved: its hatches are kept where they can be.
+        previous: the drawing of the frame before: its strokes live on. Of the same scene, or of
+            one with the same vertices that has moved, its hatches are kept where they can be.
 
     Raises:
-        InvalidInput: an option, style or light out of its range, named; a previous drawing of
-            other triangles.
+        InvalidInput: an option, style or light out of its range, named.
         Cancelled: progress returned False. What progress raises passes through.
     """
 

@@ -35,6 +35,9 @@ class StoredDrawing:
     objects: NDArray[np.int32]  # (s,)
     invisibility: NDArray[np.int32]  # (s,)
     made_by: dict[str, Any] = field(default_factory=dict)  # as given to `to_json`
+    # (s,) as in `illustrate_native.Drawing`; -1 and 0 where the text does not tell.
+    stroke_ids: NDArray[np.int32] = field(default_factory=lambda: np.zeros(0, np.int32))
+    stroke_starts: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0, np.float64))
 
 
 def to_json(
@@ -43,11 +46,13 @@ def to_json(
     height_px: int,
     object_names: Sequence[str] = (),
     made_by: Mapping[str, Any] | None = None,
+    tracks: bool = False,
 ) -> str:
     """JSON text of a drawing made for an image of width_px by height_px; one stroke a line.
 
     object_names: what drawing.objects number, in that order. made_by: what the file is to say of
-    its making, of JSON's types.
+    its making, of JSON's types. tracks: strokes get "id" and "start", by which they are followed
+    through the frames of a sequence.
     Raises ValueError for numbers that are not finite.
     """
     head: dict[str, Any] = {
@@ -60,14 +65,18 @@ def to_json(
     if made_by is not None:
         head["made_by"] = dict(made_by)
     strokes = ",\n".join(
-        json.dumps(_stroke(drawing, i), allow_nan=False) for i in range(len(drawing.kinds))
+        json.dumps(_stroke(drawing, i, tracks), allow_nan=False) for i in range(len(drawing.kinds))
     )
     return f'{json.dumps(head)[:-1]}, "strokes": [\n{strokes}\n]}}\n'
 
 
-def _stroke(drawing: DrawingArrays, index: int) -> dict[str, Any]:
+def _stroke(drawing: DrawingArrays, index: int, tracks: bool) -> dict[str, Any]:
     span = slice(int(drawing.offsets[index]), int(drawing.offsets[index + 1]))
-    return {
+    told: dict[str, Any] = {}
+    if tracks:
+        told["id"] = int(drawing.stroke_ids[index])
+        told["start"] = float(drawing.stroke_starts[index])
+    return told | {
         "kind": KIND_NAMES[int(drawing.kinds[index])],
         "object": int(drawing.objects[index]),
         "invisibility": int(drawing.invisibility[index]),
@@ -124,4 +133,6 @@ def _from_strokes(data: dict[str, Any], strokes: list[dict[str, Any]]) -> Stored
         objects=each("object", np.int32),
         invisibility=each("invisibility", np.int32),
         made_by=dict(data.get("made_by", {})),
+        stroke_ids=np.array([s.get("id", -1) for s in strokes], np.int32),
+        stroke_starts=np.array([s.get("start", 0.0) for s in strokes], np.float64),
     )

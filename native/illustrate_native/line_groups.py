@@ -95,6 +95,14 @@ class DrawingArrays(Protocol):
     def invisibility(self) -> NDArray[np.int32]:
         """(s,) layers in front, 0 = visible."""
 
+    @property
+    def stroke_ids(self) -> NDArray[np.int32]:
+        """(s,) number through the frames of a sequence."""
+
+    @property
+    def stroke_starts(self) -> NDArray[np.float64]:
+        """(s,) px along the stroke that its first point counts as."""
+
 
 @dataclass(frozen=True)
 class LineGroup:

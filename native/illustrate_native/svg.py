@@ -38,6 +38,7 @@ def to_svg(
     width_mm: float = 200.0,
     style: str = "centerline",
     made_by: Mapping[str, Any] | None = None,
+    tracks: bool = False,
 ) -> str:
     """SVG text of a drawing made for an image of width_px by height_px.
 
@@ -45,6 +46,8 @@ def to_svg(
     'centerline': one path per stroke along its middle, as wide as the stroke's mean width;
     'tapered': the filled outline of each stroke, as wide as the stroke is at every point.
     made_by: what the file is to say of its making, of JSON's types; it is in its metadata.
+    tracks: paths get the attributes data-id and data-start: a stroke's number through the frames
+    of a sequence, and the pixels along it that its first point counts as.
     Raises ValueError naming the argument that cannot be used.
     """
     if style not in STYLES:
@@ -67,7 +70,7 @@ def to_svg(
     for group in line_groups(drawing):
         name = group.title.lower().replace(" ", "-")
         lines.append(_GROUP.format(id=name, title=group.title, paint=_PAINT[style]))
-        lines.extend(_paths(drawing, group, style))
+        lines.extend(_paths(drawing, group, style, tracks))
         lines.append("</g>")
     return "\n".join([*lines, _END, ""])
 
@@ -80,7 +83,7 @@ def read_made_by(text: str) -> dict[str, Any]:
     return dict(json.loads(unescape(found[1])))
 
 
-def _paths(drawing: DrawingArrays, group: LineGroup, style: str) -> Iterator[str]:
+def _paths(drawing: DrawingArrays, group: LineGroup, style: str, tracks: bool) -> Iterator[str]:
     """One path element per stroke; strokes without a point give none."""
     image, widths = np.asarray(drawing.image, float), np.asarray(drawing.widths, float)
     for stroke in group.strokes:
@@ -88,14 +91,20 @@ def _paths(drawing: DrawingArrays, group: LineGroup, style: str) -> Iterator[str
         points, closed = image[span], bool(drawing.closed[stroke])
         if not len(points):
             continue
+        told = _track(drawing, int(stroke)) if tracks else ""
         if style == "centerline":
             end = "Z" if closed else ""
             yield (
-                f'<path stroke-width="{_number(widths[span].mean())}" '
+                f'<path {told}stroke-width="{_number(widths[span].mean())}" '
                 f'd="M{_polyline(points)}{end}"/>'
             )
         else:
-            yield f'<path d="{_outline(points, widths[span] / 2, closed)}"/>'
+            yield f'<path {told}d="{_outline(points, widths[span] / 2, closed)}"/>'
+
+
+def _track(drawing: DrawingArrays, stroke: int) -> str:
+    start = _number(drawing.stroke_starts[stroke])
+    return f'data-id="{int(drawing.stroke_ids[stroke])}" data-start="{start}" '
 
 
 def _outline(points: NDArray[np.float64], radii: NDArray[np.float64], closed: bool) -> str:

@@ -16,6 +16,8 @@
 #include "pipeline/see_through.h"
 #include "pipeline/seen_scene.h"
 #include "pipeline/stopwatch.h"
+#include "stroke/tracks.h"
+#include "surface/same_objects.h"
 #include "tone/light_contours.h"
 #include "visibility/label_network.h"
 #include "visibility/loose_labels.h"
@@ -101,24 +103,44 @@ double cell_size(const Camera& camera, const DrawOptions& options) {
   return std::max({cell, least_cell_px, std::sqrt(area / most_cells)});
 }
 
-// Its hatches, but not those in undercuts, which go with the view.
-Ragged<SurfacePoint> hatches_of(const Drawing& drawing, const Surface& surface) {
+// The hatches that a drawing was made of, but not those in undercuts, which go with the view. The
+// paper's seeding leaves those that were drawn.
+Ragged<SurfacePoint> placed_of(const Drawing& drawing) {
+  if (!drawing.placed.empty()) return drawing.placed;
   Ragged<SurfacePoint> hatches;
-  const auto count = static_cast<int>(surface.triangles.size());
   for (std::size_t s = 0; s < drawing.kinds.size(); ++s) {
     if (drawing.kinds[s] != Kind::hatch && drawing.kinds[s] != Kind::cross_hatch) continue;
     for (int i = drawing.offsets[s]; i < drawing.offsets[s + 1]; ++i) {
-      const SurfacePoint& on = drawing.on[idx(i)];
-      if (on.triangle < 0 || on.triangle >= count) {
-        throw InvalidInput("previous is a drawing of another surface: triangle " +
-                           std::to_string(on.triangle) + " of " + std::to_string(count) +
-                           "; leave it out where the meshes change");
-      }
-      hatches.push(on);
+      hatches.push(drawing.on[idx(i)]);
     }
     hatches.close_list();
   }
   return hatches;
+}
+
+// Lines of the last surface on this one, as far as their objects are the same.
+Ragged<SurfacePoint> moved_lines(const Ragged<SurfacePoint>& lines, const SameObjects& same) {
+  Ragged<SurfacePoint> moved;
+  for (std::size_t c = 0; c < lines.size(); ++c) {
+    if (lines[c].empty() || !same.has(lines[c][0])) continue;
+    for (const SurfacePoint& on : lines[c]) moved.push(same.point(on));
+    moved.close_list();
+  }
+  return moved;
+}
+
+// The hatches of a drawing, where they are now.
+Ragged<Vec3> drawn_hatches(const Drawing& drawing, const SameObjects& same) {
+  Ragged<Vec3> strokes;
+  for (std::size_t s = 0; s < drawing.kinds.size(); ++s) {
+    if (drawing.kinds[s] != Kind::hatch && drawing.kinds[s] != Kind::cross_hatch) continue;
+    if (!same.has(drawing.on[idx(drawing.offsets[s])])) continue;
+    for (int i = drawing.offsets[s]; i < drawing.offsets[s + 1]; ++i) {
+      strokes.push(same.position(drawing.on[idx(i)]));
+    }
+    strokes.close_list();
+  }
+  return strokes;
 }
 
 // Pixels of the unit in which lines are decided.
@@ -196,7 +218,15 @@ class View {
   }
 
   void follow(const Drawing& previous, const Surface& whole) {
-    previous_ = scene_.seen_parts(hatches_of(previous, whole));
+    if (!previous.surface) return;
+    const SameObjects same(*previous.surface, whole);
+    if (!same.any()) return;
+    previous_ = scene_.seen_parts(moved_lines(placed_of(previous), same));
+    last_.emplace(drawn_hatches(previous, same), camera_, options_.hatch.spacing_px);
+    follows_.assign(scene_.meshes().size(), 0);
+    for (const SurfacePoint& on : previous_.values) {
+      follows_[idx(scene_.surface().triangle_objects[idx(on.triangle)])] = 1;
+    }
   }
 
   void hatch(const CrossField& field, const std::vector<Light>& lights, const Bvh& casters,
@@ -224,12 +254,21 @@ class View {
     const CriticalCurves curves = timed(result_.timings["hatch"], [&] {
       return CriticalCurves(result_.graph, camera_.width_px(), camera_.height_px());
     });
-    const HatchScene hatch_scene{surface,      field,         families, camera_,       visible,
-                                 result_.tone, result_.graph, curves,   spacing_scale, unhatched};
+    const HatchScene hatch_scene{surface,
+                                 field,
+                                 families,
+                                 camera_,
+                                 visible,
+                                 result_.tone,
+                                 result_.graph,
+                                 curves,
+                                 spacing_scale,
+                                 unhatched,
+                                 last_ ? &*last_ : nullptr};
     const Progress hatch_progress = progress.part(0.4, 1, "hatch");
     if (options_.hatch.seeding == HatchSeeding::surface_curves) {
-      curves_ =
-          scene_.hatch_curves(wanted_radii(hatch_scene, options_.hatch), progress.part(0.3, 0.4));
+      curves_ = scene_.hatch_curves(wanted_radii(hatch_scene, options_.hatch), follows_,
+                                    progress.part(0.3, 0.4));
     }
     hatches_ = timed(result_.timings["hatch"], [&] {
       const bool has_extra = options_.tone.extra_levels > 0;
@@ -256,6 +295,8 @@ class View {
     });
     result_.counts["strokes"] = static_cast<std::int64_t>(result_.drawing.kinds.size());
     scene_.restore_triangles(result_.drawing.on);
+    result_.drawing.placed = std::move(placed_);
+    scene_.restore_triangles(result_.drawing.placed.values);
     progress.report(1);
     return std::move(result_);
   }
@@ -266,8 +307,10 @@ class View {
     if (options_.hatch.seeding == HatchSeeding::critical_curves) {
       return place_hatches(scene, options_.hatch, result_.counts, progress);
     }
-    return even_hatches(scene, curves_, previous_, options_.hatch, options_.threads, result_.counts,
-                        progress);
+    Hatches hatches = even_hatches(scene, curves_, previous_, options_.hatch, options_.threads,
+                                   result_.counts, progress);
+    placed_ = std::move(hatches.placed);
+    return hatches;
   }
 
   Hatches reduced(const Hatches& placed, const HatchScene& scene) {
@@ -297,7 +340,9 @@ class View {
   const Camera& camera_;
   const DrawOptions& options_;
   const MaterialMarks materials_;
-  Ragged<SurfacePoint> previous_;
+  Ragged<SurfacePoint> previous_, placed_;
+  std::optional<LastHatches> last_;
+  std::vector<std::uint8_t> follows_;  // (objects) 1: has hatches of the last drawing
   CurvesOfObjects curves_;
   Hatches hatches_;
   DrawResult result_;
@@ -320,13 +365,10 @@ DrawResult draw_seen(const Prepared& prepared, const Camera& camera, const DrawO
   return std::move(view).strokes(lights, progress.part(0.95, 1, "stroke"));
 }
 
-}  // namespace
-
-DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOptions& options,
-                const std::vector<Light>& lights, const Progress& progress,
-                const Drawing* previous) {
-  validate(options, prepared.object_count());
-  for (std::size_t i = 0; i < lights.size(); ++i) validate(lights[i], i);
+// With what the styles leave out, and through what they let see.
+DrawResult draw_styled(const Prepared& prepared, const Camera& camera, const DrawOptions& options,
+                       const std::vector<Light>& lights, const Progress& progress,
+                       const Drawing* previous) {
   if (any_is_seen_through(options.styles)) {
     return draw_seen_through(prepared, camera, options, lights, progress, previous);
   }
@@ -336,6 +378,26 @@ DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOption
   const auto casters = casters_of(prepared.surface(), options.styles, options.threads);
   return draw_seen(prepared, camera, without_unseen(options), lights, &casters->bvh, progress,
                    previous);
+}
+
+}  // namespace
+
+DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOptions& options,
+                const std::vector<Light>& lights, const Progress& progress,
+                const Drawing* previous) {
+  validate(options, prepared.object_count());
+  for (std::size_t i = 0; i < lights.size(); ++i) validate(lights[i], i);
+  DrawResult result = draw_styled(prepared, camera, options, lights, progress, previous);
+  Drawing& drawing = result.drawing;
+  drawing.surface = prepared.shared_surface();
+  if (previous) {
+    const Stopwatch watch;
+    follow_strokes(drawing, *previous, *drawing.surface, camera, line_unit(camera));
+    result.timings["stroke"] += watch.seconds();
+  } else {
+    drawing.tracks = first_tracks(drawing);
+  }
+  return result;
 }
 
 std::vector<int> silhouette_triangles(const Prepared& prepared, const Camera& camera,

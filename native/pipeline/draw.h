@@ -15,10 +15,10 @@ struct DrawResult {
   Timings timings;  // seconds: contour, visibility, tone, hatch, stroke; disjoint
 };
 
-// No lights: one headlight. `previous`: the drawing of the frame before, of the same prepared scene
-// or of one with the same triangles (a moving mesh): its hatches are kept where they can be. Where
-// `prepared` lacks its intersections or field, they are made first, on its own account. Throws
-// InvalidInput for wrong options and lights, and for a previous drawing of other triangles.
+// No lights: one headlight. `previous`: the drawing of the frame before, whose strokes live on
+// (stroke/tracks.h); the hatches of objects that are the same (surface/same_objects.h), moved or
+// not, are kept where they can be. Where `prepared` lacks its intersections or field, they are made
+// first, on its own account. Throws InvalidInput for wrong options and lights.
 DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOptions& options,
                 const std::vector<Light>& lights = {}, const Progress& progress = {},
                 const Drawing* previous = nullptr);

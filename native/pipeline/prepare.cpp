@@ -4,6 +4,7 @@
 #include "pipeline/originals.h"
 #include "pipeline/same_input.h"
 #include "pipeline/stopwatch.h"
+#include "surface/same_objects.h"
 
 namespace illustrate {
 namespace {
@@ -65,6 +66,8 @@ Prepared::Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions&
                    previous->families_};
     if (previous->families_->peek()) last_families_ = last_field_;
   }
+  first_areas_ = triangle_areas(surface());
+  if (previous) keep_first_areas(*previous);
   const bool searches = options.field || surface().triangles.size() <= most_searched_at_once;
   if (searches) search(progress.part(options.field ? 0.4 : 0.7, options.field ? 0.6 : 1));
   if (options.field) {
@@ -81,6 +84,14 @@ bool Prepared::has_surface_of(const std::vector<MeshPointer>& meshes,
     if (!is_same(*meshes[i], *geometry_->meshes[i])) return false;
   }
   return true;
+}
+
+void Prepared::keep_first_areas(const Prepared& previous) {
+  const SameObjects same(previous.surface(), surface());
+  for (std::size_t t = 0; t < first_areas_.size(); ++t) {
+    const int last = same.last_triangle(t);
+    if (last != none) first_areas_[t] = previous.first_areas_[idx(last)];
+  }
 }
 
 void Prepared::take_over(const Prepared& previous) {
@@ -259,13 +270,14 @@ const Families& Prepared::diagonal_families(const Progress& progress) const {
 }
 
 CurvesOfObjects Prepared::hatch_curves(const std::vector<double>& radii,
+                                       const std::vector<std::uint8_t>& seeds_only,
                                        const Progress& progress) const {
   const auto& curves = hatch_curves_->get([&] {
     const CrossField& cross_field = field(progress.part(0, 0.5));
-    return std::make_unique<ObjectCurves>(surface(), cross_field);
+    return std::make_unique<ObjectCurves>(surface(), cross_field, first_areas_);
   });
   const Progress curve_progress = progress.part(0.5, 1, "hatch curves");
-  return timed("hatch_curves", [&] { return curves->down_to(radii, curve_progress); });
+  return timed("hatch_curves", [&] { return curves->down_to(radii, seeds_only, curve_progress); });
 }
 
 const CurvatureDerivative& Prepared::curvature_derivative(const Progress& progress) const {

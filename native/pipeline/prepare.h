@@ -37,6 +37,7 @@ class Prepared {
   const std::vector<MeshPointer>& meshes() const { return meshes_; }
   std::size_t object_count() const { return geometry_->meshes.size(); }
   const Surface& surface() const { return *geometry_->surface; }
+  std::shared_ptr<const Surface> shared_surface() const { return geometry_->surface; }
   const LimitSurface& limit_surface() const { return *geometry_->limit_surface; }
   const Bvh& bvh() const { return search().bvh; }
   const DualSurface& dual_surface() const { return search().dual_surface; }
@@ -50,8 +51,10 @@ class Prepared {
   // when first asked for.
   const Families& families(const Progress& progress = {}) const;
   const Families& diagonal_families(const Progress& progress = {}) const;
-  // Of each object, down to its radius (hatch/surface_curves.h). They stay where they are.
+  // Of each object, down to its radius, or the seeds alone (hatch/surface_curves.h). They stay
+  // where they are.
   CurvesOfObjects hatch_curves(const std::vector<double>& radii,
+                               const std::vector<std::uint8_t>& seeds_only = {},
                                const Progress& progress = {}) const;
   const CurvatureDerivative& curvature_derivative(const Progress& progress = {}) const;
 
@@ -89,6 +92,7 @@ class Prepared {
   bool shares_field() const;
   const Search& search(const Progress& progress = {}) const;
   bool has_surface_of(const std::vector<MeshPointer>& meshes, const PrepareOptions& options) const;
+  void keep_first_areas(const Prepared& previous);
   void take_over(const Prepared& previous);
   CrossField solve_field(const Progress& progress) const;
   // What the field was solved on: of the originals where they share it.
@@ -119,6 +123,7 @@ class Prepared {
   std::shared_ptr<Lazy<Families>> diagonal_families_, placed_diagonal_families_;
   mutable LastField last_field_;     // until this field is solved
   mutable LastField last_families_;  // until these are found
+  std::vector<double> first_areas_;  // (t) in the first frame of a mesh that deforms
   std::shared_ptr<Lazy<std::unique_ptr<ObjectCurves>>> hatch_curves_;
   std::shared_ptr<Lazy<CurvatureDerivative>> derivative_;
   mutable std::mutex timings_mutex_;
@@ -128,8 +133,9 @@ class Prepared {
 // Meshes to a surface, search trees and intersections (without options.field not above 500,000
 // triangles), with options.field also hatching curvature and cross field. A mesh without faces
 // contributes nothing but stays an object. `previous`: what was made from the same bytes with the
-// same options is taken over; a field of the same triangles is where the search for this one
-// starts. Throws InvalidInput for arrays that do not fit together and for wrong options.
+// same options is taken over; on objects that are the same (surface/same_objects.h) the search for
+// the field starts from the last one, and families and seeds of hatches stay. Throws InvalidInput
+// for arrays that do not fit together and for wrong options.
 std::shared_ptr<const Prepared> prepare(const std::vector<MeshPointer>& meshes,
                                         const PrepareOptions& options,
                                         const Prepared* previous = nullptr,

@@ -112,8 +112,9 @@ SurfaceCurves SeenScene::renumbered(const SurfaceCurves& whole) const {
 }
 
 CurvesOfObjects SeenScene::hatch_curves(const std::vector<double>& radii,
+                                        const std::vector<std::uint8_t>& seeds_only,
                                         const Progress& progress) const {
-  CurvesOfObjects curves = prepared_.hatch_curves(radii, progress);
+  CurvesOfObjects curves = prepared_.hatch_curves(radii, seeds_only, progress);
   if (!part_) return curves;
   const std::vector<SurfaceCurves>& parts = part_->hatch_curves.get([&] {
     std::vector<SurfaceCurves> made;

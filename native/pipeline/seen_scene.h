@@ -39,8 +39,10 @@ class SeenScene {
   // Curves on the whole surface, as far as their triangles are in this scene, with their numbers in
   // it.
   Ragged<SurfacePoint> seen_parts(const Ragged<SurfacePoint>& curves) const;
-  // Of each object down to its radius, world units.
-  CurvesOfObjects hatch_curves(const std::vector<double>& radii, const Progress& progress) const;
+  // As those of the whole scene. Asked once.
+  CurvesOfObjects hatch_curves(const std::vector<double>& radii,
+                               const std::vector<std::uint8_t>& seeds_only,
+                               const Progress& progress) const;
 
   // From triangles of this scene to those of `prepared`.
   void restore_triangles(std::vector<SurfacePoint>& points) const;

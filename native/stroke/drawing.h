@@ -1,10 +1,25 @@
 // The finished drawing: strokes with width, in the image and in the world.
 #pragma once
 
+#include <memory>
+
+#include "core/ragged.h"
 #include "core/report.h"
 #include "core/types.h"
 
 namespace illustrate {
+
+struct Surface;
+
+// Strokes as they live through the frames of a sequence (stroke/tracks.h).
+struct StrokeTracks {
+  int frame = 0;               // of the sequence
+  std::vector<int> ids;        // (s) what is one stroke in two frames has one number
+  std::vector<int> births;     // (s) the first frame of each
+  std::vector<double> starts;  // (s) px: how far along its stroke the first point counts as
+  std::vector<int> deaths;     // ids of the last frame that are in this one no more, ascending
+  int next_id = 0;             // greater than all so far
+};
 
 // Stroke i is points[offsets[i] .. offsets[i + 1]); closed strokes do not repeat their first point.
 struct Drawing {
@@ -17,6 +32,12 @@ struct Drawing {
   std::vector<std::uint8_t> closed;  // (s)
   std::vector<int> objects;          // (s)
   std::vector<int> invisibility;     // (s) 0 = visible, else the number of layers in front
+  StrokeTracks tracks;
+
+  // What the next frame starts from: the surface that `on` is of, and its hatches before they were
+  // cut to their tones (Hatches::placed).
+  std::shared_ptr<const Surface> surface;
+  Ragged<SurfacePoint> placed;
 };
 
 }  // namespace illustrate

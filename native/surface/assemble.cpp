@@ -190,19 +190,22 @@ class Assembler {
 
   int& neighbour(int slot) { return surface_.neighbours[idx(slot / 3)][idx(slot % 3)]; }
 
-  // In the order of the triangles.
+  // In the order of the faces' corners, whichever diagonals split them.
   void number_vertices() {
     std::vector<int> vertices(sector_corners_.size(), none);
     vertex_sectors_.reserve(vertices.size());
-    for (std::size_t t = first_triangle_; t < surface_.triangles.size(); ++t) {
-      for (int& corner : surface_.triangles[t]) {
-        int& vertex = vertices[idx(corner)];
-        if (vertex == none) {
-          vertex = static_cast<int>(first_vertex_ + vertex_sectors_.size());
-          vertex_sectors_.push_back(corner);
-        }
-        corner = vertex;
+    for (int f = 0; f < static_cast<int>(first_triangles_.size()); ++f) {
+      if (!is_drawn(f)) continue;
+      for (int k = 0; k < mesh_.face_size(f); ++k) {
+        const int sector = representative(mesh_.first(f) + k);
+        int& vertex = vertices[idx(sector)];
+        if (vertex != none) continue;
+        vertex = static_cast<int>(first_vertex_ + vertex_sectors_.size());
+        vertex_sectors_.push_back(sector);
       }
+    }
+    for (std::size_t t = first_triangle_; t < surface_.triangles.size(); ++t) {
+      for (int& corner : surface_.triangles[t]) corner = vertices[idx(corner)];
     }
   }
 

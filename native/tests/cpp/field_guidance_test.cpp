@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "core/errors.h"
+#include "field/last_field.h"
 #include "surface/curvature.h"
 #include "tests/cpp/field_checks.h"
 
@@ -150,6 +151,40 @@ TEST(LastField, TurnsWithTheSurface) {
   for (std::size_t i = 0; i < again.directions.size(); ++i) {
     const Vec3 turned = rotation * field.directions[i];
     EXPECT_LT(off_cross(again.directions[i], now.normals[i], turned), 0.02);
+  }
+}
+
+// Quads that are split along their other diagonals are the same.
+TEST(LastField, TurnsWithQuads) {
+  PolygonMesh mesh = shapes::torus_mesh(1, 0.4, 40, 20);
+  const auto of_quads = [&] {
+    Surface surface = shapes::plain_surface(mesh);
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+      surface.triangle_faces.push_back(static_cast<int>(t / 2));
+    return surface;
+  };
+  const Surface before = of_quads();
+  const double angle = 20 * pi / 180;
+  CrossField field = solved(before, all_free());
+  for (std::size_t i = 0; i < field.theta.size(); ++i) {
+    field.theta[i] += angle;
+    field.directions[i] = Eigen::AngleAxisd(angle, before.normals[i]) * field.directions[i];
+  }
+  const Eigen::AngleAxisd rotation(1.1, Vec3(1, 2, 3).normalized());
+  mesh = rotated(mesh, rotation.angle(), rotation.axis());
+  for (std::size_t c = 0; c < mesh.corner_vertices.size(); c += 4) {
+    const auto first = mesh.corner_vertices.begin() + static_cast<std::ptrdiff_t>(c);
+    std::rotate(first, first + 1, first + 4);
+  }
+  const Surface now = of_quads();
+  ASSERT_NE(before.triangles, now.triangles);
+  const CrossNumbers z = last_crosses(now, tangent_frames(now.normals, 1), triangle_edges(now),
+                                      {nullptr, &before, &field}, {});
+  const TangentFrames frames = tangent_frames(now.normals, 1);
+  ASSERT_EQ(z.size(), now.positions.size());
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    const CrossNumber turned = direction_in_frame(frames, i, rotation * field.directions[i]);
+    EXPECT_LT(std::abs(fourth_power(turned) - z[i]), 0.02) << i;
   }
 }
 

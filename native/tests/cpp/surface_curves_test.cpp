@@ -151,6 +151,42 @@ TEST(SurfaceCurves, AreTheSameAtAnySize) {
   }
 }
 
+bool same_seeds(const SurfaceCurves& a, const SurfaceCurves& b) {
+  return std::equal(a.seeds.begin(), a.seeds.end(), b.seeds.begin(), b.seeds.end(),
+                    [](const SurfacePoint& p, const SurfacePoint& q) {
+                      return p.triangle == q.triangle && p.b1 == q.b1 && p.b2 == q.b2;
+                    });
+}
+
+TEST(RankedCurves, GiveSeedsWithoutCurves) {
+  const Surface torus = shapes::torus_surface(1, 0.4, 40, 20);
+  const CrossField field = field_of(torus, round_z);
+  RankedCurves ranked(torus, field, all_triangles(torus));
+  const SurfaceCurves seeds = ranked.seeds_to(0.1);
+  const SurfaceCurves& curves = ranked.down_to(0.1);
+  EXPECT_TRUE(seeds.curves.empty());
+  EXPECT_FALSE(curves.curves.empty());
+  EXPECT_TRUE(same_seeds(seeds, curves));
+  EXPECT_EQ(seeds.area, curves.area);
+}
+
+// Seeds of a mesh that deforms stay in their triangles, unless its size is quite another.
+TEST(RankedCurves, SpreadSeedsByTheFirstAreas) {
+  const Surface torus = shapes::torus_surface(1, 0.4, 40, 20);
+  Surface stretched = torus;
+  for (Vec3& p : stretched.positions) p.x() *= p.x() > 0 ? 1.5 : 1;
+  const auto seeds = [&](const Surface& surface, const std::vector<double>& areas) {
+    const CrossField field = field_of(surface, round_z);
+    return RankedCurves(surface, field, all_triangles(surface), areas).seeds_to(0.1);
+  };
+  const std::vector<double> first = triangle_areas(torus);
+  EXPECT_TRUE(same_seeds(seeds(stretched, first), seeds(torus, {})));
+  EXPECT_FALSE(same_seeds(seeds(stretched, {}), seeds(torus, {})));
+  std::vector<double> far = first;
+  for (double& area : far) area *= 3;
+  EXPECT_TRUE(same_seeds(seeds(stretched, far), seeds(stretched, {})));
+}
+
 TEST(RankedCurves, AreMadeNoFurtherThanAskedAndTheSameInAnyOrder) {
   const Surface torus = shapes::torus_surface(1, 0.4, 40, 20);
   const CrossField field = field_of(torus, round_z);

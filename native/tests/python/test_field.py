@@ -59,6 +59,40 @@ def test_a_moved_mesh_starts_from_the_last_field() -> None:
     assert np.abs(turns - np.round(turns)).max() < 0.05  # by quarter turns at most
 
 
+def apart(one: ill.Prepared, other: ill.Prepared) -> float:
+    """Median of the degrees between two crosses of a vertex."""
+    first, second = one.field.directions, other.field.directions
+    sine = np.linalg.norm(np.cross(first, second), axis=1)
+    cosine = np.abs((first * second).sum(1))
+    return float(np.median(np.degrees(np.arcsin(np.minimum(1, np.minimum(sine, cosine))))))
+
+
+def test_a_mesh_that_deforms_keeps_its_field_though_quads_are_split_anew() -> None:
+    guided = options(guides=[ill.Guide(great_circle(0.6), weight=10)])
+    first = ill.prepare([sphere().mesh()], guided)
+    shape = sphere()
+    shape.positions[:, 0] += 0.02 * np.sin(3 * shape.positions[:, 1])
+    fresh = ill.prepare([shape.mesh()], options())
+    moved = ill.prepare([shape.mesh()], options(), previous=first)
+    assert (moved.surface.triangles != first.surface.triangles).any()
+    assert apart(fresh, first) > 10
+    assert apart(moved, first) < 3
+
+
+def test_what_is_not_stretched_keeps_its_field() -> None:
+    shape = torus()
+    first = ill.prepare([shape.mesh()], options())
+    bent = shape.positions.copy()
+    bent[:, 2] *= 1 + 0.3 * np.clip(bent[:, 0] - 0.2, 0, 1)
+    moved = ill.prepare([shape.mesh().deformed(bent)], options(), previous=first)
+    assert (moved.surface.triangles != first.surface.triangles).any()
+    rests = first.surface.positions[:, 0] < -0.5
+    there, then = moved.field.directions[rests], first.field.directions[rests]
+    turns = np.abs((there * then).sum(1))
+    assert np.abs(turns - np.round(turns)).max() < 1e-6  # by quarter turns at most
+    assert (np.abs(moved.field.directions[~rests] - first.field.directions[~rests]) > 0.01).any()
+
+
 def test_prescribed_singularities_are_listed_where_they_were_put(ball: ill.Prepared) -> None:
     corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]) / np.sqrt(3)
     places = np.concatenate([corners, np.eye(3), -np.eye(3)])

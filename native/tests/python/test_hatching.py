@@ -96,11 +96,13 @@ def test_hatches_move_with_a_mesh_of_the_same_triangles(prepared: ill.Prepared) 
     assert share_near(hatch_points(after) - shift, hatch_points(first), 0.02) > 0.75
 
 
-def test_a_drawing_of_another_surface_is_refused(prepared: ill.Prepared) -> None:
-    previous = ill.draw(prepared, look_at())
+def test_after_a_drawing_of_another_surface_all_is_placed_anew(prepared: ill.Prepared) -> None:
     small = ill.prepare([cube().mesh()], ill.PrepareOptions(level=0))
-    with pytest.raises(ill.InvalidInput, match="previous is a drawing of another surface"):
-        ill.draw(small, look_at(), previous=previous)
+    options = ill.DrawOptions(**EVERYWHERE)
+    alone = ill.draw(prepared, look_at(), options)
+    after = ill.draw(prepared, look_at(), options, previous=ill.draw(small, look_at(), options))
+    assert after.points.shape == alone.points.shape
+    assert (np.sort(after.points, axis=0) == np.sort(alone.points, axis=0)).all()
 
 
 def test_half_the_pixels_give_the_same_hatches(prepared: ill.Prepared) -> None:

@@ -1,0 +1,31 @@
+// What the frame before drew, seen by this one's camera: hatches that were there are given up later
+// than others would be begun, so that those on the edge of being drawn do not flicker.
+#pragma once
+
+#include "core/ragged.h"
+#include "hatch/hatches.h"
+#include "hatch/neighbour_grid.h"
+#include "view/camera.h"
+
+namespace illustrate {
+
+// A hatch that was there stays down to this length, in spacings; it shrinks before it goes.
+constexpr double least_lived = 1;
+
+class LastHatches {
+ public:
+  // strokes: their points where the surface has them now, world. Refers to the camera.
+  LastHatches(const Ragged<Vec3>& strokes, const Camera& camera, double spacing_px);
+
+  // Whether a hatch was drawn there: a parallel one near enough that no other fits between.
+  bool was_at(const HatchPoint& point, const Vec3& tangent, double spacing_px) const;
+  // Whether it was for most of these points.
+  bool was_along(Span<const HatchPoint> points, double spacing_px) const;
+
+ private:
+  const Camera& camera_;
+  NeighbourGrid grid_;
+  std::vector<double> depths_;  // by HatchNode::point
+};
+
+}  // namespace illustrate

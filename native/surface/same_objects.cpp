@@ -1,0 +1,170 @@
+#include "surface/same_objects.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace illustrate {
+namespace {
+
+// A number for the way from a to b, the opposite for the way back (the finaliser of SplitMix64).
+std::uint64_t way(int a, int b) {
+  const auto mixed = [](std::uint64_t z) {
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+    return z ^ (z >> 31);
+  };
+  const auto both = [&](int from, int to) {
+    return mixed((std::uint64_t{static_cast<std::uint32_t>(from)} << 32) +
+                 static_cast<std::uint32_t>(to));
+  };
+  return both(a, b) - both(b, a);
+}
+
+// Numbers of vertices or triangles.
+struct Range {
+  int first = 0, count = 0;
+};
+
+// (objects) of what stands object after object.
+std::vector<Range> ranges(const std::vector<int>& objects, std::size_t count) {
+  std::vector<Range> result(count);
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    Range& range = result[idx(objects[i])];
+    if (range.count++ == 0) range.first = static_cast<int>(i);
+  }
+  return result;
+}
+
+// One object of a surface.
+struct Part {
+  const Surface& surface;
+  Range vertices, triangles;
+
+  std::size_t vertex(int i) const { return idx(vertices.first + i); }
+  std::size_t triangle(int t) const { return idx(triangles.first + t); }
+  int corner(int t, int k) const { return surface.triangles[triangle(t)][idx(k)] - vertices.first; }
+  int face(int t) const { return surface.triangle_faces[triangle(t)]; }
+  int ptex_face(int i) const {
+    const int face = surface.base_faces[vertex(i)];
+    return face == none ? none : face - surface.base_faces[vertex(0)];
+  }
+};
+
+bool has_same_vertices(const Part& a, const Part& b) {
+  if (a.vertices.count != b.vertices.count) return false;
+  for (int i = 0; i < a.vertices.count; ++i) {
+    const std::size_t v = a.vertex(i), w = b.vertex(i);
+    if (a.surface.places[v] - a.vertices.first != b.surface.places[w] - b.vertices.first ||
+        a.ptex_face(i) != b.ptex_face(i) || a.surface.base_uv[v] != b.surface.base_uv[w]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool has_same_triangles(const Part& a, const Part& b) {
+  for (int t = 0; t < a.triangles.count; ++t) {
+    for (int k = 0; k < 3; ++k) {
+      if (a.corner(t, k) != b.corner(t, k)) return false;
+    }
+  }
+  return true;
+}
+
+// For each face of the input mesh the sum over the edges of its triangles: diagonals, which are
+// there once each way, cancel.
+std::vector<std::uint64_t> outlines(const Part& part) {
+  std::vector<std::uint64_t> sums;
+  for (int t = 0; t < part.triangles.count; ++t) {
+    const std::size_t face = idx(part.face(t));
+    if (face >= sums.size()) sums.resize(face + 1, 0);
+    for (int k = 0; k < 3; ++k)
+      sums[face] += way(part.corner(t, k), part.corner(t, next_corner(k)));
+  }
+  return sums;
+}
+
+bool has_same_faces(const Part& a, const Part& b) {
+  if (a.surface.triangle_faces.empty() || b.surface.triangle_faces.empty()) return false;
+  for (int t = 0; t < a.triangles.count; ++t) {
+    if (a.face(t) != b.face(t)) return false;
+  }
+  return outlines(a) == outlines(b);
+}
+
+bool is_same(const Part& a, const Part& b) {
+  return a.triangles.count == b.triangles.count && has_same_vertices(a, b) &&
+         (has_same_triangles(a, b) || has_same_faces(a, b));
+}
+
+// The weights of the second and third corner at the place of a triangle's plane nearest to p.
+Vec2 barycentrics(const Surface& surface, int triangle, const Vec3& p) {
+  const Triangle& corners = surface.triangles[idx(triangle)];
+  const Vec3& origin = surface.positions[idx(corners[0])];
+  const Vec3 u = surface.positions[idx(corners[1])] - origin;
+  const Vec3 v = surface.positions[idx(corners[2])] - origin, w = p - origin;
+  const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), area = uu * vv - uv * uv;
+  if (!(area > 0)) return {1.0 / 3, 1.0 / 3};
+  return {(vv * u.dot(w) - uv * v.dot(w)) / area, (uu * v.dot(w) - uv * u.dot(w)) / area};
+}
+
+SurfacePoint inside(int triangle, const Vec2& weights) {
+  const double b1 = std::clamp(weights.x(), 0.0, 1.0);
+  return {triangle, b1, std::clamp(weights.y(), 0.0, 1 - b1)};
+}
+
+}  // namespace
+
+SameObjects::SameObjects(const Surface& last, const Surface& now) : last_(last), now_(now) {
+  const std::size_t count = now.object_is_smooth.size();
+  is_same_.assign(std::max(count, last.object_is_smooth.size()), 0);
+  shifts_.assign(count, {0, 0});
+  if (count != last.object_is_smooth.size()) return;
+  const std::vector<Range> last_vertices = ranges(last.objects, count),
+                           vertices = ranges(now.objects, count),
+                           last_triangles = ranges(last.triangle_objects, count),
+                           triangles = ranges(now.triangle_objects, count);
+  for (std::size_t o = 0; o < count; ++o) {
+    is_same_[o] =
+        is_same({last, last_vertices[o], last_triangles[o]}, {now, vertices[o], triangles[o]});
+    shifts_[o] = {vertices[o].first - last_vertices[o].first,
+                  triangles[o].first - last_triangles[o].first};
+  }
+}
+
+bool SameObjects::any() const {
+  return std::find(is_same_.begin(), is_same_.end(), 1) != is_same_.end();
+}
+
+Vec3 SameObjects::position(const SurfacePoint& last) const {
+  const Triangle& corners = last_.triangles[idx(last.triangle)];
+  const int shift = shifts_[idx(last_.triangle_objects[idx(last.triangle)])][0];
+  const auto at = [&](int k) -> const Vec3& {
+    return now_.positions[idx(corners[idx(k)] + shift)];
+  };
+  return (1 - last.b1 - last.b2) * at(0) + last.b1 * at(1) + last.b2 * at(2);
+}
+
+SurfacePoint SameObjects::point(const SurfacePoint& last) const {
+  const auto& shift = shifts_[idx(last_.triangle_objects[idx(last.triangle)])];
+  const Triangle& before = last_.triangles[idx(last.triangle)];
+  SurfacePoint best{last.triangle + shift[1], last.b1, last.b2};
+  const Triangle& corners = now_.triangles[idx(best.triangle)];
+  const bool is_unsplit = before[0] + shift[0] == corners[0] &&
+                          before[1] + shift[0] == corners[1] && before[2] + shift[0] == corners[2];
+  if (is_unsplit) return best;
+  const Vec3 p = position(last);
+  const int middle = best.triangle, count = static_cast<int>(now_.triangles.size());
+  double deepest = -std::numeric_limits<double>::infinity();
+  for (int t = std::max(0, middle - 1); t <= std::min(count - 1, middle + 1); ++t) {
+    if (now_.triangle_faces[idx(t)] != now_.triangle_faces[idx(middle)]) continue;
+    const Vec2 weights = barycentrics(now_, t, p);
+    const double depth = std::min(weights.minCoeff(), 1 - weights.sum());
+    if (depth <= deepest) continue;
+    deepest = depth;
+    best = inside(t, weights);
+  }
+  return best;
+}
+
+}  // namespace illustrate

@@ -1,0 +1,43 @@
+// Objects that are the same in two frames.
+#pragma once
+
+#include "surface/surface.h"
+
+namespace illustrate {
+
+// Of the objects of one surface those of another, by their numbers. An object is the same where it
+// has as many vertices, of which those of one number are one, and faces of the same outlines.
+// Triangles may differ: quads are split along their shorter diagonals, which change while a mesh
+// deforms. Refers to both surfaces.
+class SameObjects {
+ public:
+  SameObjects(const Surface& last, const Surface& now);
+
+  bool any() const;
+  const Surface& last() const { return last_; }
+  // The vertex of the last surface that one of this is; none where its object is another.
+  int last_vertex(std::size_t vertex) const { return shifted(now_.objects[vertex], vertex, 0); }
+  int last_triangle(std::size_t triangle) const {
+    return shifted(now_.triangle_objects[triangle], triangle, 1);
+  }
+
+  // Where a point of the last surface has come to: whether it is still there, its position, and
+  // the triangle there.
+  bool has(const SurfacePoint& last) const {
+    return is_same_[idx(last_.triangle_objects[idx(last.triangle)])] != 0;
+  }
+  Vec3 position(const SurfacePoint& last) const;
+  SurfacePoint point(const SurfacePoint& last) const;
+
+ private:
+  int shifted(int object, std::size_t number, std::size_t kind) const {
+    return is_same_[idx(object)] ? static_cast<int>(number) - shifts_[idx(object)][kind] : none;
+  }
+
+  const Surface& last_;
+  const Surface& now_;
+  std::vector<std::uint8_t> is_same_;       // (objects)
+  std::vector<std::array<int, 2>> shifts_;  // (objects) of vertices and triangles, now less last
+};
+
+}  // namespace illustrate

@@ -1,0 +1,175 @@
+"""Frames one after another: strokes that live on, and meshes that deform."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import illustrate_native as ill
+import numpy as np
+import pytest
+from checker import check_drawing, digest
+from illustrate_native import svg
+from illustrate_native.drawing_json import from_json, to_json
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree  # type: ignore[import-untyped]
+from shapes import SIZE_PX, look_at, sphere, torus
+
+HATCHES = [int(kind) for kind in (ill.Kind.HATCH, ill.Kind.CROSS_HATCH, ill.Kind.UNDERCUT)]
+LEVEL = ill.PrepareOptions(level=3)
+
+
+def orbit(frames: int, degrees: float = 1.0) -> list[ill.Camera]:
+    turns = np.radians(degrees * np.arange(frames))
+    return [look_at((2 * np.sin(t), -2 * np.cos(t), 0.8)) for t in turns]
+
+
+def lines_of(drawing: ill.Drawing) -> NDArray[np.intp]:
+    return np.flatnonzero(~np.isin(drawing.kinds, HATCHES))
+
+
+def points_of(drawing: ill.Drawing, stroke: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Image points of a stroke, and what each counts as along it."""
+    image = drawing.image[drawing.offsets[stroke] : drawing.offsets[stroke + 1]]
+    steps = np.linalg.norm(np.diff(image, axis=0), axis=1)
+    return image, drawing.stroke_starts[stroke] + np.r_[0, np.cumsum(steps)]
+
+
+def test_a_drawing_alone_begins_a_sequence() -> None:
+    drawing = ill.draw(ill.prepare([torus().mesh()], LEVEL), look_at())
+    strokes = len(drawing.kinds)
+    assert drawing.frame == 0
+    assert (drawing.stroke_ids == np.arange(strokes)).all()
+    assert not drawing.stroke_births.any()
+    assert not drawing.stroke_starts.any()
+    assert not len(drawing.stroke_deaths)
+
+
+def test_lines_live_on_while_the_camera_turns() -> None:
+    drawings = list(ill.draw_sequence([torus().mesh()], orbit(6), prepare_options=LEVEL))
+    for last, now in pairwise(drawings):
+        assert now.frame == last.frame + 1
+        lengths = np.array([points_of(now, s)[1][-1] for s in lines_of(now)])
+        lived = np.isin(now.stroke_ids[lines_of(now)], last.stroke_ids)
+        assert lengths[lived].sum() > 0.95 * lengths.sum()
+        assert len(np.unique(now.stroke_ids)) == len(now.stroke_ids)
+        assert (now.stroke_births[np.isin(now.stroke_ids, last.stroke_ids)] < now.frame).all()
+        gone = np.setdiff1d(last.stroke_ids, now.stroke_ids)
+        assert (now.stroke_deaths == gone).all()
+
+
+def test_what_is_drawn_along_a_line_does_not_swim() -> None:
+    drawings = list(ill.draw_sequence([torus().mesh()], orbit(6), prepare_options=LEVEL))
+    slides = []
+    for last, now in pairwise(drawings):
+        before = {int(last.stroke_ids[s]): s for s in lines_of(last)}
+        for stroke in lines_of(now):
+            if int(now.stroke_ids[stroke]) not in before:
+                continue
+            there, then = points_of(last, before[int(now.stroke_ids[stroke])])
+            here, counts = points_of(now, stroke)
+            distance, nearest = cKDTree(there).query(here)
+            slides.append(np.abs(counts - then[nearest])[distance < 1.5])
+    assert np.median(np.concatenate(slides)) < 1.5
+
+
+def test_only_hatches_and_where_closed_lines_begin_depend_on_the_frame_before() -> None:
+    prepared = ill.prepare([torus().mesh()], LEVEL)
+    options = ill.DrawOptions(hatching=False)
+    first, second = orbit(2, 3.0)
+    alone = ill.draw(prepared, second, options)
+    after = ill.draw(prepared, second, options, previous=ill.draw(prepared, first, options))
+    assert (alone.offsets == after.offsets).all()
+    for start, end in pairwise(alone.offsets):
+        one, other = alone.image[start:end], after.image[start:end]
+        assert (np.sort(one, axis=0) == np.sort(other, axis=0)).all()
+    check_drawing(after, second)
+
+
+def test_a_sequence_is_that_of_single_drawings() -> None:
+    cameras = orbit(3)
+    prepared, last = ill.prepare([torus().mesh()], LEVEL), None
+    for drawing, camera in zip(
+        ill.draw_sequence([torus().mesh()], cameras, prepare_options=LEVEL), cameras, strict=True
+    ):
+        last = ill.draw(prepared, camera, previous=last)
+        assert digest(drawing) == digest(last)
+
+
+def test_a_mesh_that_deforms_keeps_its_hatches_where_it_rests() -> None:
+    """One half swells and turns; on the other hatches are as they were."""
+    shape, view = sphere(10), look_at((0.0, -2.0, 0.3))
+    moving = np.clip((shape.positions[:, 0] - 0.3) / 0.4, 0, 1)[:, None]
+    poses = [np.asarray(shape.positions * (1 + 0.05 * k * moving)) for k in range(4)]
+    drawings = list(
+        ill.draw_sequence(
+            [shape.mesh()], [view] * 4, [[pose] for pose in poses], prepare_options=LEVEL
+        )
+    )
+    still = hatch_points(drawings[0])
+    still = still[still[:, 0] < -0.2]
+    alone = ill.draw(ill.prepare([shape.mesh().deformed(poses[-1])], LEVEL), view)
+    off_alone = cKDTree(hatch_points(alone)).query(still)[0]
+    off = cKDTree(hatch_points(drawings[-1])).query(still)[0]
+    assert np.mean(off > 0.01) < 0.15
+    assert np.mean(off > 0.01) < 0.5 * np.mean(off_alone > 0.01)
+
+
+def hatch_points(drawing: ill.Drawing) -> NDArray[np.float64]:
+    """Points along all hatches, a hundredth apart."""
+    found = []
+    for stroke in np.flatnonzero(np.isin(drawing.kinds, HATCHES[:2])):
+        line = drawing.points[drawing.offsets[stroke] : drawing.offsets[stroke + 1]]
+        for a, b in pairwise(line):
+            parts = max(1, int(np.linalg.norm(b - a) / 0.01))
+            found.append(a + np.linspace(0, 1, parts + 1)[:, None] * (b - a))
+    return np.concatenate(found)
+
+
+def test_lines_of_a_chunk_are_those_of_the_whole_and_a_full_warm_up_gives_its_hatches() -> None:
+    prepared, cameras = ill.prepare([torus().mesh()], LEVEL), orbit(4, 2.0)
+
+    def drawn(views: list[ill.Camera]) -> ill.Drawing:
+        last = None
+        for view in views:
+            last = ill.draw(prepared, view, previous=last)
+        assert last is not None
+        return last
+
+    whole, again, chunk = drawn(cameras), drawn(cameras), drawn(cameras[2:])
+    assert digest(whole) == digest(again)
+    assert (whole.stroke_ids == again.stroke_ids).all()
+    lines = [np.sort(d.points[: d.offsets[len(lines_of(d))]], axis=0) for d in (whole, chunk)]
+    assert np.array_equal(lines[0], lines[1])
+
+
+def test_files_tell_which_strokes_are_the_same() -> None:
+    [_, drawing] = ill.draw_sequence([torus().mesh()], orbit(2), prepare_options=LEVEL)
+    text = to_json(drawing, SIZE_PX, SIZE_PX, ["Torus"], tracks=True)
+    stored = from_json(text)
+    assert (stored.stroke_ids == drawing.stroke_ids).all()
+    assert (stored.stroke_starts == drawing.stroke_starts).all()
+    untold = from_json(to_json(drawing, SIZE_PX, SIZE_PX))
+    assert (untold.stroke_ids == -1).all()
+    page = svg.to_svg(drawing, SIZE_PX, SIZE_PX, tracks=True)
+    assert all(f'data-id="{number}" ' in page for number in drawing.stroke_ids)
+    assert "data-id" not in svg.to_svg(drawing, SIZE_PX, SIZE_PX)
+
+
+def test_what_does_not_fit_together_is_named() -> None:
+    mesh = sphere().mesh()
+    with pytest.raises(ill.InvalidInput, match="positions has 3 rows, but the mesh has"):
+        mesh.deformed(np.zeros((3, 3)))
+    short = ill.draw_sequence([mesh], orbit(2), [None], prepare_options=LEVEL)
+    next(short)
+    with pytest.raises(ill.InvalidInput, match="positions has nothing for frame 1"):
+        next(short)
+    with pytest.raises(ill.InvalidInput, match="positions has 2 arrays for 1 meshes"):
+        next(ill.draw_sequence([mesh], orbit(1), [[None, None]], prepare_options=LEVEL))
+
+
+def test_a_deformed_mesh_has_the_same_faces() -> None:
+    shape = sphere()
+    mesh = shape.mesh(name="ball").deformed(2 * shape.positions)
+    prepared = ill.prepare([mesh], LEVEL)
+    assert mesh.name == "ball"
+    assert np.abs(np.linalg.norm(prepared.surface.positions, axis=1) - 2).max() < 0.2
