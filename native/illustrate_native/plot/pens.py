@@ -22,6 +22,8 @@ FEATURES = (
     "Ridge",
     "Valley",
     "Loose Edge",
+    "Terminator",
+    "Shadow Outline",
 )
 HATCHES = ("Hatch", "Cross-hatch", "Undercut")
 HIDDEN = ("Hidden",)

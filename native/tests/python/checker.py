@@ -23,7 +23,8 @@ LAYERS_HIDDEN_BY = {
     ill.Kind.SILHOUETTE: {2}, ill.Kind.BOUNDARY: {1}, ill.Kind.SEAM: {1},
     ill.Kind.CREASE: {0, 2}, ill.Kind.MARK: {0, 2}, ill.Kind.MATERIAL: {0, 2},
     ill.Kind.FLAT_OUTLINE: {0, 2}, ill.Kind.INTERSECTION: {0}, ill.Kind.SUGGESTIVE: {0},
-    ill.Kind.RIDGE: {0}, ill.Kind.VALLEY: {0}, ill.Kind.LOOSE: {0},
+    ill.Kind.RIDGE: {0}, ill.Kind.VALLEY: {0}, ill.Kind.LOOSE: {0}, ill.Kind.TERMINATOR: {0},
+    ill.Kind.SHADOW_OUTLINE: {0},
 }  # fmt: skip
 
 STROKE_ARRAYS = (

@@ -52,7 +52,7 @@ def test_stub_says_what_the_module_has() -> None:
 def test_every_public_name_is_there() -> None:
     for name in ill.__all__:
         assert hasattr(ill, name), name
-    assert [int(kind) for kind in ill.Kind] == list(range(15))
+    assert [int(kind) for kind in ill.Kind] == list(range(17))
     assert {node.name: int(node) for node in ill.Node} == {
         "CUSP": 0, "CROSSING": 1, "JOINT": 2, "END": 3,
     }  # fmt: skip
@@ -307,6 +307,23 @@ def test_lines_of_curvature_are_drawn_when_asked_for(prepared: ill.Prepared) -> 
     assert set(asked.graph.arc_kind.tolist()) >= set(asked.kinds.tolist())
     round_one = ill.DrawOptions(hatching=False, suggestive_contours=True, ridges=True, valleys=True)
     assert set(draw(prepared, look_at(), round_one).kinds) <= {0, *kinds}
+
+
+def test_lines_of_light_are_drawn_when_asked_for() -> None:
+    ground = Shape(
+        np.array([[-4, -4, -1.5], [4, -4, -1.5], [4, 4, -1.5], [-4, 4, -1.5]], float),
+        np.array([4], np.int32),
+        np.arange(4, dtype=np.int32),
+    )
+    scene = ill.prepare([sphere().mesh(), ground.mesh(crease_angle_deg=30)])
+    camera = look_at((0, -1, 1), radius=3)
+    options = ill.DrawOptions(hatching=False, terminators=True, shadow_outlines=True)
+    kinds = {int(ill.Kind.TERMINATOR), int(ill.Kind.SHADOW_OUTLINE)}
+    for contours in (True, False):
+        sun = ill.Light("sun", (1, -0.5, 2), contours=contours)
+        assert sun.contours == contours
+        drawn = set(draw(scene, camera, options, [sun]).kinds.tolist()) & kinds
+        assert drawn == (kinds if contours else set())
 
 
 @pytest.mark.parametrize("perspective", [True, False])
