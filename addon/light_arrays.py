@@ -51,7 +51,8 @@ def read_light(data: Any, matrix: Any) -> LightArrays:
         light = LightArrays("point", position, watts / (4 * math.pi**2))
     light.falloff_distance = 0.0 if light.kind == "sun" else 1.0
     light.casts_shadows = data.use_shadow
-    light.contours = data.illustrate.contours
+    # Of the light itself: its evaluated copy hears of changes when something else changes too.
+    light.contours = data.original.illustrate.contours
     return light
 
 

@@ -124,7 +124,7 @@ LINES = (
            "Draw edges that belong to no face, and objects that have no others"),
     switch("terminators", "lines", "Terminators", False,
            "Draw where smooth forms turn away from the scene's lights"),
-    switch("shadow_outlines", "lines", "Shadow Outlines", False,
+    switch("shadow_outlines", "lines", "Shadow Lines", False,
            "Draw the outlines of the shadows that the scene's lights cast"),
     switch("suggestive_contours", "lines", "Suggestive", False,
             "Draw where a smooth surface nearly turns away from the camera"),

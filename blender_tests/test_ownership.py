@@ -221,7 +221,8 @@ def test_ten_thousand_strokes_are_written_and_replaced(scene: Any) -> None:
         offsets = np.arange(0, 3 * count + 1, 3)
         kinds = np.zeros(count, np.uint8)
         closed = np.zeros(count, bool)
-        objects = invisibility = np.zeros(count, np.int32)
+        objects = invisibility = stroke_ids = np.zeros(count, np.int32)
+        stroke_starts = np.zeros(count, np.float32)
 
     for _ in range(2):
         write_drawing(scene, Many, made.arrays.camera, "GREASE_PENCIL")

@@ -45,7 +45,7 @@ PENS = [
 KINDS = (
     "Silhouette", "Boundary", "Crease", "Intersection", "Mark", "Material", "Flat Outline",
     "Suggestive Contour", "Ridge", "Valley", "Loose Edge", "Hatch", "Cross-hatch", "Undercut",
-    "Hidden",
+    "Hidden", "Terminator", "Shadow Outline",
 )  # fmt: skip
 """Titles of groups of lines; a pen keeps its choice as bits in this order."""
 

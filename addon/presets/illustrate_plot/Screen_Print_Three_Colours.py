@@ -14,7 +14,7 @@ FILMS = {
     "Hatching": ((0.95, 0.55, 0.1), {"Hatch", "Cross-hatch", "Undercut"}),
     "Lines": ((0.1, 0.35, 0.7), {
         "Crease", "Intersection", "Mark", "Material", "Flat Outline", "Suggestive Contour",
-        "Ridge", "Valley", "Loose Edge",
+        "Ridge", "Valley", "Loose Edge", "Terminator", "Shadow Outline",
     }),
     "Outline": ((0.05, 0.05, 0.05), {"Silhouette", "Boundary"}),
 }  # fmt: skip
