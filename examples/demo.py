@@ -6,7 +6,7 @@
 ARGUMENTS: [--out DIR] [SCENE ...]
 
 Each scene leaves an .svg, a .png and a .blend in DIR (out/demo), those that move the .json of
-twelve frames in a folder of their own (motion.py makes pictures of them); the run ends with a line
+eight frames in a folder of their own (motion.py makes pictures of them); the run ends with a line
 per scene or frame: strokes by kind, seconds per stage.
 """
 
@@ -62,7 +62,7 @@ def main(headless: ModuleType) -> int:
         command = ["--out", chosen.out, "--format", "svg,png,blend", "--name", name]
         if name in scenes.SEQUENCES:
             command = ["--out", str(pathlib.Path(chosen.out, name)), "--format", "json"]
-            command += ["--frames", "1-12", "--name", "####"]
+            command += ["--frames", "1-8", "--name", "####"]
         code |= headless.main(command, lines)
         if name in scenes.CAGES and not code:
             scenes.save_cage(pathlib.Path(chosen.out, f"{name}.obj"), scenes.CAGES[name])
