@@ -153,7 +153,7 @@ def test_every_kind_of_line_has_its_layer() -> None:
         "3 Features",
         "4 Outline",
     ]
-    assert [len(layer.strokes) for layer in plot.layers][1:] == [3, 9, 2]
+    assert [len(layer.strokes) for layer in plot.layers][1:] == [3, 11, 2]
     length = 200 * 190 / 300
     assert lengths(plot.layers[3].strokes) == pytest.approx(length)
     dashes = lengths(plot.layers[0].strokes)
