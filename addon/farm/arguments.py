@@ -183,19 +183,19 @@ def _name(text: str) -> str:
 
 
 def _formats(text: str) -> list[str]:
-    formats = text.split(",")
-    for name in formats:
-        if name not in ALL_FORMATS:
-            raise argparse.ArgumentTypeError(f"{name!r} is not one of {', '.join(ALL_FORMATS)}")
-    return formats
+    return _names_among(text, ALL_FORMATS)
 
 
 def _sequences(text: str) -> list[str]:
-    formats = text.split(",")
-    for name in formats:
-        if name not in SEQUENCES:
-            raise argparse.ArgumentTypeError(f"{name!r} is not one of {', '.join(SEQUENCES)}")
-    return formats
+    return _names_among(text, SEQUENCES)
+
+
+def _names_among(text: str, known: tuple[str, ...]) -> list[str]:
+    names = text.split(",")
+    for name in names:
+        if name not in known:
+            raise argparse.ArgumentTypeError(f"{name!r} is not one of {', '.join(known)}")
+    return names
 
 
 def _scale(text: str) -> float:

@@ -7,30 +7,21 @@ from typing import Any
 
 import illustrate_native as ill
 import numpy as np
+from drawings import drawing_of
 from illustrate_native.drawing_json import StoredDrawing
-from illustrate_native.line_groups import KIND_NAMES
 
 WIDTH_PX, HEIGHT_PX = 1024, 768
 
 
 def drawing_of_every_kind() -> StoredDrawing:
     """One straight stroke of each kind that is drawn, and a hidden one."""
-    kinds = [i for i, name in enumerate(KIND_NAMES) if name != "SEAM"]
-    count = len(kinds) + 1
-    start = np.c_[np.full(count, 10.0), 10.0 * np.arange(1, count + 1)]
-    image = np.stack([start, start + np.array([200.0, 0.0])], axis=1).reshape(-1, 2)
-    return StoredDrawing(
-        400,
-        300,
-        ["Thing"],
-        points=np.c_[image, np.zeros(len(image))],
-        image=image,
-        widths=np.full(len(image), 1.0, np.float32),
-        offsets=np.arange(0, 2 * count + 1, 2).astype(np.int32),
-        kinds=np.array([*kinds, 0], np.uint8),
-        closed=np.zeros(count, bool),
-        objects=np.zeros(count, np.int32),
-        invisibility=np.array([0] * len(kinds) + [1], np.int32),
+    kinds = [kind for kind in ill.Kind if kind != ill.Kind.SEAM]
+    rows = enumerate([*((kind, 0) for kind in kinds), (ill.Kind.SILHOUETTE, 1)], start=1)
+    return drawing_of(
+        [
+            (kind, [(10.0, 10.0 * row), (210.0, 10.0 * row)], [1.0, 1.0], False, invisibility)
+            for row, (kind, invisibility) in rows
+        ]
     )
 
 
