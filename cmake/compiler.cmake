@@ -14,6 +14,9 @@ elseif(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   target_compile_options(illustrate_compiler INTERFACE
     -fno-math-errno -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion
     -Wnon-virtual-dtor -Woverloaded-virtual)
+  if(WIN32)
+    target_compile_definitions(illustrate_compiler INTERFACE NOMINMAX _USE_MATH_DEFINES)
+  endif()
 endif()
 
 # Build type Sanitize: ends at the first memory error or undefined behaviour.

@@ -2,6 +2,7 @@
 # setup_headers.sh VERSION: the headers of that Python. Prints their folders, with commas between:
 # those of a Python on the path or of pyenv, else of the package of a newer Debian, in the cache.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+source "$ROOT/tools/debian_packages.sh"
 
 version=$1
 if python=$(find_python "$version"); then
@@ -11,19 +12,11 @@ fi
 suite=$(suite_of_python "$version") || fail "no headers of Python $version: install it with them," \
     "or with 'pyenv install $version'"
 
-# A private copy of the machine's package list that names the other Debian.
 fetch() {
     local work=$1 archive
-    local keyring=/usr/share/keyrings/debian-archive-keyring.gpg
-    mkdir -p "$work/lists/partial" "$work/parts"
-    echo "deb [signed-by=$keyring check-valid-until=no] $(debian_mirror | sed 1q) $suite main" \
-        >"$work/sources.list"
-    local apt=(apt-get -qq -o APT::Sandbox::User= -o "Dir::Etc::sourcelist=$work/sources.list"
-        -o "Dir::Etc::sourceparts=$work/parts" -o "Dir::State::lists=$work/lists"
-        -o Dir::Cache::srcpkgcache= -o Dir::Cache::pkgcache=)
-    "${apt[@]}" update
-    (cd "$work" && "${apt[@]}" download "libpython$version-dev")
-    for archive in "$work"/*.deb; do dpkg-deb --extract "$archive" "$work/files"; done
+    packages_of_suite deb "$suite" "$work" && "${APT[@]}" update &&
+        (cd "$work" && "${APT[@]}" download "libpython$version-dev") || return
+    for archive in "$work"/*.deb; do dpkg-deb --extract "$archive" "$work/files" || return; done
 }
 
 folder=$CACHE/python$version-headers

@@ -13,6 +13,7 @@ namespace illustrate::bindings {
 
 namespace py = pybind11;
 
+void bind_jobs(py::module_& m);     // Job, stop_jobs
 void bind_mesh(py::module_& m);     // Kind, Node, PolygonMesh, Camera, Light
 void bind_options(py::module_& m);  // PrepareOptions, DrawOptions, ObjectStyle
 void bind_prepare(py::module_& m);  // Surface, CrossField, Prepared, prepare, solve_cross_field

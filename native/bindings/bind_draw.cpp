@@ -5,6 +5,8 @@
 #include "bindings/bind.h"
 #include "bindings/draw_options.h"
 #include "bindings/drawing_arrays.h"
+#include "bindings/jobs.h"
+#include "pipeline/rough_lines.h"
 
 namespace illustrate::bindings {
 namespace {
@@ -92,7 +94,8 @@ struct DrawingHandle {
 };
 
 void bind_drawing(py::module_& m) {
-  py::class_<DrawingHandle> bound(m, "Drawing", "One finished view.");
+  py::class_<DrawingHandle, std::shared_ptr<DrawingHandle>> bound(m, "Drawing",
+                                                                  "One finished view.");
   const auto stroke = array_attributes<DrawingHandle>(
       bound, [](const DrawingArrays& d) -> const Drawing& { return d.result.drawing; });
   stroke("points", &Drawing::points);
@@ -146,16 +149,43 @@ std::vector<Light> read_lights(const py::object& lights) {
   return read;
 }
 
-DrawingHandle draw_view(const Prepared& prepared, const Camera& camera,
-                        const PythonDrawOptions* options, const py::object& lights,
-                        const py::object& progress, const DrawingHandle* previous) {
-  const DrawOptions draw_options = options ? read_draw_options(*options) : DrawOptions{};
-  const std::vector<Light> read = read_lights(lights);
+// All that a view is drawn from, without a Python object.
+struct View {
+  std::shared_ptr<Prepared> prepared;
+  Camera camera;
+  DrawOptions options;
+  std::vector<Light> lights;
+  DrawingPointer previous;
+
+  std::shared_ptr<DrawingHandle> operator()(const Progress& progress) const {
+    auto drawing =
+        std::make_shared<const DrawingArrays>(draw(*prepared, camera, options, lights, progress,
+                                                   previous ? &previous->result.drawing : nullptr));
+    return std::make_shared<DrawingHandle>(DrawingHandle{std::move(drawing)});
+  }
+};
+
+View view_from(const std::shared_ptr<Prepared>& prepared, const Camera& camera,
+               const PythonDrawOptions* options, const py::object& lights,
+               const DrawingHandle* previous) {
+  return {prepared, camera, options ? read_draw_options(*options) : DrawOptions{},
+          read_lights(lights), previous ? previous->drawing : nullptr};
+}
+
+std::shared_ptr<DrawingHandle> draw_view(const std::shared_ptr<Prepared>& prepared,
+                                         const Camera& camera, const PythonDrawOptions* options,
+                                         const py::object& lights, const py::object& progress,
+                                         const DrawingHandle* previous) {
+  const View view = view_from(prepared, camera, options, lights, previous);
   const Progress reported = progress_of(progress);
   const py::gil_scoped_release release;
-  return {std::make_shared<const DrawingArrays>(
-      draw(prepared, camera, draw_options, read, reported,
-           previous ? &previous->drawing->result.drawing : nullptr))};
+  return view(reported);
+}
+
+JobPointer start_drawing(const std::shared_ptr<Prepared>& prepared, const Camera& camera,
+                         const PythonDrawOptions* options, const py::object& lights,
+                         const DrawingHandle* previous) {
+  return start_job(view_from(prepared, camera, options, lights, previous));
 }
 
 struct SilhouetteTriangles {
@@ -167,6 +197,30 @@ SilhouetteTriangles find_silhouettes(const Prepared& prepared, const Camera& cam
   const py::gil_scoped_release release;
   return {std::make_shared<const std::vector<int>>(
       silhouette_triangles(prepared, camera, brute_force))};
+}
+
+py::array ends_of(std::vector<Segment> segments) {
+  static_assert(sizeof(Segment) == 6 * sizeof(float), "segments must be packed");
+  const auto owner = std::make_shared<const std::vector<Segment>>(std::move(segments));
+  return view_of(owner, owner->data(), py::dtype::of<float>(), {length(2 * owner->size()), 3});
+}
+
+py::array find_rough_silhouettes(const Prepared& prepared, const Camera& camera) {
+  std::vector<Segment> segments;
+  {
+    const py::gil_scoped_release release;
+    segments = rough_silhouettes(prepared, camera);
+  }
+  return ends_of(std::move(segments));
+}
+
+py::array find_rough_features(const Prepared& prepared) {
+  std::vector<Segment> segments;
+  {
+    const py::gil_scoped_release release;
+    segments = rough_features(prepared);
+  }
+  return ends_of(std::move(segments));
 }
 
 }  // namespace
@@ -181,10 +235,17 @@ void bind_draw(py::module_& m) {
         return view_of(found.triangles, *found.triangles);
       });
   const py::none none;
-  m.def("draw", &draw_view, "prepared"_a, "camera"_a, "options"_a = none, "lights"_a = none,
-        "progress"_a = none, "previous"_a = none, "One view of a prepared scene.");
+  m.def("draw", &draw_view, "prepared"_a.none(false), "camera"_a, "options"_a = none,
+        "lights"_a = none, "progress"_a = none, "previous"_a = none,
+        "One view of a prepared scene.");
+  m.def("start_draw", &start_drawing, "prepared"_a.none(false), "camera"_a, "options"_a = none,
+        "lights"_a = none, "previous"_a = none, "The same as a Job.");
   m.def("silhouettes", &find_silhouettes, "prepared"_a, "camera"_a, "brute_force"_a = false,
         "The triangles that carry silhouettes.");
+  m.def("rough_silhouettes", &find_rough_silhouettes, "prepared"_a, "camera"_a,
+        "Silhouettes for a viewer that redraws while it moves.");
+  m.def("rough_features", &find_rough_features, "prepared"_a,
+        "Lines that every view has, for the same.");
 }
 
 }  // namespace illustrate::bindings

@@ -4,7 +4,7 @@
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
 #include "bindings/names.h"
-#include "contour/curve_network.h"
+#include "contour/network/curve_network.h"
 #include "mesh/instance.h"
 #include "tone/light.h"
 #include "view/camera.h"

@@ -4,6 +4,7 @@
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
 #include "bindings/draw_options.h"
+#include "bindings/jobs.h"
 #include "pipeline/prepare.h"
 
 namespace illustrate::bindings {
@@ -249,15 +250,35 @@ std::vector<MeshPointer> read_meshes(const py::iterable& meshes) {
   return pointers;
 }
 
+// All that a scene is prepared from, without a Python object.
+struct Preparation {
+  std::vector<MeshPointer> meshes;
+  PrepareOptions options;
+  std::shared_ptr<Prepared> previous;
+
+  std::shared_ptr<Prepared> operator()(const Progress& progress) const {
+    return std::const_pointer_cast<Prepared>(prepare(meshes, options, previous.get(), progress));
+  }
+};
+
+Preparation preparation_of(const py::iterable& meshes, const std::optional<PrepareOptions>& options,
+                           const std::shared_ptr<Prepared>& previous) {
+  return {read_meshes(meshes), options.value_or(PrepareOptions{}), previous};
+}
+
 std::shared_ptr<Prepared> prepare_meshes(const py::iterable& meshes,
                                          const std::optional<PrepareOptions>& options,
                                          const py::object& progress,
                                          const std::shared_ptr<Prepared>& previous) {
-  const std::vector<MeshPointer> pointers = read_meshes(meshes);
+  const Preparation preparation = preparation_of(meshes, options, previous);
   const Progress reported = progress_of(progress);
   const py::gil_scoped_release release;
-  return std::const_pointer_cast<Prepared>(
-      prepare(pointers, options.value_or(PrepareOptions{}), previous.get(), reported));
+  return preparation(reported);
+}
+
+JobPointer start_preparing(const py::iterable& meshes, const std::optional<PrepareOptions>& options,
+                           const std::shared_ptr<Prepared>& previous) {
+  return start_job(preparation_of(meshes, options, previous));
 }
 
 FieldHandle solve(const Prepared& prepared, const std::optional<PrepareOptions>& options,
@@ -296,6 +317,8 @@ void bind_prepare(py::module_& m) {
   const py::none none;
   m.def("prepare", &prepare_meshes, "meshes"_a, "options"_a = none, "progress"_a = none,
         "previous"_a = none, "Meshes to what every view of them needs.");
+  m.def("start_prepare", &start_preparing, "meshes"_a, "options"_a = none, "previous"_a = none,
+        "The same as a Job.");
   m.def("solve_cross_field", &solve, "prepared"_a, "options"_a = none, "progress"_a = none,
         "The cross field of a prepared surface, with the field's own options.");
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bindings/arrays.h"
-#include "hatch/place_hatches.h"
+#include "hatch/greedy/place_hatches.h"
 #include "mesh/polygon_mesh.h"
 #include "pipeline/options.h"
 

@@ -1,7 +1,7 @@
 // Which objects may show the back of their surface.
 #pragma once
 
-#include "contour/intersections.h"
+#include "contour/intersection/intersections.h"
 #include "view/camera.h"
 
 namespace illustrate {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "contour/dual_surface.h"
+#include "contour/dual/dual_surface.h"
 
 namespace illustrate {
 

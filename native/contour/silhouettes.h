@@ -9,7 +9,7 @@
 #pragma once
 
 #include "contour/contour_functions.h"
-#include "contour/dual_surface.h"
+#include "contour/dual/dual_surface.h"
 #include "core/ragged.h"
 
 namespace illustrate {

@@ -25,8 +25,8 @@ constexpr double similarity = 5e-6;
 
 // Squared lengths that differ by less than this share are the same, and turns of less than this
 // (radians) are straight: rounding must not choose between diagonals or ears of a square or a
-// regular polygon, which is turned with the scene.
-constexpr double same_length = 1e-9, straight_rad = 1e-9;
+// regular polygon, which is turned with the scene by such a placement.
+constexpr double same_length = 1e-5, straight_rad = 5e-6;
 
 // Positions apart by less than this share of a mesh's usual edge are one: a matrix applied to them
 // in double precision is off by 1e-15 of the mesh's size, vertices in single precision differ by

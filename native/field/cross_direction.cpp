@@ -65,14 +65,14 @@ Vec3 cross_direction(const Surface& surface, const CrossField& field, const Surf
 
 Vec3 cross_direction(const Surface& surface, const CrossField& field, const SurfacePoint& at,
                      const Vec3& normal, const Vec3& towards) {
-  const Triangle& vertices = surface.triangles[static_cast<std::size_t>(at.triangle)];
+  const Triangle& vertices = surface.triangles[idx(at.triangle)];
   const std::array<double, 3> weights{1 - at.b1 - at.b2, at.b1, at.b2};
   const auto normal_of = [&](std::size_t k) -> Vec3 {
     return surface.corner_sign(at.triangle, static_cast<int>(k)) *
-           surface.normals[static_cast<std::size_t>(vertices[k])];
+           surface.normals[idx(vertices[k])];
   };
   const auto direction_of = [&](std::size_t k) -> const Vec3& {
-    return field.directions[static_cast<std::size_t>(vertices[k])];
+    return field.directions[idx(vertices[k])];
   };
   const std::size_t heaviest = heaviest_of(weights);
   const Vec3 turned = towards.cross(normal);

@@ -3,8 +3,8 @@
 #include "core/errors.h"
 #include "core/parallel.h"
 #include "field/last_field.h"
-#include "field/problem.h"
-#include "field/search.h"
+#include "field/problem/problem.h"
+#include "field/search/search.h"
 #include "field/singularities.h"
 
 namespace illustrate {

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "core/progress.h"
-#include "field/guidance.h"
+#include "field/problem/guidance.h"
 #include "mesh/bvh.h"
 #include "surface/surface.h"
 

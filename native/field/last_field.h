@@ -2,7 +2,7 @@
 #pragma once
 
 #include "field/cross_field.h"
-#include "field/edges.h"
+#include "field/problem/edges.h"
 
 namespace illustrate {
 

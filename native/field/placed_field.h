@@ -1,7 +1,7 @@
 // The field of objects that share their surface (surface/instances.h).
 #pragma once
 
-#include "field/families.h"
+#include "field/families/families.h"
 #include "surface/instances.h"
 
 namespace illustrate {

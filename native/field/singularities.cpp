@@ -24,11 +24,9 @@ CornerAngles corner_angles(const Surface& surface, const TangentFrames& frames, 
   parallel_for(angles.size(), threads, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       for (int k = 0; k < 3; ++k) {
-        const auto at = [&](int corner) {
-          return static_cast<std::size_t>(surface.triangles[t][static_cast<std::size_t>(corner)]);
-        };
+        const auto at = [&](int corner) { return idx(surface.triangles[t][idx(corner)]); };
         const Vec3& apex = surface.positions[at(k)];
-        angles[t][static_cast<std::size_t>(k)] =
+        angles[t][idx(k)] =
             surface.corner_sign(static_cast<int>(t), k) *
             angle_about(frames.normals[at(k)], surface.positions[at(next_corner(k))] - apex,
                         surface.positions[at(previous_corner(k))] - apex);
@@ -50,7 +48,7 @@ void unfold(const Surface& surface, const TriangleEdges& edges, CornerAngles& an
   std::vector<Fan> fans(surface.positions.size());
   for (std::size_t t = 0; t < angles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
-      Fan& fan = fans[static_cast<std::size_t>(surface.triangles[t][k])];
+      Fan& fan = fans[idx(surface.triangles[t][k])];
       fan.sum += angles[t][k];
       if (angles[t][k] >= fan.least) continue;
       fan.least = angles[t][k];
@@ -61,13 +59,12 @@ void unfold(const Surface& surface, const TriangleEdges& edges, CornerAngles& an
   // A fan that ends at a border has no full turn to keep.
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (edges.faces[e] != 1) continue;
-    for (const int end : edges.vertices[e]) fans[static_cast<std::size_t>(end)].triangle = none;
+    for (const int end : edges.vertices[e]) fans[idx(end)].triangle = none;
   }
   for (const Fan& fan : fans) {
     if (fan.triangle == none) continue;
     const double missing = 1 - std::nearbyint(fan.sum / (2 * pi));
-    angles[static_cast<std::size_t>(fan.triangle)][static_cast<std::size_t>(fan.corner)] +=
-        2 * pi * missing;
+    angles[idx(fan.triangle)][idx(fan.corner)] += 2 * pi * missing;
   }
 }
 

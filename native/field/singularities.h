@@ -8,7 +8,7 @@
 #pragma once
 
 #include "core/progress.h"
-#include "field/edges.h"
+#include "field/problem/edges.h"
 
 namespace illustrate {
 

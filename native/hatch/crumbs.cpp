@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "hatch/hatch_runs.h"
-#include "hatch/neighbour_grid.h"
+#include "hatch/greedy/neighbour_grid.h"
+#include "hatch/view/hatch_runs.h"
 
 namespace illustrate {
 namespace {

@@ -1,7 +1,7 @@
 // The last of placement: strokes that a hand would not make are not made.
 #pragma once
 
-#include "hatch/place_hatches.h"
+#include "hatch/greedy/place_hatches.h"
 
 namespace illustrate {
 

@@ -9,8 +9,8 @@
 #pragma once
 
 #include "core/progress.h"
-#include "hatch/place_hatches.h"
-#include "hatch/surface_curves.h"
+#include "hatch/curves/surface_curves.h"
+#include "hatch/greedy/place_hatches.h"
 
 namespace illustrate {
 

@@ -37,8 +37,7 @@ bool LastHatches::was_at(const HatchPoint& point, const Vec3& tangent, double sp
   const double most = depth_reach * spacing_px * camera_.pixel_size(point.position);
   return grid_.any_within(point.image, reach * spacing_px, [&](const HatchNode& node) {
     const double cosine = tangent.dot(node.tangent);
-    return 2 * cosine * cosine > 1 &&
-           std::abs(depths_[static_cast<std::size_t>(node.point)] - depth) < most;
+    return 2 * cosine * cosine > 1 && std::abs(depths_[idx(node.point)] - depth) < most;
   });
 }
 

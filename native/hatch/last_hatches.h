@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/ragged.h"
+#include "hatch/greedy/neighbour_grid.h"
 #include "hatch/hatches.h"
-#include "hatch/neighbour_grid.h"
 #include "view/camera.h"
 
 namespace illustrate {

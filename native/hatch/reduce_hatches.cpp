@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <tuple>
 
-#include "hatch/critical_curves.h"
-#include "hatch/hatch_runs.h"
-#include "hatch/neighbour_grid.h"
+#include "hatch/greedy/neighbour_grid.h"
+#include "hatch/view/critical_curves.h"
+#include "hatch/view/hatch_runs.h"
 
 namespace illustrate {
 namespace {
@@ -68,7 +68,7 @@ class Reducer {
   }
 
   double length_of(const Run& run) const {
-    return length_px({&points_[run.from], static_cast<std::size_t>(run.to - run.from)});
+    return length_px({&points_[run.from], idx(run.to - run.from)});
   }
 
   void enter(int hatch) {
@@ -213,8 +213,7 @@ class Reducer {
     const int hatch = owner_[run.from], middle = (run.from + run.to) / 2;
     const double spacing = spacing_of(hatch);
     const double length = length_of(run) / spacing;
-    const Span<const HatchPoint> points{&points_[run.from],
-                                        static_cast<std::size_t>(run.to - run.from)};
+    const Span<const HatchPoint> points{&points_[run.from], idx(run.to - run.from)};
     if (length >= least_lived && scene_.last && scene_.last->was_along(points, spacing))
       return true;
     const bool second = is_second(run);
@@ -233,8 +232,7 @@ class Reducer {
     const Kind kind = is_undercut(hatch) ? Kind::undercut
                       : in_single        ? Kind::hatch
                                          : Kind::cross_hatch;
-    result.add({&points_[run.from], static_cast<std::size_t>(run.to - run.from)}, kind,
-               hatches_.objects[hatch]);
+    result.add({&points_[run.from], idx(run.to - run.from)}, kind, hatches_.objects[hatch]);
   }
 
   const Hatches& hatches_;

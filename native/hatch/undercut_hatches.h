@@ -2,17 +2,30 @@
 #pragma once
 
 #include "core/progress.h"
-#include "hatch/streamline_set.h"
-#include "hatch/surface_curves.h"
+#include "hatch/streamlines/hatch_groups.h"
+#include "hatch/streamlines/streamline_set.h"
 
 namespace illustrate {
 
-// Adds hatches of kind undercut to `hatches`, in undercuts only, evened out between the streamlines
-// of `set`, which they were made of: about undercut_spacing_px from each other and from these, of
-// both families. As elsewhere they are long and even; the shortest are `least` of the source.
-// `set` ends with them, its own streamlines as they were.
-void add_undercuts(Hatches& hatches, StreamlineSet& set, const HatchScene& scene,
-                   const CurvesOfObjects& curves, const HatchOptions& options, int threads,
-                   const Progress& progress);
+class UndercutHatcher {
+ public:
+  // Refers to both.
+  UndercutHatcher(const HatchScene& scene, const HatchOptions& options);
+
+  // Places beside critical curves of the view; none where nothing is undercut.
+  std::vector<SurfacePoint> strips() const;
+
+  // Adds hatches of kind undercut to `hatches`, in undercuts only, evened out between the
+  // streamlines of `set`, which they were made of: about undercut_spacing_px from each other and
+  // from these, of both families. As elsewhere they are long and even; the shortest are `least` of
+  // the source. `set` ends with them, its own streamlines as they were.
+  void add(Hatches& hatches, StreamlineSet& set, const HatchGroup& group, int threads,
+           const Progress& progress) const;
+
+ private:
+  const HatchScene& scene_;
+  const bool is_needed_;
+  const HatchView view_;
+};
 
 }  // namespace illustrate

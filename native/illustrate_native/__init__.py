@@ -8,7 +8,7 @@ Lengths are in pixels; `lengths_in_pixels` gives them from millimetres on paper.
 `illustrate_native.svg` and `illustrate_native.drawing_json` write drawings to files.
 """
 
-from illustrate_native._core import (
+from ._core import (
     Camera,
     Cancelled,
     CrossField,
@@ -18,6 +18,7 @@ from illustrate_native._core import (
     Guide,
     HatchCurves,
     InvalidInput,
+    Job,
     Kind,
     Light,
     MaterialStyle,
@@ -33,11 +34,16 @@ from illustrate_native._core import (
     draw,
     prepare,
     rasterise,
+    rough_features,
+    rough_silhouettes,
     silhouettes,
     solve_cross_field,
+    start_draw,
+    start_prepare,
+    stop_jobs,
 )
-from illustrate_native.millimetres import lengths_in_pixels
-from illustrate_native.sequence import draw_sequence
+from .millimetres import lengths_in_pixels
+from .sequence import draw_sequence
 
 __version__ = "0.1.0"
 
@@ -51,6 +57,7 @@ __all__ = [
     "Guide",
     "HatchCurves",
     "InvalidInput",
+    "Job",
     "Kind",
     "Light",
     "MaterialStyle",
@@ -68,6 +75,11 @@ __all__ = [
     "lengths_in_pixels",
     "prepare",
     "rasterise",
+    "rough_features",
+    "rough_silhouettes",
     "silhouettes",
     "solve_cross_field",
+    "start_draw",
+    "start_prepare",
+    "stop_jobs",
 ]

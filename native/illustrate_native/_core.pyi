@@ -9,7 +9,7 @@ arcs.
 
 import enum
 from collections.abc import Callable, Iterable, Sequence
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -724,6 +724,13 @@ def prepare(
         Cancelled: progress returned False. What progress raises passes through.
     """
 
+def start_prepare(
+    meshes: Iterable[PolygonMesh],
+    options: PrepareOptions | None = None,
+    previous: Prepared | None = None,
+) -> Job:
+    """`prepare` as a job, whose result is a Prepared."""
+
 def solve_cross_field(
     prepared: Prepared,
     options: PrepareOptions | None = None,
@@ -902,6 +909,56 @@ def draw(
         InvalidInput: an option, style or light out of its range, named.
         Cancelled: progress returned False. What progress raises passes through.
     """
+
+def start_draw(
+    prepared: Prepared,
+    camera: Camera,
+    options: DrawOptions | None = None,
+    lights: Iterable[Light] | None = None,
+    previous: Drawing | None = None,
+) -> Job:
+    """`draw` as a job, whose result is a Drawing. What it is given may be changed meanwhile."""
+
+def rough_silhouettes(prepared: Prepared, camera: Camera) -> _Singles:
+    """Silhouettes for a viewer that redraws while it moves: quick, not exact, hidden ones too.
+
+    Returns:
+        (2 s, 3) world, the ends of segments, in no order: the zero set of n . (c - p), linear on
+        each triangle, and edges of polygon objects between a front and a back face.
+    """
+
+def rough_features(prepared: Prepared) -> _Singles:
+    """Lines that every view has: creases, boundaries, and where surfaces pass through each other.
+
+    Returns:
+        (2 s, 3) world, the ends of segments, in no order.
+    """
+
+class Job:
+    """Work in a thread of its own, which holds no Python object and never waits for Python's lock.
+
+    A job that is dropped is cancelled and waited for: keep one that was cancelled until it is done.
+    """
+
+    @property
+    def is_done(self) -> bool:
+        """True when there is a result or an error."""
+    def poll(self) -> tuple[float, str]:
+        """How far it is: a share in [0, 1] that never falls, and the name of the stage."""
+    def cancel(self) -> None:
+        """Asks it to stop, and does not wait; it ends with Cancelled."""
+    def wait(self, seconds: float) -> bool:
+        """Waits for the end, at most so long; True when it has come."""
+    def result(self) -> Any:
+        """What it made, as often as it is asked for.
+
+        Raises:
+            InvalidInput: it is not done; or what `prepare` and `draw` raise it for.
+            Cancelled: it was told to stop in time.
+        """
+
+def stop_jobs() -> None:
+    """Cancels all jobs and waits for their ends, as is done when Python ends."""
 
 def rasterise(
     image: ArrayLike,

@@ -115,20 +115,25 @@ def field_to_svg(
     return "\n".join([*lines, "</svg>", ""])
 
 
+def project(camera: CameraArrays, points: Doubles) -> tuple[Doubles, Doubles]:
+    """Pixels (p, 2) and clip coordinates z, w (p, 2) of points (p, 3); NaN behind the eye."""
+    matrix = np.asarray(camera.projection) @ np.asarray(camera.view)
+    clip = points @ matrix[:, :3].T + matrix[:, 3]
+    w = np.where(clip[:, 3:] > _LEAST_W, clip[:, 3:], np.nan)
+    image = (clip[:, :2] / w * (1, -1) + 1) / 2 * (camera.width_px, camera.height_px)
+    return image, np.hstack([clip[:, 2:3] / w, w])
+
+
 class _View:
     """A camera as it is needed here."""
 
     def __init__(self, camera: CameraArrays) -> None:
-        self.matrix = np.asarray(camera.projection) @ np.asarray(camera.view)
-        self.size = np.array([camera.width_px, camera.height_px], float)
+        self.camera = camera
         self.scale = float(camera.projection[0, 0]) * camera.width_px / 2
 
     def project(self, points: Doubles) -> tuple[Doubles, Doubles]:
-        """Pixels (p, 2) and clip coordinates z, w (p, 2) of points (p, 3); NaN behind the eye."""
-        clip = points @ self.matrix[:, :3].T + self.matrix[:, 3]
-        w = np.where(clip[:, 3:] > _LEAST_W, clip[:, 3:], np.nan)
-        image = (clip[:, :2] / w * (1, -1) + 1) / 2 * self.size
-        return image, np.hstack([clip[:, 2:3] / w, w])
+        """As `project` of its camera."""
+        return project(self.camera, points)
 
     def pixels_per_unit(self, depth: Doubles) -> Doubles:
         """Of a length across the view at points of this depth."""

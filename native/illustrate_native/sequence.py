@@ -7,7 +7,7 @@ from typing import TypeVar
 
 from numpy.typing import ArrayLike
 
-from illustrate_native._core import (
+from ._core import (
     Camera,
     Drawing,
     DrawOptions,

@@ -59,8 +59,8 @@ def to_svg(
     height_mm = width_mm * height_px / width_px
     lines = [
         _HEAD.format(
-            width=_number(width_mm),
-            height=_number(height_mm),
+            width=number(width_mm),
+            height=number(height_mm),
             width_px=width_px,
             height_px=height_px,
         )
@@ -95,15 +95,15 @@ def _paths(drawing: DrawingArrays, group: LineGroup, style: str, tracks: bool) -
         if style == "centerline":
             end = "Z" if closed else ""
             yield (
-                f'<path {told}stroke-width="{_number(widths[span].mean())}" '
-                f'd="M{_polyline(points)}{end}"/>'
+                f'<path {told}stroke-width="{number(widths[span].mean())}" '
+                f'd="M{polyline(points)}{end}"/>'
             )
         else:
             yield f'<path {told}d="{_outline(points, widths[span] / 2, closed)}"/>'
 
 
 def _track(drawing: DrawingArrays, stroke: int) -> str:
-    start = _number(drawing.stroke_starts[stroke])
+    start = number(drawing.stroke_starts[stroke])
     return f'data-id="{int(drawing.stroke_ids[stroke])}" data-start="{start}" '
 
 
@@ -112,16 +112,15 @@ def _outline(points: NDArray[np.float64], radii: NDArray[np.float64], closed: bo
     side = side_vectors(points, closed) * radii[:, None]
     left, right = points + side, (points - side)[::-1]
     if closed:
-        return f"M{_polyline(left)}ZM{_polyline(right)}Z"
+        return f"M{polyline(left)}ZM{polyline(right)}Z"
     return (
-        f"M{_polyline(left)}{_cap(radii[-1], right[0])}L{_polyline(right)}"
-        f"{_cap(radii[0], left[0])}Z"
+        f"M{polyline(left)}{_cap(radii[-1], right[0])}L{polyline(right)}{_cap(radii[0], left[0])}Z"
     )
 
 
 def _cap(radius: float, end: NDArray[np.float64]) -> str:
     """Half a circle to `end`, round the outside."""
-    return f"A{_number(radius)},{_number(radius)} 0 0 1 {_polyline(end[None])}"
+    return f"A{number(radius)},{number(radius)} 0 0 1 {polyline(end[None])}"
 
 
 def side_vectors(points: NDArray[np.float64], closed: bool) -> NDArray[np.float64]:
@@ -146,12 +145,12 @@ def side_vectors(points: NDArray[np.float64], closed: bool) -> NDArray[np.float6
     return side
 
 
-def _number(value: float) -> str:
+def number(value: float) -> str:
     """A number with at most three decimals."""
     return f"{round(float(value), 3) + 0.0:.10g}"
 
 
-def _polyline(points: NDArray[np.float64]) -> str:
+def polyline(points: NDArray[np.float64]) -> str:
     """Points as 'x,y x,y', to a hundredth of a pixel."""
     flat = (np.round(points, 2) + 0.0).ravel().tolist()
     return " ".join(f"{x:.10g},{y:.10g}" for x, y in zip(flat[::2], flat[1::2], strict=True))

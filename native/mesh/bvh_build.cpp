@@ -81,7 +81,7 @@ struct Binning {
 Bins fill_bins(const Item* begin, const Item* end, const Binning& binning) {
   Bins bins;
   for (const Item* item = begin; item != end; ++item) {
-    Bin& bin = bins[static_cast<std::size_t>(binning.bin(*item))];
+    Bin& bin = bins[idx(binning.bin(*item))];
     bin.extent.add(*item);
     ++bin.count;
   }
@@ -135,7 +135,7 @@ Halves divide(Item* begin, Item* end, const Extent& extent, bool only_halve) {
   if (cut == none) return in_the_middle(begin, end);
   Halves halves{0, {}, {}};
   for (int i = 0; i < bin_count; ++i) {
-    const Bin& bin = bins[static_cast<std::size_t>(i)];
+    const Bin& bin = bins[idx(i)];
     if (bin.count == 0) continue;
     (i <= cut ? halves.left : halves.right).add(bin.extent);
     halves.left_count += i <= cut ? bin.count : 0;
@@ -228,9 +228,9 @@ class Bvh::Builder {
   void build_branches(std::vector<Branch>& branches) {
     parallel_for(items_.size(), threads_, [&](std::size_t begin, std::size_t end) {
       for (Branch& branch : branches) {
-        const auto first = static_cast<std::size_t>(branch.task.first);
+        const auto first = idx(branch.task.first);
         if (first < begin || first >= end) continue;
-        branch.nodes.reserve(static_cast<std::size_t>(branch.task.count));
+        branch.nodes.reserve(idx(branch.task.count));
         const Task& task = branch.task;
         divide_down_to(0, {0, task.first, task.count, task.depth, task.extent}, branch.nodes);
       }

@@ -222,7 +222,7 @@ Faces clean_faces(const PolygonMesh& mesh, Counts& report) {
   FaceCleaner cleaner(mesh.positions, report);
   const int* corner = mesh.corner_vertices.data();
   for (std::size_t f = 0; f < mesh.face_sizes.size(); ++f) {
-    const Span<const int> face{corner, static_cast<std::size_t>(mesh.face_sizes[f])};
+    const Span<const int> face{corner, idx(mesh.face_sizes[f])};
     corner += face.size();
     if (!std::all_of(face.begin(), face.end(), [&](int v) { return usable[v] != 0; })) {
       ++report["nan_faces"];

@@ -129,7 +129,7 @@ class CreaseFinder {
     std::array<int, 2> ends{none, none};
 
     void add(int end, bool open, bool cut) {
-      if (count < 2) ends[static_cast<std::size_t>(count)] = end;
+      if (count < 2) ends[idx(count)] = end;
       ++count;
       is_boundary |= open;
       is_seam |= cut;

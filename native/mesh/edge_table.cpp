@@ -6,12 +6,12 @@ namespace illustrate {
 
 EdgeTable::EdgeTable(std::size_t vertex_count, const std::vector<Edge>& edges)
     : offsets_(edges.empty() ? 0 : vertex_count + 1, 0), entries_(edges.size()) {
-  const auto smaller = [](const Edge& e) { return static_cast<std::size_t>(std::min(e[0], e[1])); };
+  const auto smaller = [](const Edge& e) { return idx(std::min(e[0], e[1])); };
   for (const Edge& e : edges) ++offsets_[smaller(e) + 1];
   for (std::size_t v = 1; v < offsets_.size(); ++v) offsets_[v] += offsets_[v - 1];
   std::vector<int> cursor = offsets_;
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    const auto slot = static_cast<std::size_t>(cursor[smaller(edges[i])]++);
+    const auto slot = idx(cursor[smaller(edges[i])]++);
     entries_[slot] = {std::max(edges[i][0], edges[i][1]), static_cast<int>(i)};
   }
   for (std::size_t v = 0; v + 1 < offsets_.size(); ++v) {
@@ -22,8 +22,8 @@ EdgeTable::EdgeTable(std::size_t vertex_count, const std::vector<Edge>& edges)
 int EdgeTable::find(int a, int b) const {
   if (offsets_.empty()) return none;
   const auto [low, high] = std::minmax(a, b);
-  const auto from = entries_.begin() + offsets_[static_cast<std::size_t>(low)];
-  const auto to = entries_.begin() + offsets_[static_cast<std::size_t>(low) + 1];
+  const auto from = entries_.begin() + offsets_[idx(low)];
+  const auto to = entries_.begin() + offsets_[idx(low) + 1];
   const auto found = std::lower_bound(from, to, std::array<int, 2>{high, 0});
   return found != to && (*found)[0] == high ? (*found)[1] : none;
 }

@@ -23,7 +23,7 @@ void check_length(const char* argument, std::size_t length, const char* of, std:
 
 void check_index(const char* argument, std::size_t position, int index, const char* of,
                  std::size_t count) {
-  if (index >= 0 && static_cast<std::size_t>(index) < count) return;
+  if (index >= 0 && idx(index) < count) return;
   throw InvalidInput(entry(argument, position, index) + " is out of range: there are " +
                      std::to_string(count) + " " + of);
 }
@@ -38,7 +38,7 @@ void check_faces(const PolygonMesh& mesh) {
   for (std::size_t f = 0; f < mesh.face_sizes.size(); ++f) {
     if (mesh.face_sizes[f] < 0)
       throw InvalidInput(entry("face_sizes", f, mesh.face_sizes[f]) + " is negative");
-    corners += static_cast<std::size_t>(mesh.face_sizes[f]);
+    corners += idx(mesh.face_sizes[f]);
   }
   check_length("corner_vertices", mesh.corner_vertices.size(), "corners that face_sizes adds up to",
                corners);

@@ -81,9 +81,9 @@ class EarClipper {
   }
 
  private:
-  int& next(int i) { return next_[static_cast<std::size_t>(i)]; }
-  int& previous(int i) { return previous_[static_cast<std::size_t>(i)]; }
-  const Vec2& point(int i) const { return points_[static_cast<std::size_t>(i)]; }
+  int& next(int i) { return next_[idx(i)]; }
+  int& previous(int i) { return previous_[idx(i)]; }
+  const Vec2& point(int i) const { return points_[idx(i)]; }
   double turn(int i) { return cross(point(previous(i)), point(i), point(next(i))); }
 
   // A polygon that crosses itself may have no ear: then the most convex corner goes.

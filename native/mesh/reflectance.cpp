@@ -31,8 +31,7 @@ constexpr double farthest_uv = 1e4;
 }  // namespace
 
 Texture::Texture(int width, int height, std::vector<float> luminance, Wrap wrap) : wrap_(wrap) {
-  if (width < 1 || height < 1 ||
-      luminance.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
+  if (width < 1 || height < 1 || luminance.size() != idx(width) * idx(height)) {
     throw InvalidInput("luminance must have at least one row and one column");
   }
   for (float& value : luminance) value = value > 0 && std::isfinite(value) ? value : 0.0F;

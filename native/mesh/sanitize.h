@@ -35,7 +35,8 @@ struct SoundMesh {
   std::vector<Edge> seams;  // (s) open edges made by splitting, as their face runs along them
   Points corner_normals;    // (c) unit, on the side of their face; empty: not asked for (creases.h)
   std::vector<int> face_materials;  // (f)
-  std::vector<int> face_planes;     // (f) flat face (surface/plane_faces.h); empty: not looked for
+  std::vector<int>
+      face_planes;  // (f) flat face (surface/planes/plane_faces.h); empty: not looked for
   std::vector<std::uint8_t> holes;  // (f) 1: shapes the limit, is not there
   // Orientation double cover: the same face (vertex) on the other sheet; `none` where the part is
   // orientable.

@@ -116,7 +116,7 @@ int number_fans(const Faces& faces, const FaceAdjacency& adjacency, std::vector<
 // Renumbers fans by the vertices they stem from; returns those vertices.
 std::vector<int> sort_fans(const Faces& faces, std::vector<int>& fans, int fan_count,
                            std::size_t vertex_count) {
-  std::vector<int> vertices(static_cast<std::size_t>(fan_count));
+  std::vector<int> vertices(idx(fan_count));
   for (int c = 0; c < faces.corner_count(); ++c) vertices[fans[c]] = faces.corners[c];
   std::vector<int> ends(vertex_count + 1, 0), numbers(vertices.size());
   for (const int vertex : vertices) ++ends[vertex + 1];

@@ -167,7 +167,7 @@ VisibleImage render_visible(const Surface& surface, const Camera& camera, double
   image.width = static_cast<int>(std::ceil(camera.width_px() / cell_px));
   image.height = static_cast<int>(std::ceil(camera.height_px() / cell_px));
   image.cell_px = cell_px;
-  const std::size_t cells = static_cast<std::size_t>(image.width) * image.height;
+  const std::size_t cells = idx(image.width) * image.height;
   image.triangle.assign(cells, none);
   image.depth.assign(cells, std::numeric_limits<double>::infinity());
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contour/loose_curves.h"
-#include "contour/network.h"
+#include "contour/network/network.h"
+#include "contour/shape/loose_curves.h"
 #include "contour/silhouettes.h"
 #include "core/errors.h"
 #include "hatch/crumbs.h"

@@ -3,12 +3,12 @@
 
 #include <vector>
 
-#include "contour/curvature_curves.h"
-#include "contour/intersections.h"
+#include "contour/intersection/intersections.h"
+#include "contour/shape/curvature_curves.h"
 #include "field/cross_field.h"
-#include "hatch/place_hatches.h"
+#include "hatch/greedy/place_hatches.h"
 #include "stroke/make_strokes.h"
-#include "surface/curvature.h"
+#include "surface/jets/curvature.h"
 #include "surface/refine.h"
 #include "tone/light_contours.h"
 #include "tone/tone_regions.h"
@@ -22,7 +22,7 @@ struct PrepareOptions {
   FieldOptions cross_field;
   bool field = true;  // false: hatching curvature and field wait until first needed
   // Pairs of triangles that cross, beyond which objects have no curves where they pass through each
-  // other, or through themselves (contour/intersections.h).
+  // other, or through themselves (contour/intersection/intersections.h).
   std::int64_t most_intersections = most_crossing_triangles;
   int threads = 0;  // 0: all cores
 };

@@ -243,13 +243,16 @@ Families Prepared::label_families(bool of_diagonals, const Progress& progress) c
   const Progress labels = progress.part(0.5, 1, "field");
   return timed("field", [&] {
     if (of_diagonals) {
-      return find_families(solved_on, curvature, diagonals(solved_on, solved), {}, labels);
+      return find_families(solved_on, curvature, diagonals(solved_on, solved), {}, options_.threads,
+                           labels);
     }
     const LastField before = std::move(last_families_);
     last_families_ = {};
-    if (!before.families) return find_families(solved_on, curvature, solved, {}, labels);
-    const LastFamilies last{before.surface.get(), before.field->peek(), before.families->peek()};
-    return find_families(solved_on, curvature, solved, last, labels);
+    LastFamilies last;
+    if (before.families) {
+      last = {before.surface.get(), before.field->peek(), before.families->peek()};
+    }
+    return find_families(solved_on, curvature, solved, last, options_.threads, labels);
   });
 }
 
@@ -277,7 +280,9 @@ CurvesOfObjects Prepared::hatch_curves(const std::vector<double>& radii,
     return std::make_unique<ObjectCurves>(surface(), cross_field, first_areas_);
   });
   const Progress curve_progress = progress.part(0.5, 1, "hatch curves");
-  return timed("hatch_curves", [&] { return curves->down_to(radii, seeds_only, curve_progress); });
+  return timed("hatch_curves", [&] {
+    return curves->down_to(radii, seeds_only, options_.threads, curve_progress);
+  });
 }
 
 const CurvatureDerivative& Prepared::curvature_derivative(const Progress& progress) const {

@@ -4,17 +4,17 @@
 #include <memory>
 #include <optional>
 
-#include "contour/dual_surface.h"
-#include "contour/feature_edges.h"
-#include "contour/intersections.h"
+#include "contour/dual/dual_surface.h"
+#include "contour/intersection/intersections.h"
+#include "contour/shape/feature_edges.h"
 #include "core/lazy.h"
-#include "field/families.h"
-#include "hatch/surface_curves.h"
+#include "field/families/families.h"
+#include "hatch/curves/surface_curves.h"
 #include "mesh/bvh.h"
 #include "pipeline/options.h"
-#include "surface/curvature_derivative.h"
 #include "surface/instances.h"
-#include "surface/limit_surface.h"
+#include "surface/jets/curvature_derivative.h"
+#include "surface/limit/limit_surface.h"
 
 namespace illustrate {
 
@@ -51,8 +51,8 @@ class Prepared {
   // when first asked for.
   const Families& families(const Progress& progress = {}) const;
   const Families& diagonal_families(const Progress& progress = {}) const;
-  // Of each object, down to its radius, or the seeds alone (hatch/surface_curves.h). They stay
-  // where they are.
+  // Of each object, down to its radius, or the seeds alone (hatch/curves/surface_curves.h). They
+  // stay where they are.
   CurvesOfObjects hatch_curves(const std::vector<double>& radii,
                                const std::vector<std::uint8_t>& seeds_only = {},
                                const Progress& progress = {}) const;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "contour/triple_points.h"
+#include "contour/intersection/triple_points.h"
 
 namespace illustrate {
 namespace {

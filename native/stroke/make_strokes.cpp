@@ -8,6 +8,7 @@
 #include "stroke/chains.h"
 #include "stroke/continued_ends.h"
 #include "stroke/even_widths.h"
+#include "stroke/specks.h"
 #include "stroke/stroke_path.h"
 
 namespace illustrate {

@@ -1,6 +1,6 @@
-#include <algorithm>
+#include "stroke/specks.h"
 
-#include "stroke/chains.h"
+#include <algorithm>
 
 namespace illustrate {
 namespace {

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "hatch/neighbour_grid.h"
+#include "hatch/greedy/neighbour_grid.h"
 #include "surface/same_objects.h"
 
 namespace illustrate {

@@ -7,14 +7,14 @@
 #include "control/keep_to_mesh.h"
 #include "control/split_faces.h"
 #include "core/errors.h"
-#include "surface/assemble.h"
-#include "surface/child_corners.h"
-#include "surface/curvature.h"
 #include "surface/edges.h"
-#include "surface/flat_faces.h"
-#include "surface/jet.h"
-#include "surface/levels.h"
-#include "surface/plane_faces.h"
+#include "surface/jets/curvature.h"
+#include "surface/jets/jet.h"
+#include "surface/planes/flat_faces.h"
+#include "surface/planes/plane_faces.h"
+#include "surface/subdivision/assemble.h"
+#include "surface/subdivision/child_corners.h"
+#include "surface/subdivision/levels.h"
 
 namespace illustrate {
 namespace {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "surface/locate.h"
+
 namespace illustrate {
 namespace {
 
@@ -97,22 +99,6 @@ bool is_same(const Part& a, const Part& b) {
          (has_same_triangles(a, b) || has_same_faces(a, b));
 }
 
-// The weights of the second and third corner at the place of a triangle's plane nearest to p.
-Vec2 barycentrics(const Surface& surface, int triangle, const Vec3& p) {
-  const Triangle& corners = surface.triangles[idx(triangle)];
-  const Vec3& origin = surface.positions[idx(corners[0])];
-  const Vec3 u = surface.positions[idx(corners[1])] - origin;
-  const Vec3 v = surface.positions[idx(corners[2])] - origin, w = p - origin;
-  const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), area = uu * vv - uv * uv;
-  if (!(area > 0)) return {1.0 / 3, 1.0 / 3};
-  return {(vv * u.dot(w) - uv * v.dot(w)) / area, (uu * v.dot(w) - uv * u.dot(w)) / area};
-}
-
-SurfacePoint inside(int triangle, const Vec2& weights) {
-  const double b1 = std::clamp(weights.x(), 0.0, 1.0);
-  return {triangle, b1, std::clamp(weights.y(), 0.0, 1 - b1)};
-}
-
 }  // namespace
 
 SameObjects::SameObjects(const Surface& last, const Surface& now) : last_(last), now_(now) {
@@ -162,7 +148,7 @@ SurfacePoint SameObjects::point(const SurfacePoint& last) const {
     const double depth = std::min(weights.minCoeff(), 1 - weights.sum());
     if (depth <= deepest) continue;
     deepest = depth;
-    best = inside(t, weights);
+    best = nearest_on(now_, t, p);
   }
   return best;
 }

@@ -14,7 +14,7 @@ constexpr double seam_smooth_cos = .5;
 // Angle-weighted normal of one corner of a polygon. A corner that does not turn the way its polygon
 // does is dented, and its angle is larger than 180 degrees.
 Vec3 corner_normal(const RefinedMesh& mesh, const std::vector<Vec3>& face_normals, int corner) {
-  const Vec3& normal = face_normals[static_cast<std::size_t>(mesh.face(corner))];
+  const Vec3& normal = face_normals[idx(mesh.face(corner))];
   const Vec3 a = unit_or_zero(mesh.point(mesh.next(corner)) - mesh.point(corner));
   const Vec3 b = unit_or_zero(mesh.point(mesh.previous(corner)) - mesh.point(corner));
   const Vec3 across = a.cross(b);
@@ -52,8 +52,7 @@ void for_each_corner(const RefinedMesh& mesh, const Sectors& sectors, std::size_
 Vec3 normal_around(const RefinedMesh& mesh, const Sectors& sectors, const Points& positions,
                    std::size_t sector) {
   const auto position = [&](int corner) {
-    return positions[static_cast<std::size_t>(
-        sectors.corner_sectors[static_cast<std::size_t>(corner)])];
+    return positions[idx(sectors.corner_sectors[idx(corner)])];
   };
   Vec3 sum = Vec3::Zero();
   for_each_corner(mesh, sectors, sector, [&](int c) {
@@ -70,16 +69,16 @@ std::vector<std::array<int, 2>> sectors_at_seams(const RefinedMesh& mesh, const 
   if (std::find(kinds.begin(), kinds.end(), EdgeKind::seam) == kinds.end()) return {};
   int places = static_cast<int>(mesh.points.size());
   for (const int place : mesh.places) places = std::max(places, place + 1);
-  std::vector<std::uint8_t> at_seam(static_cast<std::size_t>(places), 0);
+  std::vector<std::uint8_t> at_seam(idx(places), 0);
   for (int c = 0; c < static_cast<int>(mesh.mates.size()); ++c) {
     if (mesh.kind(c) != EdgeKind::seam) continue;
-    at_seam[static_cast<std::size_t>(place_of(mesh, mesh.vertex(c)))] = 1;
-    at_seam[static_cast<std::size_t>(place_of(mesh, mesh.vertex(mesh.next(c))))] = 1;
+    at_seam[idx(place_of(mesh, mesh.vertex(c)))] = 1;
+    at_seam[idx(place_of(mesh, mesh.vertex(mesh.next(c))))] = 1;
   }
   std::vector<std::array<int, 2>> found;
   for (std::size_t s = 0; s < sectors.count(); ++s) {
     const int place = place_of(mesh, mesh.vertex(sectors.first_corners[s]));
-    if (at_seam[static_cast<std::size_t>(place)]) found.push_back({place, static_cast<int>(s)});
+    if (at_seam[idx(place)]) found.push_back({place, static_cast<int>(s)});
   }
   std::sort(found.begin(), found.end());
   return found;
@@ -91,7 +90,7 @@ void join_normals(const std::vector<std::array<int, 2>>& group, Points& normals)
   constexpr std::size_t many = 64;
   Points before, all(1, Vec3::Zero());
   for (const auto& g : group) {
-    before.push_back(normals[static_cast<std::size_t>(g[1])]);
+    before.push_back(normals[idx(g[1])]);
     all[0] += before.back();
   }
   all[0] = unit_or_zero(all[0]);
@@ -101,7 +100,7 @@ void join_normals(const std::vector<std::array<int, 2>>& group, Points& normals)
     for (const Vec3& other : others) {
       if (before[i].dot(other) > seam_smooth_cos) sum += other;
     }
-    if (!sum.isZero()) normals[static_cast<std::size_t>(group[i][1])] = sum.normalized();
+    if (!sum.isZero()) normals[idx(group[i][1])] = sum.normalized();
   }
 }
 
@@ -138,7 +137,7 @@ void mend_normals(const RefinedMesh& mesh, const Sectors& sectors, int threads,
 }
 
 int place_of(const RefinedMesh& mesh, int vertex) {
-  return mesh.places.empty() ? vertex : mesh.places[static_cast<std::size_t>(vertex)];
+  return mesh.places.empty() ? vertex : mesh.places[idx(vertex)];
 }
 
 void share_positions(const RefinedMesh& mesh, const Sectors& sectors, Points& positions) {
@@ -154,12 +153,11 @@ void share_positions(const RefinedMesh& mesh, const Sectors& sectors, Points& po
   };
   for (std::size_t s = 0; s < sectors.count(); ++s) {
     int& sector = chosen[place(s)];
-    const bool better =
-        sector == none || (sectors.closed[s] && !sectors.closed[static_cast<std::size_t>(sector)]);
+    const bool better = sector == none || (sectors.closed[s] && !sectors.closed[idx(sector)]);
     if (better) sector = static_cast<int>(s);
   }
   for (std::size_t s = 0; s < sectors.count(); ++s) {
-    positions[s] = positions[static_cast<std::size_t>(chosen[place(s)])];
+    positions[s] = positions[idx(chosen[place(s)])];
   }
 }
 

@@ -1,7 +1,7 @@
 // Normals that are not the limit's own: of polygons, of degenerate places, across seams.
 #pragma once
 
-#include "surface/limit.h"
+#include "surface/limit/limit.h"
 
 namespace illustrate {
 

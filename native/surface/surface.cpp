@@ -23,26 +23,25 @@ std::vector<Eigen::AlignedBox3d> object_boxes(const Surface& surface) {
 }
 
 Vec3 position_at(const Surface& surface, const SurfacePoint& point) {
-  const Triangle& t = surface.triangles[static_cast<std::size_t>(point.triangle)];
+  const Triangle& t = surface.triangles[idx(point.triangle)];
   const Vec3 w = weights(point);
   Vec3 sum = Vec3::Zero();
   for (int k = 0; k < 3; ++k) {
-    sum += w[k] * surface.positions[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])];
+    sum += w[k] * surface.positions[idx(t[idx(k)])];
   }
   return sum;
 }
 
 Vec3 normal_at(const Surface& surface, const SurfacePoint& point) {
-  const Triangle& t = surface.triangles[static_cast<std::size_t>(point.triangle)];
+  const Triangle& t = surface.triangles[idx(point.triangle)];
   const Vec3 w = weights(point);
   Vec3 sum = Vec3::Zero();
   for (int k = 0; k < 3; ++k) {
-    sum += w[k] * surface.corner_sign(point.triangle, k) *
-           surface.normals[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])];
+    sum += w[k] * surface.corner_sign(point.triangle, k) * surface.normals[idx(t[idx(k)])];
   }
   const double length = sum.norm();
   if (length > 0) return sum / length;
-  return surface.corner_sign(point.triangle, 0) * surface.normals[static_cast<std::size_t>(t[0])];
+  return surface.corner_sign(point.triangle, 0) * surface.normals[idx(t[0])];
 }
 
 }  // namespace illustrate

@@ -39,7 +39,7 @@ struct PatchTriangle {
   }
 };
 
-// A flat face of a mesh, of many polygons perhaps (surface/plane_faces.h).
+// A flat face of a mesh, of many polygons perhaps (surface/planes/plane_faces.h).
 struct PlaneFace {
   int object = 0;
   Vec3 normal = Vec3::UnitZ();

@@ -17,14 +17,17 @@ constexpr int halvings = 8;
 
 class Terminators {
  public:
+  // shows_back: (objects) of the camera's view.
   Terminators(const ContourScene& scene, const Bvh& casters, const Light& light,
-              const Camera& camera, FreeLines& result)
+              const Camera& camera, const std::vector<std::uint8_t>& shows_back, FreeLines& result)
       : scene_(scene),
         casters_(casters),
         light_(light),
         camera_(camera),
-        shows_back_(shows_back(scene.surface, scene.intersections, camera)),
-        result_(result) {}
+        shows_back_(shows_back),
+        result_(result) {
+    light_.edge_u = light_.edge_v = Vec3::Zero();
+  }
 
   void add(const Camera& light_view) {
     const ContourFunctions functions(scene_.surface, light_view);
@@ -55,9 +58,7 @@ class Terminators {
     Vec3 normal = normal_at(scene_.surface, p.on);
     if (normal.dot(camera_.to_eye(p.position)) < 0) normal = -normal;
     const Vec3 origin = shadow_origin(scene_.surface, p.on, normal);
-    Light middle = light_;
-    middle.edge_u = middle.edge_v = Vec3::Zero();
-    return share_reaching(middle, camera_, casters_, origin, normal) > 0;
+    return share_reaching(light_, camera_, casters_, origin, normal) > 0;
   }
 
   // The parts of a chain that the light reaches.
@@ -103,9 +104,9 @@ class Terminators {
 
   const ContourScene& scene_;
   const Bvh& casters_;
-  const Light& light_;
+  Light light_;  // its middle alone
   const Camera& camera_;
-  const std::vector<std::uint8_t> shows_back_;  // (objects)
+  const std::vector<std::uint8_t>& shows_back_;
   FreeLines& result_;
 };
 
@@ -123,6 +124,8 @@ FreeLines light_contours(const ContourScene& scene, const Bvh& bvh,
                          const Progress& progress) {
   FreeLines result;
   const Eigen::AlignedBox3d box = box_of(scene.surface);
+  std::vector<std::uint8_t> backs;
+  if (options.terminators) backs = shows_back(scene.surface, scene.intersections, camera);
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const Light& light = lights[i];
     const double count = static_cast<double>(lights.size());
@@ -131,7 +134,7 @@ FreeLines light_contours(const ContourScene& scene, const Bvh& bvh,
     mine.report(0);
     const std::vector<Camera> views = light_views(light, camera, box);
     if (views.empty() || !light.contours || !(light.strength > 0)) continue;
-    if (options.terminators) Terminators(scene, bvh, light, camera, result).add(views[0]);
+    if (options.terminators) Terminators(scene, bvh, light, camera, backs, result).add(views[0]);
     if (!options.shadow_outlines || !light.casts_shadows) continue;
     for (const Camera& view : views) {
       add_shadow_outlines(scene, bvh, light, view, camera, threads, mine, result);

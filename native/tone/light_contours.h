@@ -5,7 +5,7 @@
 // the viewer's own lines are, is carried on along its rays to the next surface.
 #pragma once
 
-#include "contour/network.h"
+#include "contour/network/network.h"
 #include "mesh/bvh.h"
 #include "tone/light.h"
 

@@ -28,7 +28,7 @@ FaceLightness::FaceLightness(const PolygonMesh& mesh, std::size_t face, std::siz
   if (!given.faces.empty()) whole_ = given.faces[face];
   const int number = given.face_textures.empty() ? none : given.face_textures[face];
   if (given.corners.empty() && number == none) return;
-  flatten(mesh, first_corner, static_cast<std::size_t>(mesh.face_sizes[face]));
+  flatten(mesh, first_corner, idx(mesh.face_sizes[face]));
   if (!given.corners.empty()) shades_ = border_with(given.corners, first_corner);
   if (number == none) return;
   texture_ = given.textures[idx(number)].get();
@@ -89,13 +89,13 @@ Lightness::Lightness(const Surface& surface,
     std::size_t first = 0;
     for (const int size : meshes_[o]->face_sizes) {
       first_corners_[o].push_back(first);
-      first += static_cast<std::size_t>(size);
+      first += idx(size);
     }
   }
 }
 
 std::optional<FaceLightness> Lightness::of_triangle(int triangle) const {
-  const auto object = static_cast<std::size_t>(surface_.triangle_objects[idx(triangle)]);
+  const auto object = idx(surface_.triangle_objects[idx(triangle)]);
   const int face = surface_.triangle_faces[idx(triangle)];
   if (first_corners_[object].empty() || face == none) return {};
   return FaceLightness(*meshes_[object], idx(face), first_corners_[object][idx(face)]);

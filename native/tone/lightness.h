@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "mesh/polygon_mesh.h"
-#include "surface/mean_value.h"
+#include "surface/planes/mean_value.h"
 #include "surface/surface.h"
 
 namespace illustrate {

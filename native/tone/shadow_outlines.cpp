@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "contour/contour_functions.h"
-#include "contour/plane_section.h"
+#include "contour/shape/plane_section.h"
 #include "surface/locate.h"
 #include "tone/light_views.h"
 #include "visibility/label_network.h"

@@ -149,7 +149,7 @@ class GraphBuilder {
       const std::size_t count = path.strands.size();
       const int before = ends_[idx(path.strands[(i + count - 1) % count])][1];
       const int behind = ends_[idx(path.strands[i])][0];
-      if (path.jumps[i] == 0 || path.freed[i]) {
+      if (path.jumps[i] == 0 || path.is_joint[i]) {
         node.kind = NodeKind::joint;
       } else {
         node.arcs[0] = path.jumps[i] > 0 ? before : behind;

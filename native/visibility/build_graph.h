@@ -3,7 +3,7 @@
 
 #include "surface/surface.h"
 #include "visibility/labelled_graph.h"
-#include "visibility/labelled_path.h"
+#include "visibility/labels/labelled_path.h"
 
 namespace illustrate {
 

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 
+#include "visibility/arrangement/touch_images.h"
 #include "visibility/build_graph.h"
-#include "visibility/label_pile.h"
-#include "visibility/repairs.h"
-#include "visibility/touch_images.h"
-#include "visibility/view_labels.h"
+#include "visibility/labels/label_pile.h"
+#include "visibility/labels/repairs.h"
+#include "visibility/labels/swallowtails.h"
+#include "visibility/labels/view_labels.h"
 
 namespace illustrate {
 namespace {

@@ -12,7 +12,7 @@
 // repaired first (repairs.h).
 #pragma once
 
-#include "contour/curve_network.h"
+#include "contour/network/curve_network.h"
 #include "core/progress.h"
 #include "mesh/bvh.h"
 #include "surface/surface.h"

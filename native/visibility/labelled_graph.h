@@ -1,7 +1,7 @@
 // The labelled graph: every curve of a view cut into arcs of constant quantitative invisibility.
 #pragma once
 
-#include "contour/curve_network.h"
+#include "contour/network/curve_network.h"
 #include "core/report.h"
 
 namespace illustrate {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <tuple>
 
-#include "contour/strands.h"
-#include "visibility/image_strands.h"
-#include "visibility/segment_pairs.h"
+#include "contour/network/near_clip.h"
+#include "visibility/arrangement/image_strands.h"
+#include "visibility/arrangement/segment_pairs.h"
 
 namespace illustrate {
 namespace {

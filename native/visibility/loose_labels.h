@@ -8,7 +8,7 @@
 // depends on it.
 #pragma once
 
-#include "contour/curve_network.h"
+#include "contour/network/curve_network.h"
 #include "mesh/bvh.h"
 #include "surface/surface.h"
 #include "view/camera.h"
@@ -16,7 +16,7 @@
 
 namespace illustrate {
 
-// A graph in the camera's pixels with the curves (contour/loose_curves.h) added: arcs of
+// A graph in the camera's pixels with the curves (contour/shape/loose_curves.h) added: arcs of
 // Kind::loose between ends and joints; where labels change there is a joint, which the curve in
 // front is not cut at. What is less than a unit of the graph in front of a curve does not hide it,
 // so that curves drawn on a surface are seen. Parts before the near plane are left out.

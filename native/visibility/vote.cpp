@@ -4,7 +4,7 @@
 #include <map>
 
 #include "visibility/build_graph.h"
-#include "visibility/layer_rays.h"
+#include "visibility/evidence/layer_rays.h"
 
 namespace illustrate {
 namespace {

@@ -6,7 +6,7 @@
 // outside of the drawing may be hidden.
 #pragma once
 
-#include "contour/curve_network.h"
+#include "contour/network/curve_network.h"
 #include "core/progress.h"
 #include "mesh/bvh.h"
 #include "surface/surface.h"

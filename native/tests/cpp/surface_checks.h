@@ -1,10 +1,10 @@
 // What the tests of the surface share.
 #pragma once
 
-#include "check_surface.h"
 #include "mesh/sanitize.h"
-#include "shapes.h"
 #include "surface/refine.h"
+#include "tests/cpp/check_surface.h"
+#include "tests/cpp/shapes.h"
 
 namespace illustrate::surface_checks {
 

@@ -192,6 +192,60 @@ def test_only_one_file_of_the_addon_imports_the_module() -> None:
     assert set(importing) <= {"native.py"}
 
 
+# What the platform for extensions refuses: threads, other search paths and modules, sudden ends,
+# text that is run. headless.py is started from outside and finds the add-on.
+REFUSED_MODULES = {"threading", "_thread", "concurrent", "multiprocessing", "asyncio"}
+REFUSED_NAMES = {"sys.path", "sys.modules", "sys.meta_path", "os._exit", "site.addsitedir"}
+REFUSED_CALLS = {"eval", "exec", "compile", "__import__"}
+STARTED_FROM_OUTSIDE = {"headless.py": {"sys.path", "os._exit"}}
+
+
+def refused(text: str) -> set[str]:
+    """What of it a Python file uses, under whatever name it is imported."""
+    tree, found = ast.parse(text), set()
+    imported = {m.partition(".")[0] for m in imported_modules(text) if not m.startswith(".")}
+    found |= imported & REFUSED_MODULES
+    owners = {name.partition(".")[0] for name in REFUSED_NAMES}
+    alias = {
+        (a.asname or a.name): a.name
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Import)
+        for a in node.names
+        if a.name in owners
+    }
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
+            found |= {f"{alias.get(node.value.id)}.{node.attr}"} & REFUSED_NAMES
+        elif isinstance(node, ast.ImportFrom):
+            found |= {f"{node.module}.{a.name}" for a in node.names} & REFUSED_NAMES
+        elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+            found |= {node.func.id} & REFUSED_CALLS
+    return found
+
+
+def test_the_addon_has_nothing_that_extensions_may_not_have() -> None:
+    for path in sorted((ROOT / "addon").rglob("*.py")):
+        name = path.relative_to(ROOT / "addon").as_posix()
+        wrong = refused(path.read_text(encoding="utf-8")) - STARTED_FROM_OUTSIDE.get(name, set())
+        assert not wrong, f"{name}: {sorted(wrong)}"
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("import threading", "threading"),
+        ("from concurrent.futures import Future", "concurrent"),
+        ("import sys\nsys.path.insert(0, '')", "sys.path"),
+        ("import sys as s\ns.modules['a'] = 1", "sys.modules"),
+        ("from sys import modules", "sys.modules"),
+        ("def late():\n    import os\n    os._exit(0)", "os._exit"),
+        ("exec('pass')", "exec"),
+    ],
+)
+def test_what_extensions_may_not_have_is_found(text: str, name: str) -> None:
+    assert refused(text) == {name}
+
+
 def test_versions_agree() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
     manifest = tomllib.loads((ROOT / "addon/blender_manifest.toml").read_text(encoding="utf-8"))

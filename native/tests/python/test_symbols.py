@@ -28,7 +28,8 @@ def modules() -> Iterator[tuple[str, bytes]]:
     """The module that is tested, and those in the packages of dist where they are built."""
     for path in Path(illustrate_native.__file__).parent.glob("_core*.so"):
         yield path.name, path.read_bytes()
-    for archive in sorted((ROOT / "dist").rglob("*.whl")) + sorted((ROOT / "dist").glob("*.zip")):
+    archives = (path for path in (ROOT / "dist").rglob("*.*") if "linux" in path.name)
+    for archive in sorted(archives):
         with zipfile.ZipFile(archive) as opened:
             for name in opened.namelist():
                 if name.endswith(".so"):

@@ -7,19 +7,18 @@ import os
 import re
 import subprocess
 import sys
-import venv
 import zipfile
 from pathlib import Path
 
 import pytest
 
 ROOT = Path(__file__).resolve().parents[3]
-WHEELS = sorted((ROOT / "dist").rglob("*.whl"))
+WHEELS = sorted((ROOT / "dist").rglob("*manylinux*.whl"))
 TETRAHEDRON = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
 
 pytestmark = pytest.mark.skipif(
-    not WHEELS or "asan" in os.environ.get("LD_PRELOAD", ""),
-    reason="needs built wheels (make extension), without sanitizers",
+    not WHEELS or sys.platform != "linux" or "asan" in os.environ.get("LD_PRELOAD", ""),
+    reason="needs built wheels of this system (make extension), without sanitizers",
 )
 
 
@@ -39,7 +38,7 @@ def pinned(package: str) -> str:
 def bare_python(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """An environment with the wheel and what it asks for, and nothing else."""
     folder = tmp_path_factory.mktemp("bare")
-    venv.create(folder, with_pip=True)
+    run(sys.executable, "-m", "venv", folder)
     python = folder / "bin" / "python"
     run(python, "-m", "pip", "install", "--quiet", *(ROOT / "dist").glob("*.whl"))
     return python
@@ -84,4 +83,8 @@ def test_the_licences_of_what_is_inside_come_with_it(archive: Path) -> None:
 
 def test_packages_are_small() -> None:
     for archive in (ROOT / "dist").glob("*.zip"):
-        assert archive.stat().st_size < 6_000_000, archive.name
+        with zipfile.ZipFile(archive) as package:
+            modules = sum(
+                "/_core." in f"/{name}" or name.endswith(".whl") for name in package.namelist()
+            )
+        assert archive.stat().st_size < 2_200_000 * modules + 400_000, archive.name

@@ -1,0 +1,314 @@
+#include "contour/intersection/crossing_test.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/predicates.h"
+
+namespace illustrate {
+namespace {
+
+// Triangles farther apart than this share of their size are told apart in plain arithmetic.
+constexpr double separation = 1e-10;
+
+// Triangles are in one plane up to rounding within this distance, in scaled points: far above what
+// a rotation or a shift by a few sizes leaves of a plane, far below how much farther one of ten
+// thousand parts is moved than the one before it.
+constexpr double coplanar = 0x1p-38;
+
+// Coordinates relative to the largest one below which exact products could underflow.
+constexpr double smallest_coordinate = 0x1p-200;
+
+// How far points are moved, relative to their farthest distance from their middle: a few times the
+// rounding to single precision, in which modelling programs store them. That grows with the
+// distance from the origin, which is not to count where it is a few times that one.
+constexpr double rounding_inset = 0x1p-22, far_off = 16;
+
+// And never more than this share of the median edge: one far vertex, or a vast ground, makes the
+// rounding larger than the detail, and every box would be near every other.
+constexpr double largest_inset_of_edge = 1.0 / 400;
+
+// The farthest that an inset of 1 moves two points towards each other.
+constexpr double in_plane = 20;
+
+// Bounds the inset where the sides of a place face nearly opposite ways.
+constexpr double least_mean_normal = 0.05;
+
+bool are_equal(const std::array<int, 3>& sides) {
+  return sides[0] != 0 && sides[0] == sides[1] && sides[1] == sides[2];
+}
+
+int root_of(std::vector<int>& parents, int i) {
+  while (parents[i] != i) i = parents[i] = parents[parents[i]];
+  return i;
+}
+
+// 1 or -1 by the parity of the permutation that sorts four different numbers.
+int parity(const std::array<int, 4>& numbers) {
+  int sign = 1;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = i + 1; j < 4; ++j)
+      if (numbers[i] > numbers[j]) sign = -sign;
+  return sign;
+}
+
+}  // namespace
+
+struct CrossingTest::Ends {
+  std::array<Piercing, 6> piercings;
+  std::size_t count = 0;
+};
+
+CrossingTest::CrossingTest(const Surface& surface) {
+  place_vertices(surface);
+  scale_points(surface);
+  choose_inset();
+  move_points_inward(surface);
+}
+
+void CrossingTest::place_vertices(const Surface& surface) {
+  const int last = surface.places.empty()
+                       ? none
+                       : *std::max_element(surface.places.begin(), surface.places.end());
+  vertices_.assign(idx(last) + 1, none);
+  for (std::size_t v = 0; v < surface.places.size(); ++v)
+    if (vertices_[surface.places[v]] == none) vertices_[surface.places[v]] = static_cast<int>(v);
+  triangles_.reserve(surface.triangles.size());
+  for (const Triangle& t : surface.triangles)
+    triangles_.push_back({surface.places[t[0]], surface.places[t[1]], surface.places[t[2]]});
+}
+
+// Scaling by a power of two changes no sign.
+void CrossingTest::scale_points(const Surface& surface) {
+  points_.assign(vertices_.size(), Vec3::Zero());
+  double largest = 0;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (vertices_[i] == none || !surface.positions[vertices_[i]].allFinite()) continue;
+    points_[i] = surface.positions[vertices_[i]];
+    largest = std::max(largest, points_[i].cwiseAbs().maxCoeff());
+  }
+  const int exponent = -std::ilogb(largest > 0 ? largest : 1.0);
+  for (Vec3& point : points_)
+    for (double& x : point) x = std::ldexp(x, exponent);
+  scale_ = std::ldexp(1.0, -exponent);
+}
+
+// The same wherever the points are and however they are turned.
+double CrossingTest::extent() const {
+  Vec3 sum = Vec3::Zero();
+  double count = 0, farthest = 0, largest = 0;
+  for (const Triangle& t : triangles_) {
+    for (const int place : t) sum += points_[place];
+    count += 3;
+  }
+  for (const Triangle& t : triangles_) {
+    for (const int place : t) {
+      farthest = std::max(farthest, (points_[place] - sum / count).squaredNorm());
+      largest = std::max(largest, points_[place].squaredNorm());
+    }
+  }
+  return std::sqrt(std::max(farthest, largest / (far_off * far_off)));
+}
+
+void CrossingTest::choose_inset() {
+  std::vector<double> edges;
+  for (const Triangle& t : triangles_)
+    for (int k = 0; k < 3; ++k) {
+      const double length = (points_[t[next_corner(k)]] - points_[t[k]]).norm();
+      if (length > 0) edges.push_back(length);
+    }
+  inset_ = rounding_inset * extent();
+  if (edges.empty()) return;
+  const auto median = edges.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2);
+  std::nth_element(edges.begin(), median, edges.end());
+  inset_ = std::min(inset_, *median * largest_inset_of_edge);
+}
+
+double CrossingTest::reach() const { return in_plane * inset_ * scale_; }
+
+// Part of each place, numbered by first place.
+std::vector<int> CrossingTest::parts() const {
+  std::vector<int> parents(vertices_.size());
+  std::iota(parents.begin(), parents.end(), 0);
+  for (const Triangle& t : triangles_)
+    for (const int place : t) {
+      const int a = root_of(parents, t[0]), b = root_of(parents, place);
+      parents[std::max(a, b)] = std::min(a, b);
+    }
+  std::vector<int> numbers(parents.size());
+  int count = 0;
+  for (int i = 0; i < static_cast<int>(parents.size()); ++i) {
+    const int root = root_of(parents, i);
+    numbers[i] = root == i ? count++ : numbers[root];
+  }
+  return numbers;
+}
+
+// By n / |n|^2, n the mean normal of the smooth sides: where they meet at right angles, each plane
+// moves by the same distance.
+void CrossingTest::move_points_inward(const Surface& surface) {
+  moved_ = points_;
+  Points normals(vertices_.size(), Vec3::Zero());
+  std::vector<int> copies(vertices_.size(), 0);
+  for (std::size_t v = 0; v < surface.places.size(); ++v) {
+    if (!surface.normals[v].allFinite()) continue;
+    normals[surface.places[v]] += surface.normals[v];
+    ++copies[surface.places[v]];
+  }
+  const std::vector<int> part = parts();
+  const int part_count = part.empty() ? 1 : 1 + *std::max_element(part.begin(), part.end());
+  for (std::size_t i = 0; i < moved_.size(); ++i) {
+    const Vec3 mean = normals[i] / std::max(1, copies[i]);
+    const double depth = inset_ * (1 + static_cast<double>(part[i]) / part_count);
+    moved_[i] -= mean * (depth / std::max(mean.squaredNorm(), least_mean_normal));
+    for (double& x : moved_[i])
+      if (std::abs(x) < smallest_coordinate) x = 0;
+  }
+}
+
+Points CrossingTest::insets(const Surface& surface) const {
+  Points insets;
+  insets.reserve(surface.places.size());
+  for (const int place : surface.places)
+    insets.push_back(scale_ * (moved_[idx(place)] - points_[idx(place)]));
+  return insets;
+}
+
+// What is coplanar even so counts as positive in ascending order of places.
+int CrossingTest::side(int a, int b, int c, int d) const {
+  const int sign = orient3d(moved_[a], moved_[b], moved_[c], moved_[d]);
+  return sign != 0 ? sign : parity({a, b, c, d});
+}
+
+CrossingTest::Sides CrossingTest::filtered_sides(int triangle, int other) const {
+  const Vec3 &a = moved(triangle, 0), &b = moved(triangle, 1), &c = moved(triangle, 2);
+  return {filtered_orient3d(a, b, c, moved(other, 0)), filtered_orient3d(a, b, c, moved(other, 1)),
+          filtered_orient3d(a, b, c, moved(other, 2))};
+}
+
+bool CrossingTest::share_vertex_or_are_flat(int s, int t) const {
+  const Triangle &a = triangles_[s], &b = triangles_[t];
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    if (a[i] == b[0] || a[i] == b[1] || a[i] == b[2] || a[i] == a[j] || b[i] == b[j]) return true;
+  }
+  return false;
+}
+
+// Whether t lies beyond one edge of s, seen along s's normal.
+bool CrossingTest::has_separating_edge(int s, int t) const {
+  const Vec3 normal = (moved(s, 1) - moved(s, 0)).cross(moved(s, 2) - moved(s, 0));
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 outward = (moved(s, next_corner(k)) - moved(s, k)).cross(normal);
+    const auto beyond = [&](int j) {
+      const Vec3 offset = moved(t, j) - moved(s, k);
+      return offset.dot(outward) > separation * offset.norm() * outward.norm();
+    };
+    if (beyond(0) && beyond(1) && beyond(2)) return true;
+  }
+  return false;
+}
+
+// Whether nothing but rounding says on which side of each other they are, although both were moved:
+// a limit that folds over itself within its plane. Asked of the plane of the larger one.
+bool CrossingTest::are_coplanar(int s, int t) const {
+  const auto normal = [&](int triangle) -> Vec3 {
+    return (moved(triangle, 1) - moved(triangle, 0)).cross(moved(triangle, 2) - moved(triangle, 0));
+  };
+  Vec3 up = normal(s);
+  const Vec3 other = normal(t);
+  if (up.squaredNorm() < other.squaredNorm()) {
+    up = other;
+    std::swap(s, t);
+  }
+  const double rounding = coplanar * up.norm();
+  for (int k = 0; k < 3; ++k)
+    if (std::abs(up.dot(moved(t, k) - moved(s, 0))) > rounding) return false;
+  return true;
+}
+
+bool CrossingTest::pierces(int a, int b, int triangle) const {
+  const Triangle& t = triangles_[triangle];
+  const int first = side(a, b, t[0], t[1]);
+  return first == side(a, b, t[1], t[2]) && first == side(a, b, t[2], t[0]);
+}
+
+void CrossingTest::add_piercings(int triangle, int other, Ends& ends) const {
+  const Triangle &t = triangles_[triangle], &o = triangles_[other];
+  Sides sides;
+  for (std::size_t k = 0; k < 3; ++k) sides[k] = side(o[0], o[1], o[2], t[k]);
+  for (int k = 0; k < 3; ++k) {
+    const int a = t[k], b = t[next_corner(k)];
+    if (sides[k] != sides[next_corner(k)] && pierces(a, b, other))
+      ends.piercings[ends.count++] = {std::min(a, b), std::max(a, b), other};
+  }
+}
+
+TriangleIntersection CrossingTest::cross(int s, int t, std::array<Piercing, 2>& found) const {
+  if (share_vertex_or_are_flat(s, t) || are_equal(filtered_sides(s, t)) ||
+      are_equal(filtered_sides(t, s)) || has_separating_edge(s, t) || has_separating_edge(t, s) ||
+      are_coplanar(s, t))
+    return TriangleIntersection::apart;
+  Ends ends;
+  add_piercings(s, t, ends);
+  add_piercings(t, s, ends);
+  if (ends.count == 0) return TriangleIntersection::apart;
+  if (ends.count != 2) return TriangleIntersection::undecided;
+  found = {ends.piercings[0], ends.piercings[1]};
+  return TriangleIntersection::segment;
+}
+
+double CrossingTest::parameter(const Piercing& piercing) const {
+  const int t = piercing.triangle;
+  const Vec3 normal = (at(t, 1) - at(t, 0)).cross(at(t, 2) - at(t, 0));
+  const double low = normal.dot(points_[piercing.low] - at(t, 0));
+  const double high = normal.dot(points_[piercing.high] - at(t, 0));
+  if (std::max(std::abs(low), std::abs(high)) <= in_plane * inset_ * normal.norm())
+    return middle_of_overlap(piercing);
+  return std::clamp(low / (low - high), 0.0, 1.0);
+}
+
+// For an edge in the triangle's plane, which only the inset makes pierce it: the middle of what
+// they share.
+double CrossingTest::middle_of_overlap(const Piercing& piercing) const {
+  const int t = piercing.triangle;
+  const Vec3 normal = (at(t, 1) - at(t, 0)).cross(at(t, 2) - at(t, 0));
+  double enter = 0, leave = 1;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 outward = (at(t, next_corner(k)) - at(t, k)).cross(normal);
+    const double low = outward.dot(points_[piercing.low] - at(t, k));
+    const double high = outward.dot(points_[piercing.high] - at(t, k));
+    if (low > 0 && high < low) enter = std::max(enter, low / (low - high));
+    if (high > 0 && low < high) leave = std::min(leave, low / (low - high));
+  }
+  return std::clamp((enter + leave) / 2, 0.0, 1.0);
+}
+
+SurfacePoint CrossingTest::surface_point(const Piercing& piercing, int triangle) const {
+  const double s = parameter(piercing);
+  const Triangle& t = triangles_[triangle];
+  const auto low = std::find(t.begin(), t.end(), piercing.low);
+  const auto high = std::find(t.begin(), t.end(), piercing.high);
+  if (low != t.end() && high != t.end()) {
+    Vec3 weights = Vec3::Zero();
+    weights[low - t.begin()] = 1 - s;
+    weights[high - t.begin()] = s;
+    return {triangle, weights[1], weights[2]};
+  }
+  return projected(points_[piercing.low] * (1 - s) + points_[piercing.high] * s, triangle);
+}
+
+// The barycentrics of a point's projection along the normal.
+SurfacePoint CrossingTest::projected(const Vec3& point, int triangle) const {
+  const Vec3 u = at(triangle, 1) - at(triangle, 0), v = at(triangle, 2) - at(triangle, 0);
+  const Vec3 normal = u.cross(v), offset = point - at(triangle, 0);
+  const double area = normal.squaredNorm();
+  if (!(area > 0)) return {triangle, 0, 0};
+  const double b1 = std::clamp(offset.cross(v).dot(normal) / area, 0.0, 1.0);
+  const double b2 = std::clamp(u.cross(offset).dot(normal) / area, 0.0, 1.0);
+  const double sum = std::max(1.0, b1 + b2);
+  return {triangle, b1 / sum, b2 / sum};
+}
+
+}  // namespace illustrate

@@ -1,0 +1,100 @@
+#include "contour/intersection/triple_points.h"
+
+#include <algorithm>
+#include <map>
+
+#include "surface/locate.h"
+
+namespace illustrate {
+namespace {
+
+struct Segment {
+  int curve;
+  int segment;
+  std::array<int, 2> sheets;  // its two triangles
+  Vec3 start, end;
+};
+
+class TriplePointFinder {
+ public:
+  TriplePointFinder(const Surface& surface, const IntersectionCurves& intersections)
+      : surface_(surface) {
+    for (std::size_t c = 0; c < intersections.curves.size(); ++c) {
+      const Span<const IntersectionPoint> curve = intersections.curves[c];
+      for (std::size_t i = 0; i < curve.size(); ++i) {
+        const std::array<int, 2> sheets =
+            intersections.segment_triangles[idx(intersections.curves.offsets[c]) + i];
+        if (sheets[0] == none) continue;
+        const Vec3& end = curve[(i + 1) % curve.size()].position;
+        add({static_cast<int>(c), static_cast<int>(i), sheets, curve[i].position, end});
+      }
+    }
+  }
+
+  std::vector<TriplePoint> run() {
+    for (const auto& [triangle, segments] : on_triangle_) {
+      for (std::size_t i = 0; i < segments.size(); ++i) {
+        for (std::size_t j = i + 1; j < segments.size(); ++j)
+          meet(triangle, segments[i], segments[j]);
+      }
+    }
+    std::vector<TriplePoint> result;
+    for (auto& [sheets, point] : found_) result.push_back(std::move(point));
+    return result;
+  }
+
+ private:
+  void add(const Segment& segment) {
+    const int number = static_cast<int>(segments_.size());
+    segments_.push_back(segment);
+    for (const int sheet : segment.sheets) on_triangle_[sheet].push_back(number);
+    of_pair_[std::minmax(segment.sheets[0], segment.sheets[1])] = number;
+  }
+
+  // Two segments that cross on one triangle: its sheet and the other one of each meet there.
+  void meet(int triangle, int first, int second) {
+    const Segment &s = segments_[idx(first)], &t = segments_[idx(second)];
+    const int b = s.sheets[s.sheets[0] == triangle ? 1 : 0];
+    const int c = t.sheets[t.sheets[0] == triangle ? 1 : 0];
+    double f, h;
+    if (b == c || !cross(triangle, s, t, f, h)) return;
+    std::array<int, 3> sheets{triangle, b, c};
+    std::sort(sheets.begin(), sheets.end());
+    const auto [found, is_new] = found_.try_emplace(sheets);
+    if (!is_new) return;
+    TriplePoint& point = found->second;
+    point.position = s.start + f * (s.end - s.start);
+    point.passages = {{s.curve, s.segment, f, c}, {t.curve, t.segment, h, b}};
+    const auto third = of_pair_.find(std::minmax(b, c));
+    if (third != of_pair_.end())
+      point.passages.push_back(passage(segments_[idx(third->second)], point.position, triangle));
+  }
+
+  // Where a segment comes nearest to a point.
+  static Passage passage(const Segment& s, const Vec3& point, int through) {
+    const Vec3 along = s.end - s.start;
+    const double square = along.squaredNorm();
+    const double f = square > 0 ? (point - s.start).dot(along) / square : 0;
+    return {s.curve, s.segment, std::clamp(f, 0.0, 1 - 1e-9), through};
+  }
+
+  bool cross(int triangle, const Segment& s, const Segment& t, double& f, double& h) const {
+    const auto place = [&](const Vec3& p) { return barycentrics(surface_, triangle, p); };
+    return segments_cross(place(s.start), place(s.end), place(t.start), place(t.end), f, h);
+  }
+
+  const Surface& surface_;
+  std::vector<Segment> segments_;
+  std::map<int, std::vector<int>> on_triangle_;
+  std::map<std::pair<int, int>, int> of_pair_;
+  std::map<std::array<int, 3>, TriplePoint> found_;
+};
+
+}  // namespace
+
+std::vector<TriplePoint> triple_points(const Surface& surface,
+                                       const IntersectionCurves& intersections) {
+  return TriplePointFinder(surface, intersections).run();
+}
+
+}  // namespace illustrate

@@ -1,0 +1,250 @@
+#include "contour/network/joints.h"
+
+#include <algorithm>
+#include <tuple>
+#include <unordered_map>
+
+#include "contour/contour_functions.h"
+#include "contour/intersection/meetings.h"
+#include "surface/locate.h"
+
+namespace illustrate {
+namespace {
+
+// A point counts as lying on an edge of its triangle below this barycentric weight.
+constexpr double on_edge_weight = 1e-9;
+
+std::int64_t side_key(int triangle, int corner) { return std::int64_t{triangle} * 3 + corner; }
+
+class JointFinder {
+ public:
+  JointFinder(const Surface& surface, const std::vector<FeatureEdge>& features,
+              const Silhouettes& silhouettes, const IntersectionCurves& intersections,
+              const FreeLines& free_lines, const Camera& camera)
+      : surface_(surface),
+        features_(features),
+        silhouettes_(silhouettes),
+        intersections_(intersections),
+        lines_(free_lines.lines),
+        camera_(camera) {}
+
+  Joints run() {
+    index_features();
+    for (std::size_t c = 0; c < silhouettes_.chains.size(); ++c) cut_chain(static_cast<int>(c));
+    if (!intersections_.curves.empty() || !lines_.curves.empty()) {
+      chain_pieces_ = pieces_of_chains(surface_, silhouettes_);
+    }
+    for (std::size_t c = 0; c < intersections_.curves.size(); ++c) {
+      cut_intersection(static_cast<int>(c));
+    }
+    cut_where_chains_pass();
+    cut_at_triple_points();
+    joints_.first_line_node = static_cast<int>(joints_.nodes.size());
+    if (!lines_.curves.empty()) index_intersections();
+    for (std::size_t c = 0; c < lines_.curves.size(); ++c) cut_line(static_cast<int>(c));
+    sort_cuts();
+    return std::move(joints_);
+  }
+
+ private:
+  void index_features() {
+    for (std::size_t f = 0; f < features_.size(); ++f) {
+      for (const EdgeSide& side : features_[f].sides) {
+        if (side.triangle == none) continue;
+        feature_of_side_[side_key(side.triangle, side.corner)] = static_cast<int>(f);
+      }
+    }
+  }
+
+  void index_intersections() {
+    for (std::size_t c = 0; c < intersections_.curves.size(); ++c) {
+      for (std::size_t i = 0; i < intersections_.curves[c].size(); ++i) {
+        const int curve = static_cast<int>(c), segment = static_cast<int>(i);
+        for (const int triangle : intersections_.segment_triangles[global_point(curve, segment)]) {
+          if (triangle == none) continue;
+          const Span<const IntersectionPoint> points = intersections_.curves[c];
+          const Vec2 start = barycentrics(surface_, triangle, points[i].position);
+          const Vec2 end =
+              barycentrics(surface_, triangle, points[(i + 1) % points.size()].position);
+          intersection_pieces_[triangle].push_back({curve, segment, start, end, 0, 1});
+        }
+      }
+    }
+  }
+
+  int add_node(NodeKind kind, const Vec3& position) {
+    joints_.nodes.push_back({kind, position});
+    return static_cast<int>(joints_.nodes.size()) - 1;
+  }
+
+  // Runs along the feature's first side.
+  double along_feature(int feature, int triangle, int corner, double fraction) const {
+    const EdgeSide& first = features_[idx(feature)].sides[0];
+    if (first.triangle == triangle && first.corner == corner) return fraction;
+    const auto place = [&](int t, int k) {
+      return surface_.places[idx(surface_.triangles[idx(t)][idx(k)])];
+    };
+    const bool parallel = place(first.triangle, first.corner) == place(triangle, corner);
+    return parallel ? fraction : 1 - fraction;
+  }
+
+  // The node where a point of a curve lies on a feature edge, none where the edge is no feature.
+  int cut_feature(int triangle, int corner, double fraction, const Vec3& position,
+                  bool tells_side = true) {
+    if (surface_.edge_kinds[idx(triangle)][idx(corner)] == EdgeKind::smooth) return none;
+    const auto found = feature_of_side_.find(side_key(triangle, corner));
+    if (found == feature_of_side_.end()) return none;
+    const int node = add_node(NodeKind::joint, position);
+    joints_.edges.push_back({found->second,
+                             along_feature(found->second, triangle, corner, fraction), node,
+                             tells_side ? EdgeSide{triangle, corner} : EdgeSide{}});
+    return node;
+  }
+
+  void cut_chain(int c) {
+    const Span<const ChainPoint> chain = silhouettes_.chains[idx(c)];
+    const bool closed = silhouettes_.closed[idx(c)];
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      const ChainPoint& p = chain[i];
+      const bool tip = !closed && (i == 0 || i + 1 == chain.size());
+      int node = none;
+      if (p.cusp_jump != 0)
+        node = add_node(NodeKind::cusp, p.position);
+      else if (p.edge != none)
+        node = cut_feature(p.on.triangle, p.edge, p.fraction, p.position);
+      if (node == none && tip) node = add_node(NodeKind::end, p.position);
+      if (node != none) joints_.chains.push_back({c, static_cast<int>(i), 0, node, p.cusp_jump});
+    }
+  }
+
+  void cut_intersection(int c) {
+    const Span<const IntersectionPoint> curve = intersections_.curves[idx(c)];
+    const bool closed = intersections_.closed[idx(c)];
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+      const bool tip = !closed && (i == 0 || i + 1 == curve.size());
+      int node = cut_at_edge(curve[i].a, curve[i].position);
+      if (node == none) node = cut_at_edge(curve[i].b, curve[i].position);
+      if (node == none && tip) node = add_node(NodeKind::end, curve[i].position);
+      if (node != none) joints_.intersections.push_back({c, static_cast<int>(i), 0, node, {}});
+    }
+  }
+
+  int cut_at_edge(const SurfacePoint& p, const Vec3& position) {
+    if (p.triangle == none) return none;
+    const std::array<double, 3> weights{1 - p.b1 - p.b2, p.b1, p.b2};
+    for (int k = 0; k < 3; ++k) {
+      if (weights[idx(previous_corner(k))] > on_edge_weight) continue;
+      const int node = cut_feature(p.triangle, k, weights[idx(next_corner(k))], position);
+      if (node != none) return node;
+    }
+    return none;
+  }
+
+  void cut_where_chains_pass() {
+    for (const Meeting& m :
+         find_meetings(surface_, silhouettes_, chain_pieces_, intersections_, camera_)) {
+      const int node = add_node(NodeKind::joint, m.position);
+      joints_.intersections.push_back(
+          {m.curve, m.curve_segment, m.curve_fraction, node, m.curve_change});
+      joints_.chains.push_back({m.chain, m.chain_segment, m.chain_fraction, node, m.chain_change});
+    }
+  }
+
+  void cut_line(int c) {
+    const Span<const ZeroPoint> line = lines_.curves[idx(c)];
+    const bool closed = lines_.closed[idx(c)];
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const ZeroPoint& p = line[i];
+      const bool tip = !closed && (i == 0 || i + 1 == line.size());
+      int node = none;
+      if (p.edge != none) {
+        node = cut_feature(p.on.triangle, p.edge, p.fraction, p.position, false);
+      }
+      if (node == none && tip) node = add_node(NodeKind::end, p.position);
+      if (node != none) joints_.lines.push_back({c, static_cast<int>(i), 0, node, {}});
+      if (i + 1 < line.size() || closed) cut_line_segment(c, static_cast<int>(i));
+    }
+  }
+
+  void cut_line_segment(int c, int i) {
+    const Span<const ZeroPoint> line = lines_.curves[idx(c)];
+    const int triangle = line[idx(i)].on.triangle;
+    const Vec2 start = barycentrics(surface_, triangle, line[idx(i)].position);
+    const Vec2 end = barycentrics(surface_, triangle, line[(idx(i) + 1) % line.size()].position);
+    const auto cut = [&](const auto& pieces, const auto& curves, std::vector<CurveCut>& cuts) {
+      const auto found = pieces.find(triangle);
+      if (found == pieces.end()) return;
+      for (const CurvePiece& s : found->second) {
+        double f, h;
+        if (!segments_cross(start, end, s.start, s.end, f, h)) continue;
+        h = s.from + h * (s.to - s.from);
+        const auto curve = curves[idx(s.curve)];
+        const Vec3& a = curve[idx(s.segment)].position;
+        const Vec3& b = curve[(idx(s.segment) + 1) % curve.size()].position;
+        const int node = add_node(NodeKind::joint, a + h * (b - a));
+        joints_.lines.push_back({c, i, f, node, {}});
+        cuts.push_back({s.curve, s.segment, h, node, 0});
+      }
+    };
+    cut(chain_pieces_, silhouettes_.chains, joints_.chains);
+    cut(intersection_pieces_, intersections_.curves, joints_.intersections);
+  }
+
+  std::size_t global_point(int c, int i) const {
+    return idx(intersections_.curves.offsets[idx(c)] + i);
+  }
+
+  void cut_at_triple_points() {
+    for (const TriplePoint& point : intersections_.triple_points) {
+      const int node = add_node(NodeKind::joint, point.position);
+      for (const Passage& p : point.passages) {
+        const Span<const IntersectionPoint> curve = intersections_.curves[idx(p.curve)];
+        const Vec3& from = curve[idx(p.segment)].position;
+        const Vec3& to = curve[(idx(p.segment) + 1) % curve.size()].position;
+        joints_.intersections.push_back(
+            {p.curve, p.segment, p.fraction, node, change_through(p.through, to - from)});
+      }
+    }
+  }
+
+  // Of what passes through a triangle in a direction: +1 from its near side to its far side.
+  int change_through(int triangle, const Vec3& along) const {
+    const Vec3 normal = winding_normal(surface_, triangle);
+    const Vec3& corner = surface_.positions[idx(surface_.triangles[idx(triangle)][0])];
+    return (normal.dot(camera_.to_eye(corner)) >= 0) == (normal.dot(along) >= 0) ? -1 : 1;
+  }
+
+  void sort_cuts() {
+    const auto order = [](const CurveCut& a, const CurveCut& b) {
+      return std::tie(a.curve, a.segment, a.fraction, a.node) <
+             std::tie(b.curve, b.segment, b.fraction, b.node);
+    };
+    std::sort(joints_.chains.begin(), joints_.chains.end(), order);
+    std::sort(joints_.intersections.begin(), joints_.intersections.end(), order);
+    std::sort(joints_.lines.begin(), joints_.lines.end(), order);
+    std::sort(joints_.edges.begin(), joints_.edges.end(), [](const EdgeCut& a, const EdgeCut& b) {
+      return std::tie(a.feature, a.fraction, a.node) < std::tie(b.feature, b.fraction, b.node);
+    });
+  }
+
+  const Surface& surface_;
+  const std::vector<FeatureEdge>& features_;
+  const Silhouettes& silhouettes_;
+  const IntersectionCurves& intersections_;
+  const ZeroCurves& lines_;
+  const Camera& camera_;
+  std::unordered_map<std::int64_t, int> feature_of_side_;
+  PiecesByTriangle chain_pieces_;
+  PiecesByTriangle intersection_pieces_;
+  Joints joints_;
+};
+
+}  // namespace
+
+Joints find_joints(const Surface& surface, const std::vector<FeatureEdge>& features,
+                   const Silhouettes& silhouettes, const IntersectionCurves& intersections,
+                   const FreeLines& free_lines, const Camera& camera) {
+  return JointFinder(surface, features, silhouettes, intersections, free_lines, camera).run();
+}
+
+}  // namespace illustrate

@@ -1,0 +1,112 @@
+#include "hatch/streamlines/hatch_groups.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace illustrate {
+namespace {
+
+// Enough to keep the cores of an artist's machine busy; each costs a little memory.
+constexpr std::size_t most_groups = 8;
+
+// (objects) cells in which each is seen and hatched.
+std::vector<std::size_t> seen_cells(const HatchScene& scene) {
+  std::vector<std::size_t> cells(scene.surface.object_is_smooth.size(), 0);
+  for (const int triangle : scene.visible.triangle) {
+    if (triangle == none) continue;
+    const int object = scene.surface.triangle_objects[idx(triangle)];
+    if (scene.is_hatched(object)) ++cells[idx(object)];
+  }
+  return cells;
+}
+
+// (objects) the group of each, 0 where nothing is seen: the largest object first, each to the group
+// that has least.
+std::vector<std::size_t> divided(const std::vector<std::size_t>& cells) {
+  std::vector<std::size_t> order(cells.size()), groups(cells.size(), 0);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return cells[a] > cells[b]; });
+  std::vector<std::size_t> sums(most_groups, 0);
+  for (const std::size_t object : order) {
+    if (cells[object] == 0) break;
+    const auto least = std::min_element(sums.begin(), sums.end());
+    *least += cells[object];
+    groups[object] = static_cast<std::size_t>(least - sums.begin());
+  }
+  return groups;
+}
+
+// Hands what lies on the surface to the groups of its objects.
+class Divider {
+ public:
+  explicit Divider(const HatchScene& scene)
+      : objects_(scene.surface.triangle_objects),
+        group_of_(divided(seen_cells(scene))),
+        groups_(1 + *std::max_element(group_of_.begin(), group_of_.end())) {}
+
+  void divide(const CurvesOfObjects& curves) {
+    for (HatchGroup& group : groups_) group.curves.assign(curves.size(), nullptr);
+    for (std::size_t o = 0; o < curves.size(); ++o) groups_[group_of_[o]].curves[o] = curves[o];
+  }
+
+  void divide(const Ragged<SurfacePoint>& streamlines) {
+    for (std::size_t i = 0; i < streamlines.size(); ++i) {
+      if (!streamlines[i].empty()) group(streamlines[i][0]).first.add(streamlines[i]);
+    }
+  }
+
+  void divide(const std::vector<SurfacePoint>& places,
+              std::vector<SurfacePoint> EdgeStrips::*const kind) {
+    for (const SurfacePoint& on : places) (group(on).strips.*kind).push_back(on);
+  }
+
+  std::vector<HatchGroup> take() { return std::move(groups_); }
+
+ private:
+  HatchGroup& group(const SurfacePoint& on) {
+    return groups_[group_of_[idx(objects_[idx(on.triangle)])]];
+  }
+
+  const std::vector<int>& objects_;
+  const std::vector<std::size_t> group_of_;  // (objects)
+  std::vector<HatchGroup> groups_;
+};
+
+}  // namespace
+
+std::vector<HatchGroup> hatch_groups(const HatchScene& scene, const CurvesOfObjects& curves,
+                                     const Ragged<SurfacePoint>& first, const EdgeStrips& strips) {
+  if (curves.size() <= 1) return {{curves, first, strips}};
+  Divider divider(scene);
+  divider.divide(curves);
+  divider.divide(first);
+  divider.divide(strips.hatched, &EdgeStrips::hatched);
+  divider.divide(strips.undercut, &EdgeStrips::undercut);
+  return divider.take();
+}
+
+Hatches joined(const std::vector<Hatches>& groups) {
+  if (groups.size() == 1) return groups[0];
+  struct Place {
+    int object;
+    std::size_t group, hatch;
+  };
+  std::vector<Place> order;
+  Hatches result;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const Hatches& hatches = groups[g];
+    for (std::size_t h = 0; h < hatches.kinds.size(); ++h)
+      order.push_back({hatches.objects[h], g, h});
+    for (std::size_t i = 0; i < hatches.placed.size(); ++i) result.placed.add(hatches.placed[i]);
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [](const Place& a, const Place& b) { return a.object < b.object; });
+  for (const Place& place : order) {
+    const Hatches& hatches = groups[place.group];
+    result.add(hatches.curves[place.hatch], hatches.kinds[place.hatch], place.object);
+  }
+  return result;
+}
+
+}  // namespace illustrate

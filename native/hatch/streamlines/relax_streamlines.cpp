@@ -1,0 +1,355 @@
+#include "hatch/streamlines/relax_streamlines.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+
+namespace illustrate {
+namespace {
+
+// In spacings.
+constexpr double near_reach = 1.25;  // of neighbours: most are found so near
+constexpr double reach = 2;          // of all
+constexpr double curve_reach = 1.5;  // of critical curves
+constexpr double most_pull = 0.4;
+constexpr double most_move = 0.19;  // in a sweep
+constexpr double stiffness = 2.4;   // length over which a streamline bends
+
+constexpr double band = 0.55;  // half a neighbour's piece of line, in node steps
+
+constexpr double share_moved = 0.75;  // of the solution, in a sweep
+
+// Every other node is drawn to its place, in turn; each stands for two.
+constexpr double full_weight = 2;
+constexpr double one_sided = 0.5;  // share of it for a pull that knows one neighbour only
+
+// Of a streamline that is straightened: how its nodes are drawn to where they are, and how far in
+// spacings it stays from others.
+constexpr double stay_weight = 12;
+constexpr double least_apart = 0.51;
+
+// Of a node that is held.
+constexpr double holding_weight = 1e6;
+
+// Nodes of one streamline nearer along it are not its own neighbours.
+constexpr int own_nodes = 6;
+
+// A node moves in the image at most so many times as far as it is meant to.
+constexpr double most_overshoot = 1.3;
+
+// Angles of streamlines to the cross grow no further than this: what is beyond weighs more.
+constexpr double most_drift = 0.055;  // radians
+constexpr double most_stiffening = 30;
+// On flat faces any drift shows: there they move as they are.
+constexpr double flat_stiffening = 1e4;
+
+// How far ahead the surface is asked for.
+constexpr std::size_t nodes_ahead = 3;
+
+struct Pull {
+  double by = 0;  // px to the left
+  double weight = 0;
+};
+
+// Between two nodes.
+struct Segment {
+  double px;
+  double angle;        // in the image, from the field to the segment
+  double angle_ratio;  // mean of the nodes
+  double bending;      // weight of the angle, against pulls of weight 1
+};
+
+class Relaxer {
+ public:
+  Relaxer(const StreamlineSet& set, const HatchView& view, int sweep)
+      : set_(set), view_(view), sweep_(sweep) {}
+
+  // The nodes drawn to the middle between neighbours; those that would move by less than
+  // `least_move` spacings are held.
+  std::vector<StreamlineNode> evened(int number, double least_move) const {
+    const Streamline& streamline = set_.streamlines[idx(number)];
+    const int count = static_cast<int>(streamline.nodes.size());
+    std::vector<Pull> pulls;
+    pulls.reserve(streamline.nodes.size());
+    for (int i = 0; i < count; ++i) {
+      const bool is_drawn = (i + sweep_) % 2 == 0 || count == 2;
+      pulls.push_back(is_drawn ? pull_at(streamline, number, i) : Pull{});
+    }
+    std::vector<StreamlineNode> nodes = moved(streamline, pulls, least_move);
+    drop_stuck_ends(streamline.nodes, nodes);
+    return nodes;
+  }
+
+  // The nodes drawn to where they are, if none comes too near to another streamline by that.
+  std::vector<StreamlineNode> straightened(int number) const {
+    const Streamline& streamline = set_.streamlines[idx(number)];
+    const std::vector<Pull> pulls(streamline.nodes.size(), Pull{0, stay_weight});
+    std::vector<StreamlineNode> nodes = moved(streamline, pulls, 0);
+    const double radius = least_apart * streamline.spacing;
+    const auto is_near = [&](const StreamlineNode& node, std::size_t i) {
+      return view_.is_near(set_.grid, node, streamline.spacing, radius, number,
+                           static_cast<int>(i));
+    };
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (is_near(nodes[i], i) && !is_near(streamline.nodes[i], i)) return streamline.nodes;
+    }
+    return nodes;
+  }
+
+ private:
+  std::vector<StreamlineNode> moved(const Streamline& streamline, std::vector<Pull> pulls,
+                                    double least_move) const {
+    std::vector<Segment> segments = segments_of(streamline);
+    std::vector<double> shift = solve(segments, pulls);
+    if (stiffen(segments, shift)) shift = solve(segments, pulls);
+    if (least_move > 0) shift = held(segments, pulls, shift, least_move * streamline.spacing);
+    std::vector<StreamlineNode> nodes;
+    nodes.reserve(streamline.nodes.size());
+    for (std::size_t i = 0; i < streamline.nodes.size(); ++i) {
+      if (i + nodes_ahead < streamline.nodes.size()) {
+        view_.walker.fetch(streamline.nodes[i + nodes_ahead].on);
+      }
+      const double most = most_move * streamline.spacing;
+      nodes.push_back(
+          shifted(streamline.nodes[i], std::clamp(share_moved * shift[i], -most, most)));
+    }
+    return nodes;
+  }
+
+  // The solution again, nodes that it would move by less than `least` held where they are.
+  static std::vector<double> held(const std::vector<Segment>& segments, std::vector<Pull>& pulls,
+                                  const std::vector<double>& shift, double least) {
+    const auto stays = [&](double by) { return std::abs(share_moved * by) < least; };
+    if (std::none_of(shift.begin(), shift.end(), stays)) return shift;
+    for (std::size_t i = 0; i < shift.size(); ++i) {
+      if (stays(shift[i])) pulls[i] = {0, holding_weight};
+    }
+    std::vector<double> result = solve(segments, pulls);
+    for (std::size_t i = 0; i < shift.size(); ++i) {
+      if (stays(shift[i])) result[i] = 0;
+    }
+    return result;
+  }
+
+  // On flat faces ends that could not go with the others, since an edge is there, would be hooks:
+  // ends are extended again.
+  void drop_stuck_ends(const std::vector<StreamlineNode>& from,
+                       std::vector<StreamlineNode>& to) const {
+    const auto is_stuck = [&](std::size_t i) {
+      return is_flat(from[i]) && from[i].image == to[i].image;
+    };
+    std::size_t begin = 0, end = to.size();
+    while (begin < end && is_stuck(begin)) ++begin;
+    while (end > begin && is_stuck(end - 1)) --end;
+    if (end - begin < 2) return;
+    to.erase(to.begin() + static_cast<std::ptrdiff_t>(end), to.end());
+    to.erase(to.begin(), to.begin() + static_cast<std::ptrdiff_t>(begin));
+  }
+
+  // Distances to the nearest parallel streamlines to the left and the right, infinite beyond
+  // `reach`.
+  std::array<double, 2> beside(const Streamline& streamline, int number, int index) const {
+    const auto near = beside(streamline, number, index, near_reach * streamline.spacing);
+    if (std::isfinite(near[0]) && std::isfinite(near[1])) return near;
+    return beside(streamline, number, index, reach * streamline.spacing);
+  }
+
+  std::array<double, 2> beside(const Streamline& streamline, int number, int index,
+                               double far) const {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const StreamlineNode& node = streamline.nodes[idx(index)];
+    const Vec2 left = node.left();
+    const double half_piece = std::min(streamline.spacing * node_step, double(set_.grid.widest()));
+    const double beside = 2 * band * half_piece;
+    const Vec2 half = far * left.cwiseAbs() + beside * node.heading.cwiseAbs();
+    const Eigen::AlignedBox2d box(node.image - half, node.image + half);
+    std::array<double, 2> nearest{infinite, infinite};
+    const Vec2 strip(beside, far + 2 * band * double(set_.grid.widest()));
+    set_.grid.visit_strip(box, node.image, node.heading, strip, [&](const GridNode& other) {
+      const Vec2 offset = other.image - node.image;
+      const double along = offset.dot(node.heading);
+      if (std::abs(along) > beside) return;
+      if (other.streamline == number && std::abs(other.index - index) <= own_nodes) return;
+      const double at = along / other.heading.dot(node.heading);  // along the neighbour
+      if (!(std::abs(at) <= 2 * band * double(other.half))) return;
+      const double across = offset.dot(left) - at * other.heading.dot(left);
+      double& best = nearest[across < 0];
+      if (std::abs(across) < std::min(best, far) &&
+          HatchView::is_alike(node, other, streamline.spacing)) {
+        best = std::abs(across);
+      }
+    });
+    return nearest;
+  }
+
+  // A critical curve nearer than the neighbour takes its place: as far beyond as the node is before
+  // it.
+  double mirrored(const StreamlineNode& node, const Vec2& side, double distance,
+                  double spacing) const {
+    const double most = curve_reach * spacing, far = std::min(distance, most);
+    const double at = far * view_.curves.first_crossing(node.image, node.image + far * side);
+    return at <= far ? std::clamp(2 * at, 0.5 * spacing, most) : distance;
+  }
+
+  Pull pull_at(const Streamline& streamline, int number, int index) const {
+    const StreamlineNode& node = streamline.nodes[idx(index)];
+    const double spacing = streamline.spacing, most = most_pull * spacing;
+    auto [left, right] = beside(streamline, number, index);
+    left = mirrored(node, node.left(), left, spacing);
+    right = mirrored(node, -node.left(), right, spacing);
+    Pull pull;
+    if (std::isfinite(left) && std::isfinite(right)) {
+      pull = {(left - right) / 2, full_weight};
+    } else if (std::isfinite(left)) {
+      pull = {(left - spacing) / 2, one_sided * full_weight};
+    } else if (std::isfinite(right)) {
+      pull = {(spacing - right) / 2, one_sided * full_weight};
+    }
+    pull.by = std::clamp(pull.by, -most, most);
+    return pull;
+  }
+
+  bool is_flat(const StreamlineNode& node) const {
+    const std::vector<int>& planes = view_.walker.on_surface().surface().triangle_planes;
+    return !planes.empty() && planes[idx(node.on.triangle)] != none;
+  }
+
+  std::vector<Segment> segments_of(const Streamline& streamline) const {
+    const double length = stiffness * streamline.spacing, least_px = 1e-3 * streamline.spacing;
+    std::vector<Segment> segments;
+    segments.reserve(streamline.nodes.size());
+    for (std::size_t i = 0; i + 1 < streamline.nodes.size(); ++i) {
+      const StreamlineNode &a = streamline.nodes[i], &b = streamline.nodes[i + 1];
+      const Vec2 field = a.heading + b.heading, chord = b.image - a.image;
+      const double angle_ratio = (a.angle_ratio + b.angle_ratio) / 2;
+      const double stiffening = is_flat(a) && is_flat(b) ? flat_stiffening : 1;
+      segments.push_back(
+          {std::max(chord.norm(), least_px), std::atan2(cross(field, chord), field.dot(chord)),
+           angle_ratio,
+           stiffening * length * length * std::clamp(angle_ratio * angle_ratio, 0.1, 9.0)});
+    }
+    return segments;
+  }
+
+  // Minimises sum of weight (x - pull)^2 + bending (angle + x')^2.
+  static std::vector<double> solve(const std::vector<Segment>& segments,
+                                   const std::vector<Pull>& pulls) {
+    const std::size_t count = pulls.size();
+    std::vector<double> diagonal(count, 1e-9), next(count, 0), right(count, 0);
+    for (std::size_t i = 0; i < count; ++i) {
+      diagonal[i] += pulls[i].weight;
+      right[i] += pulls[i].weight * pulls[i].by;
+    }
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+      const double px = segments[i].px, k = segments[i].bending / (px * px);
+      const double turn = k * segments[i].angle * px;
+      diagonal[i] += k, diagonal[i + 1] += k, next[i] = -k;
+      right[i] += turn, right[i + 1] -= turn;
+    }
+    for (std::size_t i = 1; i < count; ++i) {
+      const double factor = next[i - 1] / diagonal[i - 1];
+      diagonal[i] -= factor * next[i - 1];
+      right[i] -= factor * right[i - 1];
+    }
+    for (std::size_t i = count; i-- > 0;) {
+      if (i + 1 < count) right[i] -= next[i] * right[i + 1];
+      right[i] /= diagonal[i];
+    }
+    return right;
+  }
+
+  // Segments that would turn too far off the cross weigh more; whether there are any.
+  static bool stiffen(std::vector<Segment>& segments, const std::vector<double>& shift) {
+    bool any = false;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      Segment& segment = segments[i];
+      const double turn = (shift[i + 1] - shift[i]) / segment.px;
+      const double excess = std::abs(segment.angle + turn) * segment.angle_ratio / most_drift;
+      if (!(excess > 1)) continue;
+      segment.bending *= std::min(excess * excess, most_stiffening);
+      any = true;
+    }
+    return any;
+  }
+
+  // Stays where it would leave its side of a critical curve, or the surface. Near outlines the way
+  // that is right at the node may lead too far: then less of it.
+  StreamlineNode shifted(const StreamlineNode& node, double px) const {
+    if (px == 0) return node;
+    const double facing = view_.walker.facing_at(node.on);
+    double way = px;
+    for (int attempt = 0; attempt < 3; ++attempt) {
+      SurfacePoint on = node.on;
+      if (!view_.walker.on_surface().slide(on, way * node.aside)) return node;
+      const StreamlineNode result = view_.node(on, node.tangent);
+      const double moved = (result.image - node.image).norm();
+      if (moved <= most_overshoot * std::abs(px)) {
+        const bool stays = view_.walker.facing_at(on) * facing > 0 &&
+                           !view_.curves.separate(node.image, result.image);
+        return stays ? result : node;
+      }
+      way *= std::abs(px) / moved;
+    }
+    return node;
+  }
+
+  const StreamlineSet& set_;
+  const HatchView& view_;
+  int sweep_;
+};
+
+// Calls moved(relaxer, number) for the streamlines that are chosen. Threads share the nodes evenly:
+// each takes the streamlines that start in its part.
+template <class Chosen, class Moved>
+void sweep(StreamlineSet& set, const HatchView& view, int number, int threads,
+           const Chosen& is_chosen, const Moved& moved) {
+  if (set.grid.has_additions()) set.rebuild();
+  std::vector<std::vector<StreamlineNode>> nodes(set.streamlines.size());
+  std::vector<std::size_t> starts;
+  std::size_t count = 0;
+  for (const Streamline& streamline : set.streamlines) {
+    starts.push_back(count);
+    count += streamline.nodes.size();
+  }
+  const Relaxer relaxer(set, view, number);
+  parallel_for(count, threads, [&](std::size_t begin, std::size_t end) {
+    const auto first = std::lower_bound(starts.begin(), starts.end(), begin);
+    for (auto s = static_cast<std::size_t>(first - starts.begin());
+         s < starts.size() && starts[s] < end; ++s) {
+      if (is_chosen(set.streamlines[s])) nodes[s] = moved(relaxer, static_cast<int>(s));
+    }
+  });
+  for (std::size_t s = 0; s < nodes.size(); ++s) {
+    if (is_chosen(set.streamlines[s])) set.streamlines[s].nodes = std::move(nodes[s]);
+  }
+  set.rebuild();
+}
+
+void forget_joins(StreamlineSet& set) {
+  for (Streamline& streamline : set.streamlines) streamline.is_joined = false;
+}
+
+}  // namespace
+
+void relax_streamlines(StreamlineSet& set, const HatchView& view, int sweeps, int threads,
+                       const Progress& progress, double least_move) {
+  for (int k = 0; k < sweeps; ++k) {
+    progress.report(static_cast<double>(k) / sweeps);
+    sweep(
+        set, view, k, threads, [](const Streamline& streamline) { return !streamline.is_fixed; },
+        [&](const Relaxer& relaxer, int number) { return relaxer.evened(number, least_move); });
+  }
+  forget_joins(set);
+}
+
+void straighten_joined(StreamlineSet& set, const HatchView& view, int sweeps, int threads) {
+  for (int k = 0; k < sweeps; ++k) {
+    sweep(
+        set, view, k, threads, [](const Streamline& streamline) { return streamline.is_joined; },
+        [](const Relaxer& relaxer, int number) { return relaxer.straightened(number); });
+  }
+  forget_joins(set);
+}
+
+}  // namespace illustrate

@@ -1,0 +1,44 @@
+// Hatches while they are placed and evened out in a view.
+#pragma once
+
+#include "core/types.h"
+
+namespace illustrate {
+
+struct StreamlineNode {
+  SurfacePoint on;
+  Vec3 position;
+  Vec3 tangent;  // unit: the branch of the cross along the streamline
+  Vec2 image;
+  Vec2 heading;        // unit: of `tangent` in the image
+  double depth;        // world units along the viewing axis
+  double pixel;        // world length of a pixel at that depth
+  Vec3 aside;          // tangent move of one pixel to the left of `heading`; zero at outlines
+  double angle_ratio;  // angle in the tangent plane for a small angle in the image
+
+  Vec2 left() const { return {-heading.y(), heading.x()}; }
+};
+
+struct Streamline {
+  std::vector<StreamlineNode> nodes;
+  int object = none;
+  double spacing = 1;      // px
+  bool is_joined = false;  // of others, since it was relaxed
+  bool is_fixed = false;   // others mind it, but it stays as it is
+};
+using Streamlines = std::vector<Streamline>;
+
+// Between nodes of an even streamline, in its spacings.
+constexpr double node_step = 0.5;
+
+// The same the other way.
+inline void turn(StreamlineNode& node) {
+  node.tangent = -node.tangent;
+  node.heading = -node.heading;
+  node.aside = -node.aside;
+}
+void turn(std::vector<StreamlineNode>& nodes);
+
+double length_of(const std::vector<StreamlineNode>& nodes);  // px, of the image
+
+}  // namespace illustrate

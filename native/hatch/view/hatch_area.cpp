@@ -1,0 +1,106 @@
+#include "hatch/view/hatch_area.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace illustrate {
+namespace {
+
+// Depths in sizes of a cell: a point is hidden when it is farther behind all cells around it than
+// `hidden_cells`; cells of one sheet differ by less than `sheet_cells`.
+constexpr double hidden_cells = 0.5;
+constexpr double sheet_cells = 4;
+
+}  // namespace
+
+double HatchArea::pixel_per_w(const Camera& camera) {
+  const Mat4 clip = camera.projection() * camera.view();
+  return 2 / (clip.row(1).head<3>().norm() * camera.height_px());
+}
+
+// Whether `test` accepts the cell of an image point or, asked then, one of the eight around it,
+// within the frame.
+template <class Test>
+bool HatchArea::any_around(const Vec2& image, const Test& test) const {
+  const int centre_column = static_cast<int>(image.x() / visible_.cell_px);
+  const int centre_row = static_cast<int>(image.y() / visible_.cell_px);
+  const int centre = visible_.index(centre_column, centre_row);
+  if (test(centre)) return true;
+  const int column_from = std::max(centre_column - 1, 0), row_from = std::max(centre_row - 1, 0);
+  const int column_to = std::min(centre_column + 1, visible_.width - 1);
+  const int row_to = std::min(centre_row + 1, visible_.height - 1);
+  for (int row = row_from; row <= row_to; ++row) {
+    const int to = visible_.index(column_to, row);
+    for (int cell = visible_.index(column_from, row); cell <= to; ++cell) {
+      if (cell != centre && test(cell)) return true;
+    }
+  }
+  return false;
+}
+
+bool HatchArea::may_pass(const HatchPoint& point, Area area) const {
+  const int centre = cell_in_frame(point);
+  return centre != none && is_wanted_at(centre, point.image, area) && is_seen_at(centre, point);
+}
+
+bool HatchArea::is_seen(const HatchPoint& point) const {
+  const int centre = cell_in_frame(point);
+  return centre != none && is_seen_at(centre, point);
+}
+
+bool HatchArea::is_wanted(const HatchPoint& point, Area area) const {
+  return is_wanted_at(visible_.cell_of(point.image), point.image, area);
+}
+
+bool HatchArea::is_seen_at(int centre, const HatchPoint& point) const {
+  double depth = camera_.depth(point.position);
+  if (depth <= visible_.depth[centre]) return true;
+  depth -= hidden_cells * cell_size(point.position);
+  if (depth <= visible_.depth[centre]) return true;
+  return any_around(point.image, [&](int cell) { return depth <= visible_.depth[idx(cell)]; });
+}
+
+// Nobody needs to ask for the triangle where the cell itself is wanted.
+bool HatchArea::is_wanted_at(int centre, const Vec2& image, Area area) const {
+  if (wanted(centre, area)) return true;
+  if (visible_.triangle[centre] != none) return false;
+  return any_around(image, [&](int cell) { return wanted(cell, area); });
+}
+
+// A point at the outline whose own cell is empty goes with the cells around.
+bool HatchArea::is_crossed(const Vec2& image) const {
+  const auto has_both = [&](int cell) {
+    return illustrate::is_crossed(region_of(tone_.level[idx(cell)], tone_.band[idx(cell)]));
+  };
+  const int centre = visible_.cell_of(image);
+  if (centre == none) return false;
+  return has_both(centre) ||
+         (visible_.triangle[idx(centre)] == none && any_around(image, has_both));
+}
+
+SurfacePoint HatchArea::visible_point(const Vec2& image) const {
+  const int centre = visible_.cell_of(image);
+  SurfacePoint best;
+  if (centre == none || visible_.triangle[centre] == none) return best;
+  double least_error = std::numeric_limits<double>::infinity();
+  int last = none;
+  any_around(image, [&](int cell) {
+    const int triangle = visible_.triangle[idx(cell)];
+    if (triangle == none || triangle == last) return false;
+    last = triangle;
+    const SurfacePoint on = surface_point_under(surface_, map_, triangle, image);
+    const Vec3 position = position_at(surface_, on);
+    if (!(camera_.near_distance(position) > 0)) return false;
+    const ImagePoint seen = camera_.project(position);
+    const double error = (seen.xy - image).norm();
+    const double apart = std::abs(seen.depth - visible_.depth[centre]);
+    if (error >= least_error || apart > sheet_cells * cell_size(position)) return false;
+    least_error = error;
+    best = on;
+    return least_error < 1e-6;
+  });
+  return best;
+}
+
+}  // namespace illustrate

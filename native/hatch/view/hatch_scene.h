@@ -1,0 +1,35 @@
+// What a view is hatched on, and with.
+#pragma once
+
+#include "field/families/families.h"
+#include "hatch/last_hatches.h"
+#include "hatch/view/critical_curves.h"
+#include "tone/tone_regions.h"
+
+namespace illustrate {
+
+// References: what they name must outlive the scene and all that is made with it.
+struct HatchScene {
+  const Surface& surface;
+  const CrossField& field;
+  const Families& families;  // of the field: which stays where tone asks for one
+  const Camera& camera;
+  const VisibleImage& visible;
+  const ToneMap& tone;
+  const LabelledGraph& graph;
+  const CriticalCurves& curves;                // of the graph
+  const std::vector<double>& spacing_scale;    // one factor per object, empty: 1
+  const std::vector<std::uint8_t>& unhatched;  // one flag per object, empty: all are hatched
+  const LastHatches* last = nullptr;           // what the frame before drew; null: nothing
+
+  bool is_hatched(int object) const { return unhatched.empty() || !unhatched[idx(object)]; }
+  // `spacing_px` on one object; never less than a pixel.
+  double spacing_on(int object, double spacing_px) const {
+    return std::max(1.0, spacing_px * (spacing_scale.empty() ? 1 : spacing_scale[idx(object)]));
+  }
+};
+
+// Throws InvalidInput where the two lists do not fit the surface's objects.
+void validate(const HatchScene& scene);
+
+}  // namespace illustrate

@@ -1,0 +1,76 @@
+// An irregular face of the limit surface (OpenSubdiv Bfr) is a tree of patches whose regular leaves
+// are polynomials: evaluated as such they take a tenth of the time. Each is made when it is first
+// asked for, the same whoever asks, and kept while there is room.
+#pragma once
+
+#include <opensubdiv/bfr/irregularPatchType.h>
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "surface/limit/polynomial_patch.h"
+
+namespace illustrate {
+
+// What all faces of one mesh may keep in leaves, in bytes; safe between threads.
+class LeafRoom {
+ public:
+  explicit LeafRoom(std::size_t bytes) : left_(static_cast<std::ptrdiff_t>(bytes)) {}
+
+  // Whether so many were left; they are taken then.
+  bool take(std::size_t bytes) {
+    const auto wanted = static_cast<std::ptrdiff_t>(bytes);
+    if (left_.fetch_sub(wanted) >= wanted) return true;
+    left_ += wanted;
+    return false;
+  }
+
+  void give_back(std::size_t bytes) { left_ += static_cast<std::ptrdiff_t>(bytes); }
+
+ private:
+  std::atomic<std::ptrdiff_t> left_;
+};
+
+class LeafPolynomials {
+ public:
+  using Tree = OpenSubdiv::Bfr::internal::IrregularPatchSharedPtr;
+
+  // patch_points: three coordinates of each of the tree's points, control points first; they and
+  // the room are to outlive this.
+  LeafPolynomials(Tree tree, const std::vector<double>& patch_points, LeafRoom& room);
+  ~LeafPolynomials();
+
+  // At uv of the face, or of its sub-face, as the tree has them. Nothing where the leaf is no
+  // polynomial (next to an extraordinary vertex), or beyond the 64 leaves that may be kept. Safe
+  // between threads.
+  std::optional<LimitPoint> evaluate(int sub_face, const Vec2& uv) const;
+
+  // What the slots take, without the polynomials.
+  std::size_t bytes() const { return sizeof(*this) + sizeof(leaves_[0]) * leaves_.size(); }
+
+ private:
+  // The leaf's own coordinates are (uv - first) / side; side is negative in a triangle turned over.
+  struct Leaf {
+    Vec2 first;
+    double side;
+    PolynomialPatch polynomial;
+
+    LimitPoint evaluate(const Vec2& uv) const;
+  };
+
+  LimitPoint make_and_evaluate(int index, const Vec2& uv) const;
+  std::unique_ptr<const Leaf> make(int index) const;
+  LimitPoint evaluate_tree(int index, const Vec2& uv) const;
+  Vec3 position_in_tree(int index, const Vec2& uv) const;
+  Vec3 sum(int index, const std::array<double, 16>& weights) const;
+
+  Tree tree_;
+  const std::vector<double>& patch_points_;
+  LeafRoom& room_;
+  bool triangular_;
+  mutable std::vector<std::atomic<const Leaf*>> leaves_;
+};
+
+}  // namespace illustrate

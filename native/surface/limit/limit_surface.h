@@ -1,0 +1,38 @@
+// The limit surface of all objects, asked anywhere: (ptex face, u, v) to position and derivatives
+// (paper section 3).
+#pragma once
+
+#include "surface/limit/limit_patches.h"
+#include "surface/surface.h"
+
+namespace illustrate {
+
+class LimitSurface {
+ public:
+  // Keeps the control meshes of `surface` alive. Objects of one original share its patches, moved.
+  explicit LimitSurface(const Surface& surface);
+
+  // One past the last ptex face; 0 where no object is subdivided.
+  int ptex_faces() const;
+
+  // `place` counts the ptex faces of all objects, one after another. Outside of the face (the
+  // square or, in meshes of Loop's scheme, the triangle u, v, 1 - u - v >= 0) the surface is
+  // continued by its Taylor polynomial of the second degree. Nothing where there is no such face.
+  // Safe between threads.
+  std::optional<LimitPoint> evaluate(const BasePlace& place) const;
+
+  // Whether the ptex face is a triangle. Throws nothing: false where there is no such face.
+  bool is_triangle(int ptex_face) const;
+
+ private:
+  struct Object {
+    PlacedControl control;
+    std::shared_ptr<const LimitPatches> patches;  // shared with all objects of the same original
+  };
+
+  const Object* object_of(int ptex_face) const;
+
+  std::vector<Object> objects_;  // those that are subdivided, by ptex face
+};
+
+}  // namespace illustrate

@@ -1,0 +1,168 @@
+// Solids that touch: flush faces, walls on floors, blocks on a grid, whose edges lie in each
+// other's planes. Whether an edge is seen is told here by intervals of its line of sight within
+// boxes, without any mesh.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "pipeline/draw.h"
+#include "tests/cpp/cameras.h"
+#include "tests/cpp/shapes.h"
+
+namespace illustrate {
+namespace {
+
+using Box = Eigen::AlignedBox3d;
+
+PolygonMesh mesh_of(const Box& box) {
+  PolygonMesh mesh = shapes::cube();
+  for (Vec3& p : mesh.positions) p = box.center() + (p.array() * box.sizes().array() / 2).matrix();
+  mesh.cage = false;
+  mesh.crease_angle_deg = 30;
+  return mesh;
+}
+
+// The open part of the way from p to the eye that lies within the box.
+double inside(const Box& box, const Vec3& p, const Vec3& to_eye) {
+  double from = 0, to = 1;
+  for (int k = 0; k < 3; ++k) {
+    const double a = (box.min()[k] - p[k]) / to_eye[k], b = (box.max()[k] - p[k]) / to_eye[k];
+    from = std::max(from, std::min(a, b));
+    to = std::min(to, std::max(a, b));
+  }
+  return to - from;
+}
+
+Drawing drawn(const std::vector<PolygonMesh>& meshes, const Camera& camera) {
+  std::vector<MeshPointer> pointers;
+  for (const PolygonMesh& mesh : meshes)
+    pointers.push_back(std::make_shared<const PolygonMesh>(mesh));
+  PrepareOptions prepare_options;
+  prepare_options.field = false;
+  prepare_options.surface.triangle_budget = 5000;
+  DrawOptions options;
+  options.hatching = false;
+  options.stroke.speck_px = 0;
+  return draw(*prepare(pointers, prepare_options), camera, options, {}).drawing;
+}
+
+// To the nearest visible stroke.
+double distance_px(const Drawing& drawing, const Vec2& p) {
+  double nearest = 1e9;
+  for (std::size_t s = 0; s < drawing.kinds.size(); ++s) {
+    const int first = drawing.offsets[s], count = drawing.offsets[s + 1] - first;
+    for (int i = 0; i < count - (drawing.closed[s] ? 0 : 1); ++i) {
+      const Vec2& a = drawing.image[idx(first + i)];
+      const Vec2 along = drawing.image[idx(first + (i + 1) % count)] - a;
+      const double t = (p - a).dot(along) / std::max(along.squaredNorm(), 1e-12);
+      nearest = std::min(nearest, (a + std::clamp(t, 0., 1.) * along - p).norm());
+    }
+  }
+  return nearest;
+}
+
+// Of samples along the edges of boxes that are seen, how many have no line. Edges that run within
+// another box, in its surface, may be drawn or not.
+struct Missed {
+  int samples = 0, missed = 0;
+};
+
+Missed missed_edges(const std::vector<Box>& boxes, const Camera& camera) {
+  constexpr int samples = 40;
+  std::vector<PolygonMesh> meshes;
+  for (const Box& box : boxes) meshes.push_back(mesh_of(box));
+  const Drawing drawing = drawn(meshes, camera);
+  Missed found;
+  for (std::size_t b = 0; b < boxes.size(); ++b) {
+    for (int edge = 0; edge < 12; ++edge) {
+      const int axis = edge / 4;
+      for (int i = 0; i < samples; ++i) {
+        Vec3 share;
+        share[axis] = (i + 0.5) / samples;
+        share[(axis + 1) % 3] = edge & 1;
+        share[(axis + 2) % 3] = edge >> 1 & 1;
+        const Vec3 p = boxes[b].min() + (share.array() * boxes[b].sizes().array()).matrix();
+        const Vec3 within = p + 1e-3 * (boxes[b].center() - p);
+        const auto hides = [&](const Box& box) {
+          return inside(box, p, camera.to_eye(p)) > 1e-7 ||
+                 (&box != &boxes[b] && box.contains(within));
+        };
+        if (std::any_of(boxes.begin(), boxes.end(), hides)) continue;
+        ++found.samples;
+        found.missed += distance_px(drawing, camera.project(p).xy) > 1.5;
+      }
+    }
+  }
+  return found;
+}
+
+Box box(const Vec3& low, const Vec3& high) { return {low, high}; }
+
+TEST(TouchingSolids, WallsStandOnAFloor) {
+  const Camera camera = cameras::perspective(Vec3(16, -26, 14), Vec3(0, 0, 1));
+  const std::vector<Box> walls{box(Vec3(-4, 3.9, 0), Vec3(4, 4.1, 4)),
+                               box(Vec3(-4.1, -4, 0), Vec3(-3.9, 4, 4))};
+  std::vector<PolygonMesh> meshes{shapes::plane(1, 1)};
+  for (Vec3& p : meshes[0].positions) p *= 8;
+  const Vec3 middle = (meshes[0].positions.front() + meshes[0].positions.back()) / 2;
+  for (Vec3& p : meshes[0].positions) p -= middle;
+  for (const Box& wall : walls) meshes.push_back(mesh_of(wall));
+  for (int turn = 0; turn < 3; ++turn) {
+    std::rotate(meshes.begin(), meshes.begin() + 1, meshes.end());
+    const Drawing drawing = drawn(meshes, camera);
+    for (double t = -3.8; t < 3.8; t += 0.1) {
+      EXPECT_LT(distance_px(drawing, camera.project(Vec3(t, 3.9, 0)).xy), 1.5) << t;
+      EXPECT_LT(distance_px(drawing, camera.project(Vec3(-3.9, t, 0)).xy), 1.5) << t;
+    }
+  }
+}
+
+TEST(TouchingSolids, OfTwoFlushBlocksNoEdgeIsMissed) {
+  const Camera camera = cameras::perspective(Vec3(-14, 12.4, -28.4), Vec3::Zero());
+  const Missed found = missed_edges(
+      {box(Vec3(-2, -2, -2), Vec3(-1, 1, 1)), box(Vec3(-2, -1, 1), Vec3(0, 2, 2))}, camera);
+  EXPECT_EQ(found.missed, 0) << "of " << found.samples;
+}
+
+TEST(TouchingSolids, MeetingInAnEdgeDoNotHideIt) {
+  const Camera camera = cameras::perspective(Vec3(-18, 12, 21), Vec3::Zero());
+  const Missed found = missed_edges(
+      {box(Vec3(0, 0, -1), Vec3(3, 3, 2)), box(Vec3(-1, -1, -1), Vec3(0, 0, 2))}, camera);
+  EXPECT_EQ(found.missed, 0) << "of " << found.samples;
+}
+
+// Where it enters the other's plane it lies in its own and in that one, however they are moved.
+TEST(TouchingSolids, IntersectionsAreHiddenByNeitherSheet) {
+  const Camera camera = cameras::perspective(Vec3(3, -20, 14), Vec3::Zero());
+  const Drawing drawing = drawn(
+      {shapes::uv_sphere_mesh(1, 32, 16), mesh_of(box(Vec3(-3, -3, -2), Vec3(3, 3, 0.3)))}, camera);
+  const double radius = std::sqrt(1 - 0.3 * 0.3);
+  for (double angle = -2.6; angle < -0.5; angle += 0.05) {
+    const Vec3 p(radius * std::cos(angle), radius * std::sin(angle), 0.3);
+    EXPECT_LT(distance_px(drawing, camera.project(p).xy), 1.5) << angle;
+  }
+}
+
+TEST(TouchingSolids, BlocksOnAGridHaveTheirEdges) {
+  std::mt19937 random(7);
+  const auto whole = [&](int low, int high) {
+    return low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1));
+  };
+  Missed all;
+  for (int scene = 0; scene < 30; ++scene) {
+    std::vector<Box> boxes;
+    for (int k = whole(2, 3); k > 0; --k) {
+      const Vec3 low(whole(-3, 1), whole(-3, 1), whole(-3, 1));
+      boxes.push_back(box(low, low + Vec3(whole(1, 3), whole(1, 3), whole(1, 3))));
+    }
+    Vec3 eye;
+    for (double& x : eye) x = whole(0, 1) ? whole(100, 300) / 10. : -whole(100, 300) / 10.;
+    const Missed found = missed_edges(boxes, cameras::perspective(eye, Vec3::Zero()));
+    all.samples += found.samples;
+    all.missed += found.missed;
+  }
+  EXPECT_LT(all.missed, all.samples / 400) << "of " << all.samples;
+}
+
+}  // namespace
+}  // namespace illustrate

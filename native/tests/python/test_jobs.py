@@ -1,0 +1,122 @@
+"""Jobs: started, looked at, stopped, dropped, at any moment."""
+
+from __future__ import annotations
+
+import random
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import illustrate_native as ill
+import numpy as np
+import pytest
+from checker import digest, prepared_of
+from shapes import cube, look_at, torus
+
+PATIENCE_S = 60.0
+TIMES = 100
+LONG = ill.PrepareOptions(level=5, triangle_budget=10**8)
+
+
+def long_job() -> ill.Job:
+    """Takes far longer than any test waits."""
+    return ill.start_prepare([torus(32, 16).mesh()], LONG)
+
+
+def test_jobs_make_what_is_made_at_once() -> None:
+    options = ill.PrepareOptions(level=2)
+    job = ill.start_prepare([torus().mesh()], options)
+    assert job.wait(PATIENCE_S) and job.is_done
+    prepared = job.result()
+    assert job.result() is prepared
+    view = ill.start_draw(prepared, look_at(), lights=[ill.Light("head")])
+    assert view.wait(PATIENCE_S)
+    fraction, stage = view.poll()
+    assert 0 < fraction <= 1 and stage
+    again = ill.draw(ill.prepare([torus().mesh()], options), look_at(), lights=[ill.Light("head")])
+    assert digest(view.result()) == digest(again)
+    drawing = view.result()
+    assert view.result() is drawing
+
+
+def test_a_job_follows_a_previous_drawing() -> None:
+    prepared = prepared_of(torus())
+    first = ill.draw(prepared, look_at())
+    job = ill.start_draw(prepared, look_at(), previous=first)
+    assert job.wait(PATIENCE_S) and job.result().frame == 1
+
+
+def test_what_is_wrong_is_told_at_once_or_as_the_result() -> None:
+    with pytest.raises(ill.InvalidInput, match=r"meshes\[0\]"):
+        ill.start_prepare([None])  # type: ignore[list-item]
+    with pytest.raises(TypeError):
+        ill.start_draw(None, look_at())  # type: ignore[arg-type]
+    options = ill.PrepareOptions(level=2)
+    options.triangle_budget = -5
+    job = ill.start_prepare([cube().mesh()], options)
+    assert job.wait(PATIENCE_S)
+    with pytest.raises(ill.InvalidInput, match="triangle_budget"):
+        job.result()
+
+
+def test_there_is_no_result_before_the_end() -> None:
+    job = long_job()
+    with pytest.raises(ill.InvalidInput, match="not done"):
+        job.result()
+    assert not job.wait(0.001)
+    job.cancel()
+    assert job.wait(PATIENCE_S)
+    with pytest.raises(ill.Cancelled):
+        job.result()
+
+
+def test_jobs_are_stopped_dropped_and_looked_at_at_any_moment() -> None:
+    chance = random.Random(5)
+    for _ in range(TIMES):
+        job = long_job()
+        time.sleep(chance.random() * 0.02)
+        job.poll()
+        if chance.random() < 0.5:
+            job.cancel()
+            job.cancel()
+            assert job.wait(PATIENCE_S)
+        del job
+
+
+def test_what_a_job_was_given_may_go_and_change() -> None:
+    shape = torus()
+    meshes, options = [shape.mesh()], ill.PrepareOptions(level=2)
+    job = ill.start_prepare(meshes, options)
+    options.level = 0
+    shape.positions[:] = 0
+    meshes.clear()
+    assert job.wait(PATIENCE_S)
+    expected = ill.prepare([torus().mesh()], ill.PrepareOptions(level=2))
+    assert np.array_equal(job.result().surface.positions, expected.surface.positions)
+
+
+def test_all_jobs_are_stopped() -> None:
+    jobs = [long_job() for _ in range(3)]
+    ill.stop_jobs()
+    assert all(job.is_done for job in jobs)
+    ill.stop_jobs()
+
+
+ENDS = """
+import sys, time
+sys.path.insert(0, sys.argv[1])
+from test_jobs import long_job
+jobs = [long_job(), long_job()]
+time.sleep(float(sys.argv[2]))
+{end}
+"""
+
+
+@pytest.mark.parametrize("end", ["", "raise SystemExit(0)", "jobs = None"])
+def test_python_ends_while_jobs_run(end: str) -> None:
+    for wait in ("0", "0.03"):
+        script = ENDS.format(end=end)
+        command = [sys.executable, "-c", script, str(Path(__file__).parent), wait]
+        ran = subprocess.run(command, timeout=PATIENCE_S, capture_output=True, check=False)
+        assert ran.returncode == 0, ran.stderr.decode()

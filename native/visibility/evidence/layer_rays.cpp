@@ -1,0 +1,120 @@
+#include "visibility/evidence/layer_rays.h"
+
+#include <algorithm>
+
+#include "mesh/polygons.h"
+#include "surface/locate.h"
+
+namespace illustrate {
+namespace {
+
+// How far beside a fold rays start. The interpolated contour of a rim narrower than the triangles
+// runs up to a pixel inside their outline; a farther ray then finds fewer layers, in front and
+// behind. Fewer in front alone: another curve runs between.
+constexpr std::array<double, 3> asides_px{0.2, 0.7, 2.0};
+constexpr double blind_px = 3;     // hits nearer than this may be the curve's own surface
+constexpr double blind_edges = 3;  // so may those be that are nearer than so many edges of the
+                                   // curve's triangle, for silhouettes
+constexpr double blind_diagonals = 0.01;  // and never more than this share of everything's diagonal
+// Of the distance within which hits may be the curve's own surface: those nearer than this share
+// are it, before or behind the curve as rounding has it.
+constexpr double rounding = 1e-6;
+
+}  // namespace
+
+// Image x runs along the view's first row, image y against its second.
+Vec3 LayerRays::beside(const Vec3& p, const Vec2& along_px, double aside_px) const {
+  const Vec2 right_px(-along_px.y(), along_px.x());  // y is down
+  const double scale = aside_px * camera_.pixel_size(p) / std::max(right_px.norm(), 1e-300);
+  const Vec3 x = camera_.view().row(0).head<3>().normalized();
+  const Vec3 y = camera_.view().row(1).head<3>().normalized();
+  return p + scale * (right_px.x() * x - right_px.y() * y);
+}
+
+double LayerRays::blind_distance(const Strand& strand, int triangle, const Vec3& p) const {
+  const double pixels = blind_px * camera_.pixel_size(p);
+  if (strand.kind != Kind::silhouette) return pixels;
+  const double edges = blind_edges * longest_edge(surface_, triangle);
+  return std::max(pixels, std::min(edges, blind_diagonals * surface_.diagonal));
+}
+
+// Of a triangle in whose plane the curve lies, up to rounding. Open where the line of sight would
+// pass the face's rim.
+LayerRays::Side LayerRays::side_of_touch(int triangle, const Touching& curve) const {
+  if (insets_.empty() || curve.is_of_two) return Side::open;
+  const Triangle& t = surface_.triangles[idx(triangle)];
+  Corners here, moved;
+  for (std::size_t k = 0; k < 3; ++k) {
+    here[k] = surface_.positions[idx(t[k])];
+    moved[k] = here[k] + insets_[idx(t[k])];
+  }
+  const Vec3 normal = unit_or_zero((moved[1] - moved[0]).cross(moved[2] - moved[0]));
+  const double inset = insets_[idx(t[0])].norm();
+  const double apart = normal.dot(curve.decided - moved[0]);
+  if (std::abs(normal.dot(curve.position - here[0])) > inset || std::abs(apart) < inset / 2)
+    return Side::open;
+  const Vec3 to_eye = camera_.to_eye(curve.decided);
+  const double slope = normal.dot(to_eye);
+  const Vec3 met = curve.decided - apart / slope * to_eye;
+  if (!met.allFinite() || is_beyond_rim(triangle, moved, normal, met)) return Side::open;
+  return (apart > 0) == (slope > 0) ? Side::behind : Side::before;
+}
+
+bool LayerRays::is_beyond_rim(int triangle, const Corners& corners, const Vec3& normal,
+                              const Vec3& p) const {
+  for (int k = 0; k < 3; ++k) {
+    const EdgeKind kind = surface_.edge_kinds[idx(triangle)][idx(k)];
+    const bool is_rim =
+        kind == EdgeKind::boundary || kind == EdgeKind::crease || kind == EdgeKind::seam;
+    const Vec3& from = corners[idx(k)];
+    if (is_rim && normal.dot((corners[idx(next_corner(k))] - from).cross(p - from)) < 0)
+      return true;
+  }
+  return false;
+}
+
+LayerCount LayerRays::count_from(const Vec3& origin, double blind, const Touching& curve) {
+  const Vec3 towards = camera_.to_eye(origin);
+  const double length = towards.norm();
+  hits_.clear();
+  bvh_.hits(origin, towards, -2 * surface_.diagonal / length, camera_.ray_end(origin), hits_);
+  ++rays_;
+  LayerCount count{0, 0, 0, hits_.empty()};
+  for (const RayHit& hit : hits_) {
+    const double distance = hit.distance * length;
+    const Side side = std::abs(distance) < blind ? side_of_touch(hit.triangle, curve) : Side::open;
+    if (side == Side::before || (side == Side::open && distance > blind)) {
+      ++count.layers;
+    } else if (side == Side::open && distance > rounding * blind) {
+      ++count.unsure;
+    } else {
+      ++count.behind;
+    }
+  }
+  return count;
+}
+
+LayerCount LayerRays::count(const Arrangement& arrangement, const StrandPlace& place) {
+  const CurveNetwork& network = *arrangement.network;
+  const Strand& strand = network.strands[idx(place.strand)];
+  const std::size_t i = arrangement.point(place.strand, place.segment);
+  const std::size_t j = arrangement.point(place.strand, place.segment + 1);
+  const Vec3 p = arrangement.world_at(place);
+  const Touching curve{p, arrangement.decided_at(place), strand.kind == Kind::intersection};
+  const double blind = blind_distance(strand, network.points.values[i].on.triangle, p);
+  if (strand.left_layers == strand.right_layers) {
+    const LayerCount on_curve = count_from(p, blind, curve);
+    return {on_curve.layers, on_curve.unsure, on_curve.behind, false};
+  }
+  const Vec2 along = arrangement.image.image[j] - arrangement.image.image[i];
+  LayerCount result = count_from(beside(p, along, asides_px[0]), blind, curve);
+  for (std::size_t k = 1; k < asides_px.size() && result.before() > 0; ++k) {
+    const LayerCount farther = count_from(beside(p, along, asides_px[k]), blind, curve);
+    const bool leaves_own_rim =
+        farther.before() < result.before() && farther.behind < result.behind;
+    if (leaves_own_rim) result = farther;
+  }
+  return result;
+}
+
+}  // namespace illustrate

@@ -1,0 +1,182 @@
+#include "visibility/evidence/outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace illustrate {
+namespace {
+
+constexpr int directions = 8;
+constexpr double half_turn = 3.141592653589793;
+constexpr double row_px = 0.5;
+constexpr int most_rows = 8192;  // a drawing that reaches far out of the frame gets wider rows
+constexpr double clear_px =
+    0.05;  // nearer curves on a scan line are one line: neither is certain to be first
+constexpr int finer_rows = 16;  // in a row where they are
+
+// The nearest two curves to one end of a scan line.
+struct RowEnd {
+  double first = std::numeric_limits<double>::infinity();
+  double second = std::numeric_limits<double>::infinity();
+  int segment = none;
+  double fraction = 0;
+
+  void offer(double distance, int candidate, double at) {
+    if (!(distance < second)) return;  // most are neither
+    second = std::max(first, distance);
+    if (!(distance < first)) return;
+    first = distance;
+    segment = candidate;
+    fraction = at;
+  }
+};
+
+class OutlineScan {
+ public:
+  OutlineScan(const std::vector<StrandSegment>& segments, const std::vector<Vec2>& points)
+      : segments_(segments),
+        points_(points),
+        rows_(points.size()),
+        along_(points.size()),
+        next_line_(points.size()),
+        hits_(segments.size(), -1) {}
+
+  void scan(double angle) {
+    across_ = Vec2(std::cos(angle), std::sin(angle));
+    set_rows();
+    for (std::size_t i = 0; i < segments_.size(); ++i) cross_rows(static_cast<int>(i));
+    note_hits();
+    if (find_unclear_rows()) scan_finer();
+  }
+
+  // Fraction along each segment at which it was first or last, -1 where it never was.
+  const std::vector<double>& hits() const { return hits_; }
+
+ private:
+  // Scan lines run through the middle of rows, at multiples of a row's width.
+  void set_rows() {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t p = 0; p < points_.size(); ++p) {
+      rows_[p] = points_[p].dot(across_);
+      along_[p] = cross(across_, points_[p]);
+      low = std::min(low, rows_[p]);
+      high = std::max(high, rows_[p]);
+    }
+    const double row = std::max(row_px, (high - low) / most_rows);
+    low = (std::floor(low / row) - 0.5) * row;
+    for (std::size_t p = 0; p < points_.size(); ++p) {
+      rows_[p] = (rows_[p] - low) / row;
+      const double from_first = rows_[p] - 0.5;  // not negative
+      next_line_[p] = static_cast<int>(from_first);
+      next_line_[p] += next_line_[p] < from_first;
+    }
+    lower_.assign(static_cast<std::size_t>((high - low) / row) + 2, {});
+    upper_.assign(lower_.size(), {});
+  }
+
+  // A segment that ends on a scan line belongs to it at its lower end only.
+  void cross_rows(int i) {
+    const StrandSegment& s = segments_[idx(i)];
+    const auto [first, end] = std::minmax(next_line_[idx(s.a)], next_line_[idx(s.b)]);
+    const double a = rows_[idx(s.a)], per_row = 1 / (rows_[idx(s.b)] - a);
+    for (int row = first; row < end; ++row) offer(i, (row + 0.5 - a) * per_row, idx(row));
+  }
+
+  void note_hits() {
+    for (const std::vector<RowEnd>* ends : {&lower_, &upper_}) {
+      for (const RowEnd& e : *ends) {
+        if (e.segment != none && e.second - e.first > clear_px) hits_[idx(e.segment)] = e.fraction;
+      }
+    }
+  }
+
+  // Curves that run close together on the outside change places between two rows. Whether there
+  // are any; numbers the rows where they may.
+  bool find_unclear_rows() {
+    const auto is_unclear = [](const RowEnd& e) { return e.second - e.first <= clear_px; };
+    const std::size_t count = lower_.size();
+    finer_.assign(count + 1, 0);
+    for (std::size_t row = 0; row < count; ++row) {
+      if (!is_unclear(lower_[row]) && !is_unclear(upper_[row])) continue;
+      for (std::size_t k = row == 0 ? 0 : row - 1; k <= std::min(row + 1, count - 1); ++k)
+        finer_[k] = 1;
+    }
+    int next = 0;
+    for (int& number : finer_) next += std::exchange(number, next);
+    return next > 0;
+  }
+
+  // finer_[row + 1] - finer_[row] tells whether a row is scanned again.
+  void scan_finer() {
+    const std::size_t count = idx(finer_.back()) * finer_rows;
+    lower_.assign(count, {});
+    upper_.assign(count, {});
+    for (std::size_t i = 0; i < segments_.size(); ++i) cross_finer_rows(static_cast<int>(i));
+    note_hits();
+  }
+
+  void cross_finer_rows(int i) {
+    const StrandSegment& s = segments_[idx(i)];
+    const double a = rows_[idx(s.a)], b = rows_[idx(s.b)];
+    const auto first = static_cast<std::size_t>(std::min(a, b));
+    const auto last = static_cast<std::size_t>(std::max(a, b));
+    if (finer_[first] == finer_[last + 1]) return;
+    const double width = 1.0 / finer_rows;
+    for (std::size_t row = first; row <= last; ++row) {
+      if (finer_[row] == finer_[row + 1]) continue;
+      for (int k = 0; k < finer_rows; ++k) {
+        const double at = static_cast<double>(row) + (k + 0.5) * width;
+        if ((at < a) == (at < b)) continue;
+        offer(i, (at - a) / (b - a), idx(finer_[row]) * finer_rows + idx(k));
+      }
+    }
+  }
+
+  void offer(int i, double fraction, std::size_t row) {
+    const StrandSegment& s = segments_[idx(i)];
+    const double a = along_[idx(s.a)], v = a + fraction * (along_[idx(s.b)] - a);
+    lower_[row].offer(v, i, fraction);
+    upper_[row].offer(-v, i, fraction);
+  }
+
+  const std::vector<StrandSegment>& segments_;
+  const std::vector<Vec2>& points_;
+  Vec2 across_ = Vec2::UnitX();
+  std::vector<double> rows_;    // (points) where each one is, in rows
+  std::vector<double> along_;   // (points) and along them, px
+  std::vector<int> next_line_;  // (points) the first scan line that is not below
+  std::vector<double> hits_;
+  std::vector<RowEnd> lower_;  // the first curve of each row
+  std::vector<RowEnd> upper_;  // the last one
+  std::vector<int> finer_;     // (rows + 1) how many of the rows before are scanned again
+};
+
+bool is_cut_open(const CurveNetwork& network) {
+  return std::any_of(network.strands.begin(), network.strands.end(), [&](const Strand& s) {
+    const auto is_end = [&](int node) { return network.nodes[idx(node)].kind == NodeKind::end; };
+    return s.kind == Kind::silhouette && !s.closed() &&
+           (is_end(s.start_node) || is_end(s.end_node));
+  });
+}
+
+}  // namespace
+
+std::vector<std::vector<StrandPlace>> outline_places(const CurveNetwork& network,
+                                                     const ImageStrands& strands) {
+  std::vector<std::vector<StrandPlace>> result(network.strands.size());
+  const std::vector<StrandSegment> segments = all_segments(network);
+  if (segments.empty() || is_cut_open(network)) return result;
+  OutlineScan scan(segments, strands.image);
+  for (int d = 0; d < directions; ++d) scan.scan(half_turn * (d + 0.137) / directions);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const double fraction = scan.hits()[i];
+    if (fraction < 0) continue;
+    const StrandSegment& s = segments[i];
+    result[idx(s.strand)].push_back({s.strand, s.segment, std::clamp(fraction, 0.0, 1.0)});
+  }
+  return result;
+}
+
+}  // namespace illustrate
