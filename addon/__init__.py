@@ -1,22 +1,13 @@
 """Illustrate: line illustrations of smooth surfaces, as editable strokes."""
 
-from . import (
-    bake,
-    cache,
-    command,
-    guides,
-    operators,
-    preferences,
-    settings,
-    styles,
-    translations,
-    ui,
-    viewport,
-)
+from . import preferences, translations, ui, viewport
+from .farm import command
 from .farm import operator as farm_operator
 from .plot import export, pens
 from .plot import settings as plot_settings
-from .worker import stop_all
+from .running import bake, cache, first_use, jobs, operators, tasks
+from .settings import guides, styles
+from .settings import scene_settings as settings
 
 bl_info = {
     "name": "Illustrate",
@@ -35,6 +26,7 @@ PARTS = (
     guides,
     cache,
     operators,
+    first_use,
     bake,
     farm_operator,
     plot_settings,
@@ -55,6 +47,7 @@ def register() -> None:
 
 def unregister() -> None:
     """Takes back all that `register` did, and waits for what still runs."""
-    stop_all()
+    tasks.stop_all()
+    jobs.stop_all()
     for part in reversed(PARTS):
         part.unregister()

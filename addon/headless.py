@@ -41,7 +41,7 @@ def find_package() -> ModuleType:
     """
     registered = _registered()
     if registered is not None:
-        return importlib.import_module(registered.__module__.rpartition(".")[0])
+        return importlib.import_module(registered.__module__.removesuffix(".running.operators"))
     here = pathlib.Path(__file__).resolve().parent
     folder = here.parent if here.name == PACKAGE else here.parent / "build" / "addons"
     if (folder / PACKAGE).is_dir():

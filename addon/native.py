@@ -3,8 +3,8 @@
 An extension brings it as a wheel, which Blender installs; older Blenders get it inside the add-on.
 """
 
+import functools
 import importlib
-import importlib.util
 import pathlib
 import re
 import sys
@@ -17,14 +17,24 @@ from .messages import IllustrateError
 NAME = "illustrate_native"
 
 
+@functools.cache
 def load() -> ModuleType:
-    """The module `illustrate_native`. Raises IllustrateError when there is none for this Python."""
-    if NAME in sys.modules:
-        return sys.modules[NAME]
+    """The module `illustrate_native`. Raises IllustrateError when there is none for this Python.
+
+    The one inside the add-on is a package of it and has a name of its own: Python may know another
+    of the short name.
+    """
     try:
-        return _load_bundled() or importlib.import_module(NAME)
+        if (pathlib.Path(__file__).parent / NAME / "__init__.py").is_file():
+            return importlib.import_module(f".{NAME}", __package__)
+        return importlib.import_module(NAME)
     except ImportError as error:
         raise IllustrateError(_missing(error)) from error
+
+
+def is_loaded() -> bool:
+    """True when something has needed the module."""
+    return load.cache_info().currsize > 0
 
 
 def _missing(error: ImportError) -> str:
@@ -54,31 +64,9 @@ def pythons_inside() -> list[str]:
 
 def load_part(name: str) -> ModuleType:
     """A Python module of the native package, such as 'svg'."""
-    load()
-    return importlib.import_module(f"{NAME}.{name}")
+    return importlib.import_module(f"{load().__name__}.{name}")
 
 
 def can_seed() -> bool:
     """True where `draw` takes the drawing that its strokes are to start from."""
     return "previous" in (load().draw.__doc__ or "")
-
-
-def _load_bundled() -> ModuleType | None:
-    """Loads the package beside this file under its own name, so that it is in memory only once."""
-    folder = pathlib.Path(__file__).parent / NAME
-    start = folder / "__init__.py"
-    if not start.is_file():
-        return None
-    spec = importlib.util.spec_from_file_location(
-        NAME, start, submodule_search_locations=[str(folder)]
-    )
-    if spec is None or spec.loader is None:
-        return None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[NAME] = module
-    try:
-        spec.loader.exec_module(module)
-    except BaseException:
-        del sys.modules[NAME]
-        raise
-    return module

@@ -5,12 +5,10 @@
 from typing import Any
 
 import bpy
-from bpy.props import FloatProperty, FloatVectorProperty, IntProperty
+from bpy.props import IntProperty
 
 DEFAULTS: dict[str, Any] = {
     "live_triangles": 100_000,
-    "live_width": 2.0,
-    "live_color": (0.0, 0.0, 0.0, 1.0),
 }
 
 
@@ -23,24 +21,7 @@ class ILLUSTRATE_AP_preferences(bpy.types.AddonPreferences):
         default=DEFAULTS["live_triangles"],
         min=1_000,
         soft_max=1_000_000,
-        description="Most triangles that surfaces are refined to for live lines",
-    )
-    live_width: FloatProperty(
-        name="Live Width",
-        default=DEFAULTS["live_width"],
-        min=0.5,
-        max=20.0,
-        subtype="PIXEL",
-        description="Width of live lines",
-    )
-    live_color: FloatVectorProperty(
-        name="Live Color",
-        size=4,
-        default=DEFAULTS["live_color"],
-        min=0.0,
-        max=1.0,
-        subtype="COLOR",
-        description="Colour of live lines",
+        description="Most triangles that surfaces are refined to for the live drawing",
     )
 
     def draw(self, _context: Any) -> None:

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import scenes
 from bpy_extras.object_utils import world_to_camera_view
-from illustrate.scene import read_scene
+from illustrate.reading.scene import read_scene
 from mathutils import Vector
 
 

@@ -77,22 +77,21 @@ def test_frames_that_are_all_there_cost_nothing(tmp_path: Any, seeds: list[Any])
 def seeds(monkeypatch: Any) -> list[Any]:
     """Drawings that others were started from, None for each that was not."""
     ill, found = illustrate.native.load(), []
-    draw_native = ill.draw
+    start = ill.start_draw
 
     def watched(*arguments: Any, **named: Any) -> Any:
-        made = draw_native(*arguments, **named)
-        found.append((named.get("previous"), made))
-        return made
+        job = start(*arguments, **named)
+        found.append((named.get("previous"), job))
+        return job
 
-    watched.__doc__ = draw_native.__doc__
-    monkeypatch.setattr(ill, "draw", watched)
+    monkeypatch.setattr(ill, "start_draw", watched)
     return found
 
 
 def chained(seeds: list[Any]) -> list[bool]:
     """Of each drawing: it was started from the one before."""
     assert seeds[0][0] is None
-    return [after[0] is before[1] for before, after in itertools.pairwise(seeds)]
+    return [after[0] is before[1].result() for before, after in itertools.pairwise(seeds)]
 
 
 @pytest.mark.usefixtures("shot")

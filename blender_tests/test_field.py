@@ -7,9 +7,9 @@ from typing import Any
 import bpy
 import numpy as np
 import pytest
-from illustrate import guides
-from illustrate.illustration import prepare_scene
-from illustrate.scene import read_scene
+from illustrate.reading.scene import read_scene
+from illustrate.running.illustration import prepare_scene
+from illustrate.settings import guides
 from illustrate.ui import style_panel
 
 import tools

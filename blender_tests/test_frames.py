@@ -1,13 +1,15 @@
 """Keyframes: what a click and a bake write, and what they leave."""
 
+import contextlib
 import itertools
 from typing import Any
 
 import bpy
 import pytest
-from illustrate import bake, native, operators
+from illustrate import native
 from illustrate.messages import IllustrateError
 from illustrate.output import pencil
+from illustrate.running import bake, jobs, operators
 
 import tools
 
@@ -63,14 +65,13 @@ def test_a_bake_starts_from_the_strokes_of_the_last_frame(scene: Any, monkeypatc
     moving_cube(scene)
     ill = native.load()
     assert native.can_seed()
-    seeds, draw = [], ill.draw
+    seeds, start = [], ill.start_draw
 
     def watched(*arguments: Any, **named: Any) -> Any:
         seeds.append(named.get("previous"))
-        return draw(*arguments, **named)
+        return start(*arguments, **named)
 
-    watched.__doc__ = draw.__doc__
-    monkeypatch.setattr(ill, "draw", watched)
+    monkeypatch.setattr(ill, "start_draw", watched)
     bpy.ops.illustrate.bake()
     assert seeds[0] is None and all(isinstance(seed, ill.Drawing) for seed in seeds[1:])
     scene.illustrate.keep_strokes = False
@@ -188,14 +189,22 @@ def test_an_error_in_a_bake_writes_nothing(scene: Any) -> None:
     assert scene.frame_current == 1
 
 
+def waited_for(task: Any, step: Any) -> Any:
+    """The step after one, which is waited for."""
+    jobs.finish(step)
+    return jobs.go_on(task, step.job)
+
+
 def test_a_cancelled_bake_leaves_the_scene(scene: Any) -> None:
     moving_cube(scene)
     scene.frame_set(2, subframe=0.5)
     before = tools.snapshot()
     task = bake.ILLUSTRATE_OT_bake.task(None, bpy.context)
     step = next(task)
-    assert step.title == "Frame 1" and (step.start, step.end) == (0, 0.25)
-    step = task.send(step.work(lambda *_: True))
+    assert step.title == "Frame 1" and step.start == 0
+    step = waited_for(task, step)
+    assert step.title == "Frame 1" and step.end == 0.25
+    step = waited_for(task, step)
     assert step.title == "Frame 2"
     task.close()
     assert tools.snapshot() == before
@@ -207,8 +216,9 @@ def test_a_cancelled_drawing_leaves_the_scene(scene: Any) -> None:
     before = tools.snapshot()
     task = operators.ILLUSTRATE_OT_illustrate.task(None, bpy.context)
     step = next(task)
-    with pytest.raises(native.load().Cancelled):
-        step.work(lambda *_: False)
+    step.job.cancel()
+    with contextlib.suppress(native.load().Cancelled):  # it may have been done
+        waited_for(task, step)
     task.close()
     assert tools.snapshot() == before
 
@@ -217,8 +227,8 @@ def test_a_cancelled_drawing_leaves_the_scene(scene: Any) -> None:
 def test_a_scene_that_goes_while_it_is_drawn(scene: Any, operator: Any) -> None:
     moving_cube(scene)
     task = operator.task(None, bpy.context)
-    made = next(task).work(lambda *_: True)
+    step = waited_for(task, next(task))
     bpy.data.scenes.new("Other")
     bpy.data.scenes.remove(scene)
     with pytest.raises(IllustrateError, match="is gone"):
-        task.send(made)
+        waited_for(task, step)

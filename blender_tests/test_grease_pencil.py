@@ -5,8 +5,8 @@ from typing import Any
 import bpy
 import numpy as np
 import pytest
-from illustrate import illustration
 from illustrate.output import bake_drawings, sheet_of, write_drawing
+from illustrate.running import illustration
 
 import tools
 

@@ -6,7 +6,9 @@ from typing import Any, ClassVar
 import bpy
 import numpy as np
 import pytest
-from illustrate import illustration, instances, native
+from illustrate import native
+from illustrate.reading import instances
+from illustrate.running import illustration
 
 import tools
 from tools import read

@@ -4,8 +4,9 @@ from typing import Any
 
 import bpy
 import pytest
-from illustrate import illustration, native
-from illustrate.cache import CACHE
+from illustrate import native
+from illustrate.running import illustration
+from illustrate.running.cache import CACHE
 
 import tools
 

@@ -5,7 +5,8 @@ from typing import Any
 import bpy
 import numpy as np
 import pytest
-from illustrate import illustration, lightness
+from illustrate.reading import lightness
+from illustrate.running import illustration
 
 import tools
 from tools import read

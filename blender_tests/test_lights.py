@@ -126,7 +126,7 @@ def rendered(scene: Any, folder: Any) -> Any:
 @pytest.mark.parametrize("kind", LAMPS)
 def test_brightness_is_what_the_render_shows(scene: Any, kind: str, tmp_path: Any) -> None:
     from illustrate import native
-    from illustrate.scene import read_scene
+    from illustrate.reading.scene import read_scene
 
     if kind in ("SPOT", "AREA") and bpy.app.version >= (4, 0):
         pytest.skip("spots and areas are measured against the Cycles of Blender 3.4: 4 differs")

@@ -163,7 +163,7 @@ def test_settings_reach_the_drawing(scene: Any) -> None:
 
 
 def test_tones_go_by_brightness_or_by_area(scene: Any) -> None:
-    from illustrate import settings
+    from illustrate.settings import scene_settings as settings
 
     chosen = scene.illustrate
     chosen.highlight_share, chosen.shadow_threshold = 0.2, 0.3
@@ -174,7 +174,7 @@ def test_tones_go_by_brightness_or_by_area(scene: Any) -> None:
 
 
 def test_light_comes_from_where_it_is_set_to(scene: Any) -> None:
-    from illustrate.illustration import illustrate
+    from illustrate.running.illustration import illustrate
 
     tools.cube_scene(scene)
     lamp = bpy.data.objects.new("Lamp", bpy.data.lights.new("Lamp", "SUN"))
@@ -235,6 +235,7 @@ def test_a_missing_native_module_is_explained(scene: Any, monkeypatch: Any, tmp_
     from illustrate import native
 
     tools.cube_scene(scene)
+    native.load.cache_clear()
     for name in [n for n in sys.modules if n.partition(".")[0] == native.NAME]:
         monkeypatch.delitem(sys.modules, name)
     monkeypatch.setattr(native, "__file__", str(tmp_path / "native.py"))

@@ -8,9 +8,10 @@ from typing import Any
 import bpy
 import numpy as np
 import pytest
-from illustrate import illustration, native
+from illustrate import native
 from illustrate.messages import IllustrateError
 from illustrate.output import files, write_drawing
+from illustrate.running import illustration
 
 import tools
 

@@ -6,8 +6,9 @@ from typing import Any
 import bpy
 import numpy as np
 import pytest
-from illustrate import illustration, output
+from illustrate import output
 from illustrate.output import write_drawing
+from illustrate.running import illustration
 
 import tools
 

@@ -14,9 +14,10 @@ from illustrate.messages import IllustrateError
 from illustrate.output import stamps
 from illustrate.plot import plots
 from illustrate.plot.settings import KINDS
-from illustrate.scene import read_camera
+from illustrate.reading.scene import frame_corners, read_camera
+from illustrate.running import illustration
 from illustrate.ui import plot_panel, presets
-from illustrate.viewport.page_overlay import OVERLAY, frame_corners, on_frame, rectangle
+from illustrate.viewport.page_overlay import OVERLAY, on_frame, rectangle
 from test_headless import headless
 from test_ui import Layout, context
 
@@ -140,7 +141,7 @@ def test_other_formats_and_missing_libraries_are_said_before_drawing(
 def test_other_millimetres_than_those_of_the_drawing_are_said(scene: Any) -> None:
     tools.cube_scene(scene)
     scene.illustrate.unit = "MILLIMETRE"
-    made = illustrate.illustration.illustrate(scene, bpy.context.evaluated_depsgraph_get())
+    made = illustration.illustrate(scene, bpy.context.evaluated_depsgraph_get())
     width = 320 * 190 / 240
     [warning] = [w for w in plots.plot_of(scene, made).warnings if "Page Width" in w]
     assert f"{width:.1f} mm wide on the page" in warning

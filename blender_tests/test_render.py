@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 import svg_ink
 from blender_render import render_png
-from illustrate import illustration, native
+from illustrate import native
 from illustrate.output import files, write_drawing
+from illustrate.running import illustration
 
 import tools
 

@@ -7,8 +7,8 @@ import bpy
 import numpy as np
 import pytest
 from bpy_extras.object_utils import world_to_camera_view
-from illustrate import cages
-from illustrate.scene import read_camera
+from illustrate.reading import cages
+from illustrate.reading.scene import read_camera
 from mathutils import Matrix, Vector
 
 import tools
@@ -55,21 +55,23 @@ def test_camera_projects_as_blender_does(
     ours = (clip[:, :2] / clip[:, 3:] + 1) / 2
     theirs = [world_to_camera_view(scene, eye, Vector(p))[:2] for p in points]
     assert np.abs(ours - theirs).max() < 1e-5
+    assert camera.projection.dtype == camera.view.dtype == np.float64  # whatever Blender hands out
 
 
 @pytest.mark.parametrize("kind", ["PERSP", "ORTHO"])
 def test_pixel_size_is_what_a_pixel_covers(scene: Any, kind: str) -> None:
     tools.add_camera(scene, type=kind)
+    scene.render.pixel_aspect_y = 2  # pixels are not square: their height counts
     camera = read_camera(scene, bpy.context.evaluated_depsgraph_get())
-    right = camera.view[0, :3]
+    up = camera.view[1, :3]
     points = np.array([[0.0, 0, 0], [1, 2, 0.5]])
     size = camera.pixel_size(points)
     clip = [
         np.c_[p, np.ones(2)] @ (camera.projection @ camera.view).T
-        for p in (points, points + right * size[:, None])
+        for p in (points, points + up * size[:, None])
     ]
-    x = [(c[:, 0] / c[:, 3] + 1) / 2 * camera.width_px for c in clip]
-    assert x[1] - x[0] == pytest.approx([1, 1], rel=1e-5)
+    y = [(c[:, 1] / c[:, 3] + 1) / 2 * camera.height_px for c in clip]
+    assert y[1] - y[0] == pytest.approx([1, 1], rel=1e-5)
 
 
 def test_percentage_scales_the_image(scene: Any) -> None:

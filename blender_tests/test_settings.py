@@ -6,8 +6,11 @@ from typing import Any
 import bpy
 import numpy as np
 import pytest
-from illustrate import illustration, native, native_options, settings, styles
-from illustrate.cache import HATCHES
+from illustrate import native
+from illustrate.running import illustration
+from illustrate.running.cache import HATCHES
+from illustrate.settings import native_options, styles
+from illustrate.settings import scene_settings as settings
 from illustrate.ui import panel, presets
 
 import tools
@@ -136,7 +139,7 @@ def test_settings_have_tidy_texts_and_each_is_in_one_panel(scene: Any) -> None:
     for owner in (bpy.types.Object, bpy.types.Collection):
         for prop in owner.bl_rna.properties["illustrate"].fixed_type.properties:
             assert prop.identifier in ("rna_type", "name") or prop.description
-    shown = [name for each in panel.CLASSES for name in each.fields]
+    shown = [name for each in panel.CLASSES for name in getattr(each, "fields", ())]
     millimetres = {o.key_mm for o in panel.OPTIONS.values() if o.key_mm}
     assert sorted([*shown, *millimetres]) == sorted(fields)
     assert set(panel.NEEDS) | set(panel.NEEDS.values()) <= fields
@@ -146,7 +149,7 @@ def test_the_panel_has_few_first_controls_and_closed_panels_below() -> None:
     first, *others = panel.CLASSES
     assert len(first.fields) + 2 <= 7  # with the button and live lines
     assert [each.bl_label for each in others] == [
-        "Lines", "Hatching", "Light", "Surface and Field", "Output", "Animation",
+        "Lines", "Hatching", "Light", "Surface and Field", "Hands On", "Output", "Animation",
     ]  # fmt: skip
     for each in others:
         assert "DEFAULT_CLOSED" in each.bl_options and each.bl_parent_id == first.bl_idname

@@ -284,7 +284,8 @@ def test_schemes_of_collection_and_object(scene: Any) -> None:
 
 def test_a_crease_angle_decides_which_lines_are_drawn(scene: Any) -> None:
     """A prism of twelve sides, flat: its sides turn by 30 degrees, its ends by 90."""
-    from illustrate import illustration, native
+    from illustrate import native
+    from illustrate.running import illustration
 
     tools.add_camera(scene)
     bpy.ops.mesh.primitive_cylinder_add(vertices=12)

@@ -1,14 +1,17 @@
 """Modal tasks, worked by hand: there is no window here."""
 
-import threading
 import time
 from types import SimpleNamespace
 from typing import Any
 
+import formulas
+import numpy as np
 import pytest
-from illustrate import tasks, worker
+from illustrate import native
 from illustrate.messages import IllustrateError
-from illustrate.tasks import Step, TaskOperator
+from illustrate.running import jobs, tasks
+from illustrate.running.jobs import Step
+from illustrate.running.tasks import TaskOperator
 
 TIMER, ESC, ORBIT, CLICK = (SimpleNamespace(type=t)
                             for t in ("TIMER", "ESC", "MIDDLEMOUSE", "LEFTMOUSE"))  # fmt: skip
@@ -36,13 +39,35 @@ class Context:
         return self.log == asked and self.texts[-1] is None and not tasks.is_running()
 
 
-class Operator(TaskOperator):
-    """Two steps; `gate` holds the second one up."""
+class Job:
+    """A job by hand: done when it is told to be."""
 
-    def __init__(self, fail: str = "") -> None:
+    def __init__(self, made: Any, is_done: bool = True) -> None:
+        self.made, self.is_done, self.was_cancelled = made, is_done, False
+
+    def poll(self) -> tuple[float, str]:
+        return 0.5, "hatch"
+
+    def cancel(self) -> None:
+        self.was_cancelled = True
+
+    def wait(self, _seconds: float) -> bool:
+        return self.is_done
+
+    def result(self) -> Any:
+        assert self.is_done
+        if isinstance(self.made, Exception):
+            raise self.made
+        return self.made
+
+
+class Operator(TaskOperator):
+    """Two steps; the second one is done when the test says so."""
+
+    def __init__(self, fail: str = "", is_done: bool = True) -> None:
         self.reports: list[Any] = []
-        self.gate = threading.Event()
-        self.stopped = threading.Event()
+        made = {"work": IllustrateError("bad mesh"), "bug": ZeroDivisionError()}.get(fail, 3)
+        self.slow = Job(made, is_done)
         self.undone = False
         self.fail = fail
 
@@ -53,25 +78,13 @@ class Operator(TaskOperator):
         if self.fail == "start":
             raise IllustrateError("no camera")
         try:
-            first = yield Step(lambda _: 20, 0, 0.5, "Frame 1")
+            first = yield Step(Job(20), 0, 0.5, "Frame 1")
             second = yield Step(self.slow, 0.5, 1, "Frame 2")
         finally:
             self.undone = True
         if self.fail == "end":
             raise IllustrateError("too late")
         return [("INFO", f"{first + second}")]
-
-    def slow(self, progress: Any) -> int:
-        if self.fail == "work":
-            raise IllustrateError("bad mesh")
-        if self.fail == "bug":
-            raise ZeroDivisionError
-        while not self.gate.is_set():
-            if not progress(0.5, "hatch"):
-                self.stopped.set()
-                raise RuntimeError("cancelled")
-            time.sleep(0.001)
-        return 3
 
 
 @pytest.fixture(autouse=True)
@@ -81,8 +94,18 @@ def _window(monkeypatch: Any) -> None:
 
 
 def run(operator: Operator, context: Any, until: Any = lambda: False) -> set[str]:
+    """Starts the operator; then timer events until it ends."""
+    return run_on(operator, context, until, operator.invoke(context, None))
+
+
+def run_on(
+    operator: Operator,
+    context: Any,
+    until: Any = lambda: False,
+    status: set[str] | None = None,
+) -> set[str]:
     """Timer events until the operator ends."""
-    status: set[str] = operator.invoke(context, None)
+    status = status or {"RUNNING_MODAL"}
     for _ in range(2000):
         if status != {"RUNNING_MODAL"} or until():
             break
@@ -97,7 +120,6 @@ def is_undone(operator: Operator) -> bool:
 
 def test_a_task_runs_to_its_end() -> None:
     context, operator = Context(), Operator()
-    operator.gate.set()
     assert run(operator, context) == {"FINISHED"}
     assert operator.reports == [({"INFO"}, "23")]
     assert context.is_clean()
@@ -106,24 +128,34 @@ def test_a_task_runs_to_its_end() -> None:
 
 
 def test_progress_is_shown_and_the_view_may_be_moved() -> None:
-    context, operator = Context(), Operator()
+    context, operator = Context(), Operator(is_done=False)
     text = "Illustrate: 75 %  Frame 2  Hatching  (ESC to cancel)"
     assert run(operator, context, lambda: text in context.texts) == {"RUNNING_MODAL"}
     assert tasks.is_running()
     assert operator.modal(context, ORBIT) == {"PASS_THROUGH"}
     assert operator.modal(context, CLICK) == {"RUNNING_MODAL"}
-    operator.gate.set()
-    operator.cancel(context)
+    operator.slow.is_done = True
+    assert run_on(operator, context) == {"FINISHED"}
 
 
 def test_escape_ends_at_once_and_stops_the_work() -> None:
-    context, operator = Context(), Operator()
+    context, operator = Context(), Operator(is_done=False)
     run(operator, context, lambda: any("Frame 2" in (t or "") for t in context.texts))
     assert not is_undone(operator)
     assert operator.modal(context, ESC) == {"CANCELLED"}
     assert is_undone(operator) and context.is_clean()
-    assert operator.stopped.wait(10)
+    assert operator.slow.was_cancelled and jobs.are_leaving()
     assert "cancelled" in operator.reports[-1][1]
+    operator.slow.is_done = True
+    assert not jobs.are_leaving()
+
+
+def test_tasks_end_with_the_addon(monkeypatch: Any) -> None:
+    context, operator = Context(), Operator(is_done=False)
+    run(operator, context, lambda: any("Frame 2" in (t or "") for t in context.texts))
+    monkeypatch.setattr(tasks.bpy, "context", context)
+    tasks.stop_all()
+    assert is_undone(operator) and context.is_clean() and operator.slow.was_cancelled
 
 
 @pytest.mark.parametrize(
@@ -131,11 +163,10 @@ def test_escape_ends_at_once_and_stops_the_work() -> None:
 )
 def test_errors_are_reported_and_leave_nothing(fail: str, words: str) -> None:
     context, operator = Context(), Operator(fail)
-    operator.gate.set()
     assert run(operator, context) == {"CANCELLED"}
     assert operator.reports == [({"ERROR"}, words)]
     assert not tasks.is_running() and (fail == "start" or context.is_clean())
-    assert Operator(fail).execute(context) == {"CANCELLED"} if fail != "end" else True
+    assert Operator(fail).execute(context) == {"CANCELLED"}
 
 
 def test_a_bug_is_not_swallowed_and_leaves_nothing() -> None:
@@ -145,9 +176,27 @@ def test_a_bug_is_not_swallowed_and_leaves_nothing() -> None:
     assert context.is_clean()
 
 
-def test_work_that_still_runs_is_stopped_and_waited_for() -> None:
-    operator = Operator()
-    work = worker.Worker(operator.slow)
-    assert not work.is_done
-    worker.stop_all()
-    assert work.is_done and isinstance(work.error, RuntimeError)
+def test_steps_that_are_waited_for_tell_their_progress_and_can_be_stopped() -> None:
+    told: list[tuple[float, str]] = []
+
+    def steps() -> jobs.Steps[int]:
+        return (yield Step(Job(20), 0, 0.5)) + (yield Step(Job(3), 0.5, 1))
+
+    def progress(fraction: float, stage: str) -> bool:
+        told.append((fraction, stage))
+        return False
+
+    assert jobs.run(steps(), progress) == 23
+    assert told == [(0.25, "hatch"), (0.75, "hatch")]
+
+
+def test_native_jobs_end_with_the_addon() -> None:
+    ill = native.load()
+    positions, faces = formulas.torus(1, 0.4, 32, 16)
+    mesh = ill.PolygonMesh(positions, [4] * len(faces), np.concatenate(faces))
+    job = ill.start_prepare([mesh], ill.PrepareOptions(level=5, triangle_budget=10**8))
+    jobs.let_go(job)
+    jobs.stop_all()
+    assert job.is_done and not jobs.are_leaving()
+    with pytest.raises(ill.Cancelled):
+        job.result()

@@ -7,10 +7,11 @@ import bpy
 import illustrate
 import numpy as np
 import pytest
-from illustrate import rendering, tone_images
 from illustrate.farm.arguments import parse
-from illustrate.illustration import illustrate as draw
-from illustrate.illustration import read_request
+from illustrate.reading import tone_images
+from illustrate.running import rendering
+from illustrate.running.illustration import illustrate as draw
+from illustrate.running.illustration import read_request
 
 import tools
 

@@ -10,7 +10,9 @@ import bpy
 import illustrate
 import installed
 import pytest
-from illustrate import preferences, problems, styles, translations
+from illustrate import preferences
+from illustrate.running import problems
+from illustrate.settings import styles
 from illustrate.ui import menus, panel, style_panel
 
 import tools
@@ -43,6 +45,9 @@ class Layout:
         assert hasattr(bpy.types, name)
         self.shown.append(name)
 
+    def template_icon_view(self, data: Any, name: str, **_: Any) -> None:
+        self.prop(data, name)
+
     def separator(self) -> None:
         pass
 
@@ -54,6 +59,7 @@ def context(**more: Any) -> Any:
         window_manager=bpy.context.window_manager,
         preferences=SimpleNamespace(system=SimpleNamespace(ui_scale=1.0)),
         region=SimpleNamespace(width=250),
+        space_data=SimpleNamespace(as_pointer=lambda: 0),
         **more,
     )
 
@@ -183,20 +189,7 @@ def test_preferences_have_defaults_where_the_addon_has_none() -> None:
 def test_preferences_count_where_the_addon_has_them() -> None:
     with addon(enabled=True) as name:
         own = bpy.context.preferences.addons[name].preferences
-        own.live_width, own.live_color = 5.0, (1, 0, 0, 1)
-        assert preferences.preference("live_width") == 5
-        assert preferences.preference("live_color") == (1, 0, 0, 1)
+        own.live_triangles = 5_000
+        assert preferences.preference("live_triangles") == 5_000
         for setting, value in preferences.DEFAULTS.items():
             setattr(own, setting, value)
-
-
-def test_translations_are_of_texts_that_are_there() -> None:
-    texts = {kind.bl_label for kind in panel.CLASSES}
-    properties = bpy.context.scene.illustrate.bl_rna.properties
-    texts |= {prop.name for prop in properties} | {"Live Lines"}
-    texts |= {
-        getattr(bpy.ops.illustrate, verb).get_rna_type().name
-        for verb in ("bake", "clear", "show_field", "hide_field")
-    }
-    for words in translations.table().values():
-        assert {text for _, text in words} <= texts

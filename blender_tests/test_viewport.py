@@ -1,18 +1,16 @@
-"""Live lines and overlays without a window: what they would draw, and what they leave behind."""
+"""Overlays and switches without a window: what they would draw, and what they leave behind."""
 
-import time
 from typing import Any
 
 import bpy
-import formulas
 import illustrate
 import numpy as np
 import pytest
-from illustrate import illustration, native
-from illustrate.viewport import inspect, live
-from illustrate.viewport.inspect import INSPECTOR
+from illustrate.running import illustration
+from illustrate.viewport import inspect
+from illustrate.viewport.inspect import INSPECTOR, eye_of
 from illustrate.viewport.live import LIVE
-from illustrate.viewport.view_lines import ViewLines, eye_of
+from illustrate.viewport.live_view import EYES, VIEW
 
 import tools
 
@@ -33,112 +31,13 @@ def classes() -> set[str]:
     return {name for name in dir(bpy.types) if name.startswith("ILLUSTRATE_")}
 
 
-def surface_of(positions: Any, faces: Any, **options: Any) -> Any:
-    ill = native.load()
-    sizes = [len(face) for face in faces]
-    mesh = ill.PolygonMesh(positions, sizes, np.concatenate(faces))
-    return ill.prepare([mesh], ill.PrepareOptions(field=False, **options)).surface
-
-
-@pytest.mark.parametrize(("count", "most"), [(12, 0.02), (24, 0.005)])
-def test_silhouettes_of_a_sphere_converge(count: int, most: float) -> None:
-    positions, faces = formulas.sphere(1, count)
-    lines = ViewLines(surface_of(positions, faces, level=1))
-    ends = lines.silhouettes([0, 0, 3, 1])
-    assert len(ends) >= 8
-    assert np.abs(ends[:, 2] - 1 / 3).max() < most  # the circle of tangents from the eye
-    ends = lines.silhouettes([0, 0, 1, 0])
-    assert np.abs(ends[:, 2]).max() < most
-
-
-def test_silhouettes_are_closed_and_where_the_exact_search_finds_them() -> None:
-    positions, faces = formulas.torus(1, 0.4, 24, 16)
-    ill = native.load()
-    mesh = ill.PolygonMesh(positions, [4] * len(faces), np.concatenate(faces))
-    prepared = ill.prepare([mesh], ill.PrepareOptions(field=False, level=1))
-    camera = ill.Camera(
-        [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, -1.02, -0.2], [0, 0, -1, 0]],
-        [[1, 0, 0, 0], [0, 0.8, -0.6, 0], [0, 0.6, 0.8, -6], [0, 0, 0, 1]],
-        100, 100,
-    )  # fmt: skip
-    eye = eye_of(camera.projection, camera.view)
-    ends = ViewLines(prepared.surface).silhouettes(eye).reshape(-1, 2, 3)
-    assert len(ends) == len(ill.silhouettes(prepared, camera).triangles)
-    rounded, counts = np.unique(ends.reshape(-1, 3).round(4), axis=0, return_counts=True)
-    assert (counts % 2 == 0).mean() > 0.99  # each end is shared with the next triangle
-    assert len(rounded)
-
-
-def test_silhouettes_of_faces_are_edges_between_front_and_back() -> None:
-    corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], float)
-    faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
-    lines = ViewLines(surface_of(corners, faces, scheme="none"))
-    ends = lines.silhouettes([0.1, 0.2, 5, 1]).reshape(-1, 2, 3)
-    assert len(ends) == 4 and (ends[:, :, 2] == 1).all()
-    assert len(lines.silhouettes([5, 4, 3, 1])) == 12  # a hexagon
-
-
 def test_the_eye_of_a_view() -> None:
     view = np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, -5], [0, 0, 0, 1]], float)
     assert eye_of(np.diag([1, 1, 1, 0]), view) == pytest.approx([0, 0, 5, 1])
     assert eye_of(np.eye(4), view) == pytest.approx([0, 0, 1, 0])
 
 
-def wait_for_lines() -> None:
-    for _ in range(500):
-        LIVE.tick()
-        if LIVE._worker is None and not LIVE._is_stale:
-            return
-        time.sleep(0.01)
-    raise AssertionError("live lines were never ready")
-
-
-@pytest.fixture
-def _live() -> Any:
-    """Handlers for drawing are only taken by a Blender with a window in some versions."""
-    bpy.context.window_manager.illustrate_live = True
-    yield
-    bpy.context.window_manager.illustrate_live = False
-
-
-def test_live_lines_follow_the_scene(scene: Any, _live: Any) -> None:
-    cube = tools.cube_scene(scene)
-    wait_for_lines()
-    assert LIVE.lines is not None
-    first = LIVE.lines.features
-    assert len(first) and len(first) % 48 == 0  # ends of both sides of 12 edges
-    wait_for_lines()
-    assert LIVE.lines.features is first  # nothing changed, nothing was read again
-    cube.location.x += 1
-    bpy.context.view_layer.update()
-    wait_for_lines()
-    assert LIVE.lines.features[:, 0].max() == pytest.approx(first[:, 0].max() + 1)
-    scene.camera.location.x += 1
-    bpy.data.objects["Sun"].location.x += 1
-    bpy.context.view_layer.update()
-    moved = LIVE.lines
-    wait_for_lines()
-    assert LIVE.lines is moved
-    cube.hide_set(True)
-    bpy.context.view_layer.update()
-    wait_for_lines()
-    assert LIVE.lines is None and "can be drawn" in LIVE.problem
-
-
-def test_live_lines_need_no_camera(_live: Any) -> None:
-    tools.add_cube()
-    wait_for_lines()
-    assert LIVE.lines is not None
-
-
-def test_live_lines_keep_to_their_triangles(scene: Any, _live: Any) -> None:
-    tools.subdivide(tools.cube_scene(scene))
-    scene.illustrate.level = 7
-    wait_for_lines()
-    assert LIVE.lines is not None and 100 < LIVE.lines.triangle_count <= 100_000
-
-
-def test_live_lines_leave_nothing(scene: Any) -> None:
+def test_the_live_drawing_leaves_nothing(scene: Any) -> None:
     tools.cube_scene(scene)
     before = handlers()
     manager = bpy.context.window_manager
@@ -147,10 +46,10 @@ def test_live_lines_leave_nothing(scene: Any) -> None:
         assert manager.illustrate_live and handlers() != before
         bpy.ops.illustrate.toggle_live()
         assert not manager.illustrate_live and handlers() == before
-        assert not bpy.app.timers.is_registered(LIVE._tick_again)
+        assert not bpy.app.timers.is_registered(VIEW._tick_again)
     manager.illustrate_live = True
     tools.new_file()
-    assert not LIVE.is_on and LIVE.lines is None and handlers() == before
+    assert not VIEW.is_on and LIVE.prepared is None and handlers() == before
 
 
 def test_enable_disable_enable(scene: Any) -> None:
@@ -163,7 +62,7 @@ def test_enable_disable_enable(scene: Any) -> None:
         assert not classes() and not hasattr(scene, "illustrate")
         assert not hasattr(bpy.types.Object, "illustrate")
         assert not hasattr(bpy.types.WindowManager, "illustrate_live")
-        assert LIVE._handle is None and INSPECTOR._handle is None
+        assert not VIEW.is_on and INSPECTOR._handle is None
         illustrate.register()
         assert classes() == registered and handlers() == before
 
@@ -224,4 +123,4 @@ def test_all_that_draws_can_be_imported_in_the_background() -> None:
     from illustrate.viewport import overlay
 
     assert overlay.Marks("LINES", [], (0, 0, 0, 1)).size > 0
-    assert live.EYES[0][0] == "VIEW"
+    assert EYES[0][0] == "VIEW"

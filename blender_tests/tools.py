@@ -17,7 +17,7 @@ Stroke = dict[str, Any]
 
 def read(scene: Any, **options: Any) -> Any:
     """What the add-on reads of the scene."""
-    from illustrate.scene import read_scene  # not before user.py has installed it
+    from illustrate.reading.scene import read_scene  # not before user.py has installed it
 
     return read_scene(scene, bpy.context.evaluated_depsgraph_get(), **options)
 

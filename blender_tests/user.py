@@ -5,6 +5,7 @@
 Prints what happened as lines; test_install.py reads them.
 """
 
+import importlib
 import os
 import pathlib
 import sys
@@ -22,11 +23,12 @@ def classes() -> set[str]:
     return {name for name in dir(bpy.types) if name.startswith("ILLUSTRATE_")}
 
 
-def draw() -> None:
+def draw(package: str) -> None:
     tools.new_file()
     tools.cube_scene(bpy.context.scene)
     print("drew:", *bpy.ops.illustrate.illustrate())
-    print("module:", sys.modules["illustrate_native"].__file__)
+    module = importlib.import_module(f"{package}.native").load()
+    print("module:", module.__file__)
 
 
 def switch_and_remove(archive: str, package: str) -> None:
@@ -39,7 +41,7 @@ def switch_and_remove(archive: str, package: str) -> None:
     print("same after enabling:", classes() == first)
     installed.install(archive)
     print("same after another install:", classes() == first)
-    draw()
+    draw(package)
     if bpy.app.version >= (4, 2, 0):
         repos = [repo.module for repo in bpy.context.preferences.extensions.repos]
         index = repos.index("user_default")
@@ -55,7 +57,7 @@ def switch_and_remove(archive: str, package: str) -> None:
 def main(archive: str) -> None:
     try:
         package = installed.install(archive)
-        draw()
+        draw(package)
         switch_and_remove(archive, package)
     except Exception:
         traceback.print_exc()

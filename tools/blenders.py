@@ -106,7 +106,7 @@ def package(blender: Blender) -> str:
     """The name of the zip in dist that a user of this Blender installs. Raises SetUpError."""
     found = [
         path.name
-        for path in (ROOT / "dist").glob("illustrate-*.zip")
+        for path in (ROOT / "dist").glob("illustrate-*-linux-x64.zip")
         if blender.takes_extensions != ("-legacy-" in path.name)
     ]
     if not found:

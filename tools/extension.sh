@@ -3,10 +3,10 @@
 # module alone, for each Python; the one for Python 3.11 in dist as well. extension.sh VERSION...:
 # for these Pythons besides 3.11 alone, which is quicker.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+source "$ROOT/tools/packaging.sh"
 
 PATH=$VENV/bin:$PATH
 PYTHONS=() # besides 3.11, that of .venv
-INSTALLED=$ROOT/build/package/illustrate_native
 
 # The low floor of the packages comes from this compiler and the C library that it links with.
 check_compiler() {
@@ -14,15 +14,6 @@ check_compiler() {
     release=$(. /etc/os-release 2>/dev/null && echo "${ID:-}-${VERSION_ID:-}")
     [ "$release" = debian-12 ] ||
         say "warning: built on $release, not on Debian 12: the package may ask for newer systems"
-}
-
-# The licences of all that is compiled into the module; CMake has put those of its libraries there.
-add_licenses() {
-    local folder=$INSTALLED/licenses pybind11
-    cp /usr/share/doc/libeigen3-dev/copyright "$folder/eigen.txt"
-    pybind11=$(python -c 'import importlib.metadata as m, pathlib
-print(next(f.locate() for f in m.files("pybind11") if pathlib.PurePath(f).name == "LICENSE"))')
-    cp "$pybind11" "$folder/pybind11.txt"
 }
 
 "$ROOT/tools/build.sh"
@@ -39,10 +30,8 @@ done
 exec 9>"$ROOT/build/build.lock"
 flock 9
 compile_for_pythons "${PYTHONS[@]}"
-rm -rf "$ROOT/build/package" "$ROOT"/dist
-cmake --install "$ROOT/build/native" --component module --prefix "$ROOT/build/package" >/dev/null
-cp "$ROOT/build/native/pythons/"*.so "$INSTALLED/"
-strip --strip-unneeded "$INSTALLED"/*.so
-add_licenses
-python "$ROOT/tools/package.py" --installed "$INSTALLED"
-cp "$ROOT"/dist/wheels/*-cp311-*.whl "$ROOT/dist/"
+rm -rf "$ROOT"/dist/*.whl "$ROOT"/dist/wheels/*-manylinux*.whl
+installed=$(install_for_package linux-x64 "$ROOT/build/native")
+strip --strip-unneeded "$installed"/*.so
+make_packages linux-x64 "$installed"
+cp "$ROOT"/dist/wheels/*-cp311-*manylinux*.whl "$ROOT/dist/"

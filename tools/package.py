@@ -12,14 +12,38 @@ import re
 import tomllib
 import zipfile
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-PLATFORM_OF_BLENDER = "linux-x64"
-PLATFORM_OF_WHEEL = "manylinux_2_28_x86_64"  # a test holds the module's symbols against it
-LEGACY = ("310", "311")  # Blender 3.4 to 4.1, which take no wheels
-EXTENSION = ("311", "313", "314")  # Blender 4.2 and later
 LEFT_OUT = ("__pycache__", ".pyc")
+
+
+@dataclass(frozen=True)
+class Platform:
+    """A system that packages are made for, under the name that Blender gives it.
+
+    wheel: its tag. pythons: those of the Blenders, 4.2 and later, that there are for it. legacy:
+    those of Blender 3.4 to 4.1, which takes no wheels. remark: what its users must know.
+    """
+
+    name: str
+    wheel: str
+    pythons: tuple[str, ...]
+    legacy: tuple[str, ...] = ()
+    remark: str = ""
+
+
+PLATFORMS = {
+    platform.name: platform
+    for platform in (
+        # A test holds the module's symbols against the tag. Debian's own Blender runs Python 3.14.
+        Platform("linux-x64", "manylinux_2_28_x86_64", ("311", "313", "314"), ("310", "311")),
+        Platform("windows-x64", "win_amd64", ("311", "313")),
+        Platform("macos-arm64", "macosx_11_0_arm64", ("311", "313"), remark="untested"),
+        Platform("macos-x64", "macosx_11_0_x86_64", ("311", "313"), remark="untested"),
+    )
+}
 
 Files = dict[str, bytes]
 """What is in an archive: contents by path."""
@@ -59,7 +83,7 @@ def write_zip(path: Path, files: Files) -> Path:
 
 def pythons_of(installed: Path, wanted: tuple[str, ...]) -> tuple[str, ...]:
     """Those of the wanted Pythons that there is a binary for. Raises FileNotFoundError: none."""
-    there = {_python_of(path.name) for path in installed.glob("*.so")}
+    there = {_python_of(path.name) for path in installed.glob("_core.*")}
     found = tuple(python for python in wanted if python in there)
     if not found:
         raise FileNotFoundError(f"{installed} has no module for Python {', '.join(wanted)}")
@@ -73,7 +97,7 @@ def module_files(installed: Path, pythons: tuple[str, ...]) -> Files:
 
 
 def _python_of(name: str) -> str:
-    found = re.search(r"\.cpython-(\d+)-", name)
+    found = re.search(r"\.cp(?:ython-)?(\d+)-", name)
     return found[1] if found else ""
 
 
@@ -103,9 +127,9 @@ def _record(files: Files, name: str) -> Iterator[str]:
     yield f"{name},,"
 
 
-def make_wheel(installed: Path, python: str, folder: Path) -> Path:
+def make_wheel(platform: Platform, installed: Path, python: str, folder: Path) -> Path:
     """Writes the wheel for one Python, such as '313'; its path."""
-    tag = f"cp{python}-cp{python}-{PLATFORM_OF_WHEEL}"
+    tag = f"cp{python}-cp{python}-{platform.wheel}"
     info = f"illustrate_native-{version()}.dist-info"
     wheel = f"Wheel-Version: 1.0\nGenerator: illustrate\nRoot-Is-Purelib: false\nTag: {tag}\n"
     files = module_files(installed, (python,)) | {
@@ -118,30 +142,34 @@ def make_wheel(installed: Path, python: str, folder: Path) -> Path:
     return write_zip(folder / f"illustrate_native-{version()}-{tag}.whl", files)
 
 
-def manifest_with(wheels: list[Path]) -> str:
+def manifest_with(platform: Platform, wheels: list[Path]) -> str:
     """The manifest as it ships: with the platform and the wheels."""
     listed = "".join(f'  "./wheels/{wheel.name}",\n' for wheel in wheels)
-    added = f'platforms = ["{PLATFORM_OF_BLENDER}"]\nwheels = [\n{listed}]\n\n'
+    added = f'platforms = ["{platform.name}"]\nwheels = [\n{listed}]\n\n'
     head, table, tail = manifest().partition("[permissions]")
+    if platform.remark:
+        system = platform.name.partition("-")[0]
+        head = re.sub(r'(?m)^name = "(.*)"$', rf'name = "\1 ({platform.remark} on {system})"', head)
     return head + added + table + tail
 
 
-def make_extension(wheels: list[Path], folder: Path) -> Path:
+def make_extension(platform: Platform, wheels: list[Path], folder: Path) -> Path:
     """Writes the extension for Blender 4.2 and later; its path."""
     files = files_below(ROOT / "addon") | {
-        "blender_manifest.toml": manifest_with(wheels).encode(),
+        "blender_manifest.toml": manifest_with(platform, wheels).encode(),
         "LICENSE": (ROOT / "LICENSE").read_bytes(),
     }
     files |= {f"wheels/{wheel.name}": wheel.read_bytes() for wheel in wheels}
-    return write_zip(folder / f"illustrate-{version()}-{PLATFORM_OF_BLENDER}.zip", files)
+    return write_zip(folder / f"illustrate-{version()}-{platform.name}.zip", files)
 
 
-def make_legacy(installed: Path, pythons: tuple[str, ...], folder: Path) -> Path:
+def make_legacy(platform: Platform, installed: Path, folder: Path) -> Path:
     """Writes the add-on for Blender 3.4 to 4.1, with the module inside; its path."""
+    pythons = pythons_of(installed, platform.legacy)
     files = files_below(ROOT / "addon") | module_files(installed, pythons)
     files["LICENSE"] = (ROOT / "LICENSE").read_bytes()
     del files["blender_manifest.toml"]
-    name = f"illustrate-{version()}-legacy-{PLATFORM_OF_BLENDER}.zip"
+    name = f"illustrate-{version()}-legacy-{platform.name}.zip"
     # Blender removes an older installation, the module in memory too, by the entry of its folder;
     # without one it would write into the file that is mapped.
     inside = {f"illustrate/{path}": data for path, data in sorted(files.items())}
@@ -151,20 +179,20 @@ def make_legacy(installed: Path, pythons: tuple[str, ...], folder: Path) -> Path
 def main() -> None:
     """Makes all of them and says how large they are."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
+    parser.add_argument("--platform", choices=PLATFORMS, required=True)
     parser.add_argument("--installed", type=Path, required=True, help="illustrate_native, built")
     parser.add_argument("--out", type=Path, default=ROOT / "dist")
     arguments = parser.parse_args()
-    installed, out = arguments.installed, arguments.out
-    legacy, extension = pythons_of(installed, LEGACY), pythons_of(installed, EXTENSION)
+    platform, installed, out = PLATFORMS[arguments.platform], arguments.installed, arguments.out
     wheels = {
-        python: make_wheel(installed, python, out / "wheels")
-        for python in sorted({*legacy, *extension})
+        python: make_wheel(platform, installed, python, out / "wheels")
+        for python in pythons_of(installed, tuple(sorted({*platform.legacy, *platform.pythons})))
     }
-    made = [
-        make_extension([wheels[python] for python in extension], out),
-        make_legacy(installed, legacy, out),
-        *wheels.values(),
-    ]
+    inside = [wheels[python] for python in pythons_of(installed, platform.pythons)]
+    made = [make_extension(platform, inside, out)]
+    if platform.legacy:
+        made.append(make_legacy(platform, installed, out))
+    made += wheels.values()
     for path in made:
         print(f"{path.relative_to(out)}: {path.stat().st_size / 1e6:.2f} MB")
 

@@ -14,17 +14,17 @@ from typing import Any
 import bpy
 
 from .. import native, output
-from ..illustration import (
+from ..messages import IllustrateError, counted
+from ..output import files, stamps
+from ..reading.tone_images import tone_of
+from ..running.illustration import (
     Illustration,
     compute,
     hatches_render,
     read_request,
     shares_exposure,
 )
-from ..messages import IllustrateError, counted
-from ..output import files, stamps
-from ..rendering import render_now
-from ..tone_images import tone_of
+from ..running.rendering import render_now
 from .lines import Progress, complain, say, time_text
 from .plots import PlotFiles
 

@@ -2,7 +2,7 @@
 
 import sys
 
-from ..tasks import STAGES
+from ..running.tasks import STAGES
 
 PROGRESS = ("plain", "openjd", "none")
 OPENJD_STEP = 0.1  # percent between lines

@@ -7,7 +7,7 @@ import bpy
 
 from ..messages import IllustrateError
 from ..output.files import prepare_folder
-from ..tone_images import choose_file
+from ..reading.tone_images import choose_file
 from ..ui import presets
 from .arguments import MERGE, parse, parse_merge
 from .frames import Sequence

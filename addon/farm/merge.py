@@ -18,7 +18,7 @@ from ..messages import IllustrateError, counted, quoted
 from ..output.files import write_blend
 from ..output.saving import only_saved
 from ..output.strokes import Sheet
-from ..scene import CameraArrays
+from ..reading.scene import CameraArrays
 from .lines import complain, say
 
 MOST_NAMED = 20

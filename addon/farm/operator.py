@@ -8,7 +8,7 @@ import bpy
 from bpy.props import BoolProperty, StringProperty
 
 from ..messages import IllustrateError, counted
-from ..tasks import is_running
+from ..running.tasks import is_running
 from .merge import find_frames, merge
 
 

@@ -6,10 +6,10 @@ from typing import Any
 import bpy
 
 from .. import native
-from ..illustration import Illustration
 from ..messages import IllustrateError
 from ..output.files import PLOT_FORMATS, write_bytes
 from ..plot.plots import bytes_of, check_format, plot_of, summary
+from ..running.illustration import Illustration
 from ..ui import presets
 from .lines import complain, say
 

@@ -13,7 +13,7 @@ from typing import Any
 import bpy
 
 from .. import native
-from ..cache import digest
+from ..running.cache import digest
 
 _LOOK = ("resolution_x", "resolution_y", "resolution_percentage", "pixel_aspect_x",
          "pixel_aspect_y", "film_transparent")  # fmt: skip

@@ -3,19 +3,19 @@
 # Blender reads properties from annotations.
 
 import os
-from collections.abc import Generator
 from typing import Any
 
 import bpy
 from bpy.props import BoolProperty, StringProperty
 
-from ..bake import frames_of
-from ..illustration import Illustration, compute, hatches_render, read_request
-from ..operators import DrawingOperator, still_there
 from ..output.files import write_bytes
-from ..rendering import render_steps
-from ..tasks import Step, Task
-from ..tone_images import tone_of
+from ..reading.tone_images import tone_of
+from ..running.bake import frames_of
+from ..running.illustration import Illustration, computing, hatches_render, read_request
+from ..running.jobs import Steps
+from ..running.operators import DrawingOperator, still_there
+from ..running.rendering import render_steps
+from ..running.tasks import Task
 from .plots import PLANNED, bytes_of, check_format, plot_of, summary
 
 
@@ -61,7 +61,7 @@ class ILLUSTRATE_OT_export_drawing(DrawingOperator, bpy.types.Operator):
 
 def _plots(
     operator: Any, context: Any, name: str, frames: range
-) -> Generator[Step, Any, tuple[list[Any], list[str]]]:
+) -> Steps[tuple[list[Any], list[str]]]:
     """Plots of frames, and warnings, each once; the frame that was shown is shown again."""
     scene = still_there(name)
     shown = scene.frame_current, scene.frame_subframe
@@ -87,7 +87,7 @@ def _plots(
 
 def _drawn(
     operator: Any, context: Any, name: str, exposed: Any, share: tuple[float, float]
-) -> Generator[Step, Any, Illustration]:
+) -> Steps[Illustration]:
     """The illustration of the frame that is shown, with the light as strong as in another."""
     scene, rendered = still_there(name), None
     if hatches_render(scene.illustrate):
@@ -95,8 +95,7 @@ def _drawn(
         scene = still_there(name)
     request = read_request(scene, context.evaluated_depsgraph_get(), rendered)
     request.expose_as(exposed)
-    made: Illustration = yield Step(lambda progress: compute(request, progress), *share)
-    return made
+    return (yield from computing(request, share))
 
 
 register, unregister = bpy.utils.register_classes_factory((ILLUSTRATE_OT_export_drawing,))

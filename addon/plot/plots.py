@@ -11,8 +11,8 @@ import numpy as np
 from .. import native
 from ..messages import IllustrateError, counted
 from ..output.png import encoded
-from ..scene import collections_of, colour_of
-from ..settings import draw_values
+from ..reading.scene import collections_of, colour_of
+from ..settings.scene_settings import draw_values
 
 LENGTHS_OFF = 0.02  # share by which the drawing's page may be off the plot's before it is said
 

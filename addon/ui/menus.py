@@ -4,10 +4,10 @@ from typing import Any
 
 import bpy
 
-from ..bake import ILLUSTRATE_OT_bake
 from ..farm.operator import ILLUSTRATE_OT_import_frames
-from ..operators import ILLUSTRATE_OT_clear, ILLUSTRATE_OT_illustrate
 from ..plot.export import ILLUSTRATE_OT_export_drawing
+from ..running.bake import ILLUSTRATE_OT_bake
+from ..running.operators import ILLUSTRATE_OT_clear, ILLUSTRATE_OT_illustrate
 
 MENUS = ("TOPBAR_MT_render", "VIEW3D_MT_object")
 

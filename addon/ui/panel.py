@@ -5,17 +5,32 @@ from typing import Any
 
 import bpy
 
-from ..bake import ILLUSTRATE_OT_bake
-from ..native_options import DRAW, PREPARE
-from ..operators import (
+from ..messages import counted
+from ..running.bake import ILLUSTRATE_OT_bake
+from ..running.first_use import ILLUSTRATE_OT_reset, ILLUSTRATE_OT_set_up, missing
+from ..running.operators import (
     ILLUSTRATE_OT_clear,
     ILLUSTRATE_OT_hide_field,
     ILLUSTRATE_OT_illustrate,
     ILLUSTRATE_OT_render_tone,
     ILLUSTRATE_OT_show_field,
 )
-from ..problems import slowing_problem, stopping_problem
+from ..running.problems import slowing_problem, stopping_problem
+from ..settings.native_options import DRAW, PREPARE
+from ..settings.styles import OPTIONS as OBJECT_OPTIONS
 from ..viewport.live import LIVE
+from ..viewport.live_view import VIEW, ILLUSTRATE_OT_keep_live
+from ..viewport.paper import PAPER, ILLUSTRATE_OT_toggle_paper
+from ..viewport.pick import (
+    PICKER,
+    ILLUSTRATE_OT_draw_guide,
+    ILLUSTRATE_OT_hide_hatches,
+    ILLUSTRATE_OT_hide_stroke,
+    ILLUSTRATE_OT_hold_singularities,
+    ILLUSTRATE_OT_pick,
+    thing_of,
+)
+from . import gallery
 from .presets import ILLUSTRATE_PT_presets
 
 PIXELS_PER_LETTER = 7.0  # of the interface's font at scale 1
@@ -102,16 +117,21 @@ def show_text(layout: Any, text: str, width_px: float, icon: str) -> None:
 
 def _show_problem(layout: Any, context: Any, problem: str) -> None:
     if problem:
-        scale = context.preferences.system.ui_scale
-        show_text(layout, problem, context.region.width / scale - 50, "ERROR")
+        show_text(layout, problem, _room(context), "ERROR")
+
+
+def _room(context: Any) -> float:
+    """The width that a text has, in pixels of the interface at scale 1."""
+    return float(context.region.width / context.preferences.system.ui_scale - 50)
 
 
 def _show_live(layout: Any, context: Any) -> None:
-    """The switch of live lines; while they are on, whose they are and what is in their way."""
+    """The switch of the live drawing; while it is on, whose it is and what is in its way."""
     row = layout.row(align=True)
     row.use_property_split = False
     row.prop(context.window_manager, "illustrate_live", toggle=True, icon="HIDE_OFF")
-    if LIVE.is_on:
+    if VIEW.is_on:
+        row.operator(ILLUSTRATE_OT_keep_live.bl_idname, icon="CHECKMARK")
         row.prop(context.window_manager, "illustrate_live_eye", text="")
         _show_problem(layout, context, LIVE.problem)
 
@@ -124,7 +144,8 @@ class ILLUSTRATE_PT_main(SidePanel, bpy.types.Panel):
     fields = ("source", "line_width_px", "hatching", "spacing_px", "hidden")
 
     def draw_header_preset(self, _context: Any) -> None:
-        """Shows the presets."""
+        """Shows the way back and the presets."""
+        self.layout.operator(ILLUSTRATE_OT_reset.bl_idname, text="", icon="LOOP_BACK", emboss=False)
         ILLUSTRATE_PT_presets.draw_panel_header(self.layout)
 
     def draw(self, context: Any) -> None:
@@ -132,9 +153,18 @@ class ILLUSTRATE_PT_main(SidePanel, bpy.types.Panel):
         row = self.layout.row()
         row.scale_y = 2.0
         row.operator(ILLUSTRATE_OT_illustrate.bl_idname, icon="GREASEPENCIL")
+        row.operator(
+            ILLUSTRATE_OT_toggle_paper.bl_idname,
+            text="",
+            icon="FILE",
+            depress=PAPER.is_on(context.space_data),
+        )
         scene, layer = context.scene, context.view_layer
         problem = stopping_problem(scene, layer) or slowing_problem(scene, layer)
         _show_problem(self.layout, context, problem)
+        if missing(scene, layer):
+            self.layout.operator(ILLUSTRATE_OT_set_up.bl_idname, icon="ADD")
+        gallery.show(self.layout, context)
         show(self.layout, context.scene.illustrate, self.fields)
         _show_live(self.layout, context)
 
@@ -195,6 +225,37 @@ class ILLUSTRATE_PT_surface(_Fields, bpy.types.Panel):
         self.layout.prop(context.window_manager, "illustrate_inspect")
 
 
+class ILLUSTRATE_PT_hands(SidePanel, bpy.types.Panel):
+    """A stroke that was picked, and guides."""
+
+    bl_idname = "ILLUSTRATE_PT_hands"
+    bl_label = "Hands On"
+    bl_parent_id = "ILLUSTRATE_PT_main"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context: Any) -> None:
+        """Shows what the stroke is, and what can be done with it."""
+        layout = self.layout
+        layout.operator(ILLUSTRATE_OT_pick.bl_idname, icon="EYEDROPPER")
+        picked, thing = PICKER.picked, thing_of(context.scene)
+        if picked is not None:
+            seen = "visible" if not picked.layers else f"behind {counted(picked.layers, 'surface')}"
+            kind = picked.kind.capitalize().replace("_", " ")
+            text = f"{kind} of {picked.thing}, {seen}"
+            show_text(layout, text, _room(context), "CURVE_DATA")
+            row = layout.row(align=True)
+            row.operator(ILLUSTRATE_OT_hide_stroke.bl_idname)
+            row.operator(ILLUSTRATE_OT_hide_hatches.bl_idname)
+        if thing is not None:
+            layout.prop(thing.illustrate, "use_own")
+            column = layout.column()
+            column.active = thing.illustrate.use_own
+            for name in OBJECT_OPTIONS:
+                column.prop(thing.illustrate, name)
+        layout.operator(ILLUSTRATE_OT_draw_guide.bl_idname, icon="GREASEPENCIL")
+        layout.operator(ILLUSTRATE_OT_hold_singularities.bl_idname, icon="EMPTY_AXIS")
+
+
 class ILLUSTRATE_PT_output(_Fields, bpy.types.Panel):
     """What strokes become."""
 
@@ -204,6 +265,7 @@ class ILLUSTRATE_PT_output(_Fields, bpy.types.Panel):
         "output",
         "unit",
         "page_width_mm",
+        "paper",
         "line_color",
         "feature_color",
         "hatch_color",
@@ -239,6 +301,7 @@ CLASSES = (
     ILLUSTRATE_PT_hatching,
     ILLUSTRATE_PT_light,
     ILLUSTRATE_PT_surface,
+    ILLUSTRATE_PT_hands,
     ILLUSTRATE_PT_output,
     ILLUSTRATE_PT_animation,
 )

@@ -9,7 +9,7 @@ from bl_ui.utils import PresetPanel
 
 from ..messages import IllustrateError, quoted
 from ..plot.settings import preset_fields as plot_preset_fields
-from ..settings import preset_fields
+from ..settings.scene_settings import preset_fields
 
 FOLDER, PLOT_FOLDER = "illustrate", "illustrate_plot"
 """Below the presets of the artist's scripts, and below those of the add-on."""

@@ -4,8 +4,8 @@ from typing import Any
 
 import bpy
 
-from ..guides import is_guide, shown_of
-from ..styles import OPTIONS, SURFACE
+from ..settings.guides import is_guide, shown_of
+from ..settings.styles import OPTIONS, SURFACE
 
 
 class _StylePanel:

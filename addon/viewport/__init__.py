@@ -1,5 +1,5 @@
-"""What is shown over the 3D viewport: live lines and overlays to inspect a drawing with."""
+"""What is shown over the 3D viewport: the live drawing and overlays to inspect a drawing with."""
 
-from . import inspect, live, page_overlay
+from . import inspect, live_view, page_overlay, paper, pick
 
-PARTS = (live, inspect, page_overlay)
+PARTS = (live_view, inspect, page_overlay, paper, pick)

@@ -10,7 +10,7 @@ import bpy
 import numpy as np
 from bpy.app.handlers import persistent
 
-from .live import _redraw
+from .shown import Shown
 
 CELLS = 70  # along the diagonal of everything: one cross or pair of curvature lines in each
 ARM = 0.42  # half the length of a cross, in cells
@@ -136,21 +136,29 @@ def _cells(points: Any, camera: Any, tone: Any) -> tuple[Any, Any, Any]:
 
 
 def _is_front(corners: Any, camera: Any) -> Any:
-    from .view_lines import eye_of
-
     eye = eye_of(camera.projection, camera.view)
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     return np.einsum("ij,ij->i", normals, eye[:3] - eye[3] * corners[:, 0]) > 0
 
 
-class Inspector:
+def eye_of(projection: Any, view: Any) -> Any:
+    """(4,) the eye in the world: a point with w = 1, or with w = 0 the direction towards it.
+
+    projection, view: (4, 4), OpenGL's convention.
+    """
+    world = np.linalg.inv(np.asarray(view, float))
+    if projection[3][3] == 0:
+        return world[:, 3] / world[3, 3]
+    return np.append(world[:3, 2] / np.linalg.norm(world[:3, 2]), 0.0)
+
+
+class Inspector(Shown):
     """The overlay that is shown, and the illustration that it is of."""
 
     def __init__(self) -> None:
         self.made: Any = None
         self.kind = "NONE"
         self._marks: list[Any] | None = None
-        self._handle: Any = None
 
     def remember(self, made: Any) -> None:
         """The illustration to look into from now on."""
@@ -164,13 +172,7 @@ class Inspector:
     def show(self, kind: str) -> None:
         """Shows a key of KINDS, or 'NONE'."""
         self.kind, self._marks = kind, None
-        view = bpy.types.SpaceView3D
-        if kind == "NONE" and self._handle is not None:
-            view.draw_handler_remove(self._handle, "WINDOW")
-            self._handle = None
-        elif kind != "NONE" and self._handle is None:
-            self._handle = view.draw_handler_add(self._draw, (), "WINDOW", "POST_VIEW")
-        _redraw()
+        self._switch(kind != "NONE")
 
     def stop(self) -> None:
         """Shows nothing and forgets."""

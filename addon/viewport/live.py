@@ -1,261 +1,246 @@
-"""Live lines: silhouettes and feature curves over the viewport while the view moves.
+"""The live drawing: what Illustrate would draw, in the viewports themselves, while one works.
 
-The surface is read and prepared again when the scene changes, in a thread; what is drawn until then
-is the last one. Whatever the way it ends (switch, file, add-on), nothing stays behind.
+`LiveDrawing` knows what is stale and goes, one job at a time, through reading, preparing and
+drawing; `live_view.py` shows what is there. While a view moves its rough lines are shown; when it
+rests its exact lines are drawn, then its hatches. Until the next is whole the last one stays. What
+changes faster than it can be drawn is skipped, never queued.
 """
 
 import time
+from dataclasses import dataclass, replace
 from typing import Any
 
-import bpy
-import numpy as np
-from bpy.app.handlers import persistent
-
-from .. import native, settings
+from .. import native
 from ..messages import IllustrateError
 from ..preferences import preference
-from ..scene import CameraArrays, read_scene
-from ..worker import Worker
-from .view_lines import ViewLines, eye_of
+from ..reading.scene import SceneArrays
+from ..running.illustration import (
+    Illustration,
+    lights_of,
+    native_meshes,
+    read_arrays,
+    request_of,
+    start_drawing,
+)
+from ..running.jobs import let_go
+from ..settings import scene_settings as settings
+from .views import View
 
-TICK_S = 0.1
-TIMES_KEPT = 200
-EYES = [
-    ("VIEW", "View", "The lines of the view itself", 0),
-    ("CAMERA", "Camera", "The lines that the scene's camera sees, looked at from anywhere", 1),
-]
+REST_S = 0.08  # that a view must rest before it is drawn
+READING_SHARE = 2.0  # of the time that reading took until it is read again
+PREPARE, LINES, WHOLE = "prepare", "lines", "whole"
 
 
-class LiveLines:
-    """The switch and all that belongs to it."""
+@dataclass
+class Seen:
+    """What is known of one viewport."""
 
-    def __init__(self) -> None:
-        self.lines: ViewLines | None = None
-        self.problem = ""
-        self.seconds: list[float] = []  # of the last redraws, our part
-        self._handle: Any = None
-        self._worker: Worker | None = None
-        self._is_stale = False
-        self._seen: Any = None
+    view: View
+    moved_at: float
+    lines: Illustration | None = None  # exact, without hatches
+    whole: Illustration | None = None
+    lines_of: Any = None  # version and view that they were begun for
+    whole_of: Any = None
 
     @property
-    def is_on(self) -> bool:
-        """True while lines are shown."""
-        return self._handle is not None
+    def key(self) -> bytes:
+        """Of the view."""
+        return self.view.key
 
-    def switch(self, on: bool) -> None:
-        """Shows lines, or stops."""
-        if on and not self.is_on:
-            self._start()
-        elif not on and self.is_on:
-            self._stop()
-        _redraw()
+    def drawing_of(self, part: str) -> Illustration | None:
+        """Lines or whole where they are of this view, however old the scene."""
+        made, of = (self.lines, self.lines_of) if part == LINES else (self.whole, self.whole_of)
+        return made if of is not None and of[1] == self.key else None
 
-    def _start(self) -> None:
-        self._is_stale, self.seconds = True, []
-        view = bpy.types.SpaceView3D
-        self._handle = view.draw_handler_add(self._draw, (), "WINDOW", "POST_VIEW")
-        for handlers, function in HANDLERS:
-            handlers.append(function)
-        bpy.app.timers.register(self._tick_again, first_interval=0.0)
 
-    def _stop(self) -> None:
-        bpy.types.SpaceView3D.draw_handler_remove(self._handle, "WINDOW")
-        self._handle = None
-        for handlers, function in HANDLERS:
-            if function in handlers:
-                handlers.remove(function)
-        if bpy.app.timers.is_registered(self._tick_again):
-            bpy.app.timers.unregister(self._tick_again)
-        if self._worker is not None:
-            self._worker.cancel()
-        self.lines, self._worker, self._seen, self.problem = None, None, None, ""
+@dataclass
+class Running:
+    """The job that runs."""
 
-    def mark_stale(self) -> None:
-        """The scene is other than when it was read."""
-        self._is_stale = True
+    job: Any
+    part: str
+    version: int
+    arrays: SceneArrays
+    seen: Seen | None = None
+    key: bytes = b""
+    request: Any = None
 
-    def look_at(self, scene: Any, depsgraph: Any) -> None:
-        """Marks the lines as stale when an update was one of meshes, or of what is seen."""
-        seen = _what_is_seen(scene)
-        if seen != self._seen or any(map(_changes_lines, depsgraph.updates)):
-            self._seen = seen
-            self._is_stale = True
 
-    def tick(self) -> None:
-        """Takes over what a thread has made, and starts the next when the scene changed."""
-        if self._worker is not None and self._worker.is_done:
-            worker, self._worker = self._worker, None
-            if worker.error is None:
-                self.lines, self.problem = worker.result, ""
-            else:
-                self.lines, self.problem = None, str(worker.error)
-            _redraw()
-        if self._is_stale and self._worker is None:
-            self._is_stale = False
-            self._read()
+class LiveDrawing:
+    """What has been read, prepared and drawn, and what is stale of it."""
 
-    def _tick_again(self) -> float | None:
-        if not self.is_on:
-            return None
-        self.tick()
-        return TICK_S
+    def __init__(self) -> None:
+        self.running: Running | None = None
+        self.forget()
 
-    def _read(self) -> None:
-        context = bpy.context
-        self._seen = _what_is_seen(context.scene)
+    def forget(self) -> None:
+        """Lets go of everything, and of the job."""
+        self._drop_job()
+        self.views: dict[int, Seen] = {}
+        self.prepared: Any = None
+        self.features: Any = None
+        self.arrays: SceneArrays | None = None
+        self.problem = ""
+        self.version = 0  # of the scene: shapes, lights, settings
+        self.shapes_are_stale = True
+        self.look_is_stale = True
+        self.chosen: Any = None  # values of the settings
+        self.reading_s = 0.0
+        self.read_at = float("-inf")
+
+    def _drop_job(self) -> None:
+        if self.running is not None:
+            let_go(self.running.job)
+        self.running = None
+
+    def look(self, pointer: int, view: View) -> Seen:
+        """A viewport shows this view now; what is known of it."""
+        now, seen = time.monotonic(), self.views.get(pointer)
+        if seen is None:
+            seen = self.views[pointer] = Seen(view, now - REST_S)
+        elif seen.key != view.key:
+            seen.moved_at = now
+            running = self.running
+            if running is not None and running.seen is seen:
+                self._drop_job()
+        seen.view = view
+        return seen
+
+    def is_idle(self) -> bool:
+        """True when everything is drawn as the scene and the views are."""
+        return (
+            self.running is None
+            and not (self.shapes_are_stale or self.look_is_stale)
+            and self._next_part(time.monotonic() + REST_S) is None
+        )
+
+    def tick(self, context: Any) -> bool:
+        """Takes what a job has made and starts the next; True when there is something to show."""
+        self._notice_settings(context.scene)
+        is_new = self._take()
+        if self.running is not None and self.running.part == WHOLE and self.shapes_are_stale:
+            self._drop_job()
+        if self.running is None:
+            try:
+                self._start_next(context)
+            except IllustrateError as error:
+                is_new = is_new or str(error) != self.problem
+                self.prepared, self.problem = None, str(error)
+        return is_new
+
+    def _notice_settings(self, scene: Any) -> None:
+        """Settings that changed, whoever changed them."""
+        values = settings.live_values(scene.illustrate)
+        if values == self.chosen:
+            return
+        before, self.chosen = self.chosen, values
+        shaping = before is None or before[0] != values[0]
+        self.shapes_are_stale = self.shapes_are_stale or shaping
+        self.look_is_stale = True
+
+    def _take(self) -> bool:
+        """Takes over what the job has made."""
+        running = self.running
+        if running is None or not running.job.is_done:
+            return False
+        self.running = None
         try:
-            arrays = read_scene(
-                context.scene,
-                context.evaluated_depsgraph_get(),
-                use_lights=False,
-                camera=_any_camera(context),
-            )
-        except IllustrateError as error:
-            self.lines, self.problem = None, str(error)
-            return
-        values = settings.prepare_values(context.scene.illustrate)
-        values["level"] = -1  # as fine as the view needs, within the budget
-        values["triangle_budget"] = min(values["triangle_budget"], preference("live_triangles"))
-        self._worker = Worker(lambda progress: _prepare(arrays.meshes, values, progress))
+            made = running.job.result()
+        except Exception as error:  # the drawing before stays
+            self._give_up(running, str(error))
+            return True
+        self.problem = ""
+        if running.part == PREPARE:
+            if not len(made.surface.triangles):
+                self._give_up(running, "Nothing can be drawn: no face of the meshes has an area")
+                return True
+            self.prepared, self.arrays = made, running.arrays
+            self.features = native.load().rough_features(made)
+            self.version += 1
+        else:
+            self._keep(running, made)
+        return True
 
-    def _draw(self) -> None:
-        """Called by Blender for each viewport."""
-        from . import overlay
+    def _give_up(self, running: Running, problem: str) -> None:
+        """What went wrong is not tried again before something changes."""
+        self.problem = problem
+        if running.seen is not None:
+            of = (running.version, running.key)
+            running.seen.lines_of = of
+            running.seen.whole_of = of if running.part == WHOLE else running.seen.whole_of
 
-        if self.lines is None:
+    def _keep(self, running: Running, drawing: Any) -> None:
+        seen, of = running.seen, (running.version, running.key)
+        assert seen is not None
+        made = Illustration(drawing, self.prepared, running.arrays, running.request.warnings)
+        if running.part == WHOLE:
+            seen.whole, seen.whole_of = made, of
+        seen.lines, seen.lines_of = made, of
+
+    def _start_next(self, context: Any) -> None:
+        now = time.monotonic()
+        if self.shapes_are_stale:
+            if now >= self.read_at + READING_SHARE * self.reading_s:
+                self._prepare(context)
             return
+        if self.look_is_stale and self.arrays is not None:
+            self.look_is_stale = False
+            depsgraph = context.evaluated_depsgraph_get()
+            self.arrays = replace(self.arrays, lights=lights_of(context.scene, depsgraph))
+            self.version += 1
+        wanted = self._next_part(now)
+        if wanted is not None:
+            self._draw(context.scene, *wanted)
+
+    def _prepare(self, context: Any) -> None:
+        """Reads the scene and starts to prepare it."""
         start = time.perf_counter()
-        context = bpy.context
-        eye = _eye(context.scene, context.region_data)
-        colour = preference("live_color")
-        width = preference("live_width")
-        marks = [
-            overlay.Marks("LINES", self.lines.silhouettes(eye), colour, width),
-            overlay.Marks("LINES", self.lines.features, colour, 0.7 * width),
-        ]
-        overlay.draw(marks, context.region, context.region_data)
-        self.seconds = [*self.seconds[1 - TIMES_KEPT :], time.perf_counter() - start]
+        self.shapes_are_stale = self.look_is_stale = False
+        camera = next((seen.view.camera for seen in self.views.values()), None)
+        if camera is None:
+            self.shapes_are_stale = True  # nothing looks at it yet
+            return
+        try:
+            depsgraph = context.evaluated_depsgraph_get()
+            arrays = read_arrays(context.scene, depsgraph, camera)
+            job = _start_preparing(context.scene, arrays, self.prepared)
+        finally:
+            self.reading_s, self.read_at = time.perf_counter() - start, time.monotonic()
+        self.running = Running(job, PREPARE, self.version, arrays)
+
+    def _next_part(self, now: float) -> tuple[Seen, str] | None:
+        """What is to be drawn next: lines of all views before hatches of any."""
+        if self.prepared is None:
+            return None
+        resting = [seen for seen in self.views.values() if now - seen.moved_at >= REST_S]
+        for part in (LINES, WHOLE):
+            for seen in resting:
+                of = seen.lines_of if part == LINES else seen.whole_of
+                if of != (self.version, seen.key):
+                    return seen, part
+        return None
+
+    def _draw(self, scene: Any, seen: Seen, part: str) -> None:
+        assert self.arrays is not None
+        arrays = replace(self.arrays, camera=seen.view.camera)
+        request = request_of(scene, arrays)
+        if part == LINES and request.draw["hatching"]:
+            request.draw |= {"hatching": False, "tone_image": None}
+        elif part == LINES:
+            part = WHOLE
+        job = start_drawing(request, self.prepared)
+        self.running = Running(job, part, self.version, arrays, seen, seen.key, request)
 
 
-LIVE = LiveLines()
-"""The live lines of this Blender."""
+def _start_preparing(scene: Any, arrays: SceneArrays, previous: Any) -> Any:
+    """As fine as the view needs, within the budget of live drawings; hatches' field for later."""
+    ill, values = native.load(), settings.prepare_values(scene.illustrate)
+    values["level"] = -1
+    values["triangle_budget"] = min(values["triangle_budget"], preference("live_triangles"))
+    options = settings.prepare_options(values, arrays.guides, scene.illustrate.guide_weight)
+    options.field = False
+    return ill.start_prepare(native_meshes(ill, arrays), options, previous=previous)
 
 
-def _prepare(meshes: list[Any], values: dict[str, Any], progress: Any) -> ViewLines:
-    ill = native.load()
-    prepared = ill.prepare(
-        [ill.PolygonMesh(**vars(mesh)) for mesh in meshes],
-        ill.PrepareOptions(**values, field=False),
-        progress=progress,
-    )
-    return ViewLines(prepared.surface)
-
-
-def _eye(scene: Any, view: Any) -> Any:
-    """(4,) whose lines are shown."""
-    if scene.camera is not None and bpy.context.window_manager.illustrate_live_eye == "CAMERA":
-        world = scene.camera.matrix_world.normalized()
-        is_parallel = scene.camera.data.type == "ORTHO"
-        projection = np.diag([1.0, 1.0, 1.0, 1.0 if is_parallel else 0.0])
-        return eye_of(projection, world.inverted())
-    return eye_of(view.window_matrix, view.view_matrix)
-
-
-def _any_camera(context: Any) -> CameraArrays:
-    """The view of the first 3D viewport, which says how fine surfaces must be."""
-    for area in _viewports(context):
-        view, region = area.spaces.active.region_3d, area.regions[-1]
-        projection = np.array(view.window_matrix)
-        if np.linalg.det(projection):
-            return CameraArrays(
-                projection, np.array(view.view_matrix), max(region.width, 1), max(region.height, 1)
-            )
-    return CameraArrays(np.diag([0.1, 0.1, -0.01, 1.0]), np.eye(4), 1000, 1000)
-
-
-def _viewports(context: Any) -> list[Any]:
-    windows = context.window_manager.windows
-    return [area for w in windows for area in w.screen.areas if area.type == "VIEW_3D"]
-
-
-def _redraw() -> None:
-    for area in _viewports(bpy.context):
-        area.tag_redraw()
-
-
-def _what_is_seen(scene: Any) -> Any:
-    return scene.name, tuple((t.name, t.hide_render, t.visible_get()) for t in scene.objects)
-
-
-def _changes_lines(update: Any) -> bool:
-    if not (update.is_updated_geometry or update.is_updated_transform):
-        return False
-    kind = getattr(update.id, "type", "")
-    is_mesh = isinstance(update.id, bpy.types.Mesh | bpy.types.Curve | bpy.types.MetaBall)
-    return is_mesh or kind in ("MESH", "CURVE", "SURFACE", "FONT", "META", "EMPTY")
-
-
-@persistent
-def _after_update(scene: Any, depsgraph: Any = None) -> None:
-    if depsgraph is not None and scene == bpy.context.scene:
-        LIVE.look_at(scene, depsgraph)
-
-
-@persistent
-def _after_undo(*_: Any) -> None:
-    LIVE.mark_stale()
-
-
-@persistent
-def _before_load(*_: Any) -> None:
-    LIVE.switch(False)
-
-
-HANDLERS = (
-    (bpy.app.handlers.depsgraph_update_post, _after_update),
-    (bpy.app.handlers.undo_post, _after_undo),
-    (bpy.app.handlers.redo_post, _after_undo),
-)
-
-
-class ILLUSTRATE_OT_toggle_live(bpy.types.Operator):
-    """The switch for menus and shortcuts."""
-
-    bl_idname = "illustrate.toggle_live"
-    bl_label = "Live Lines"
-    bl_description = "Show silhouettes and creases over the viewport while the view moves"
-
-    def execute(self, _context: Any) -> set[str]:
-        """Turns them on or off."""
-        LIVE.switch(not LIVE.is_on)
-        return {"FINISHED"}
-
-
-def register() -> None:
-    """Registers the switch."""
-    bpy.app.handlers.load_pre.append(_before_load)
-    bpy.utils.register_class(ILLUSTRATE_OT_toggle_live)
-    manager = bpy.types.WindowManager
-    manager.illustrate_live = bpy.props.BoolProperty(
-        name="Live Lines",
-        description=ILLUSTRATE_OT_toggle_live.bl_description,
-        get=lambda _manager: LIVE.is_on,
-        set=lambda _manager, on: LIVE.switch(on),
-    )
-    manager.illustrate_live_eye = bpy.props.EnumProperty(
-        name="Live Lines From",
-        items=EYES,
-        default="VIEW",
-        description="Whose lines are shown",
-        update=lambda _manager, _context: _redraw(),
-    )
-
-
-def unregister() -> None:
-    """Turns live lines off and takes the switch away."""
-    LIVE.switch(False)
-    bpy.app.handlers.load_pre.remove(_before_load)
-    del bpy.types.WindowManager.illustrate_live_eye
-    del bpy.types.WindowManager.illustrate_live
-    bpy.utils.unregister_class(ILLUSTRATE_OT_toggle_live)
+LIVE = LiveDrawing()
+"""The live drawing of this Blender."""

@@ -10,6 +10,7 @@ from typing import Any
 
 import bpy
 import gpu
+import numpy as np
 from gpu_extras.batch import batch_for_shader
 
 PREFIX = "" if bpy.app.version >= (4, 0, 0) else "3D_"
@@ -34,6 +35,63 @@ def draw(marks: Iterable[Marks], region: Any, view_data: Any, in_front: bool = F
         for mark in marks:
             if len(mark.points):
                 _draw(mark, region)
+
+
+@dataclass(frozen=True)
+class Rough:
+    """Lines of a view that moves."""
+
+    marks: list[Marks]
+    hidden: Any  # the colour of those behind surfaces, or None where they are not shown
+    hidden_scale: float  # of their width
+
+
+def draw_rough(rough: Rough, region: Any, view_data: Any) -> None:
+    """Draws what is seen of rough lines, and what is hidden of them."""
+    draw(rough.marks, region, view_data)
+    if rough.hidden is None:
+        return
+    scale = rough.hidden_scale
+    behind = [
+        Marks(m.shape, m.points, rough.hidden, m.size * scale) for m in rough.marks if len(m.points)
+    ]
+    with _state(view_data, False):
+        gpu.state.depth_test_set("GREATER")
+        for mark in behind:
+            _draw(mark, region)
+
+
+def surface_batch(positions: Any, triangles: Any) -> Any:
+    """What the graphics card keeps of a surface: (n, 3) world, (t, 3) corners."""
+    points = np.ascontiguousarray(positions, np.float32)
+    corners = np.ascontiguousarray(triangles, np.int32)
+    return batch_for_shader(_shader("UNIFORM_COLOR"), "TRIS", {"pos": points}, indices=corners)
+
+
+def draw_depth(batch: Any) -> None:
+    """Lets a surface hide what is drawn after it, and shows nothing of it."""
+    gpu.state.color_mask_set(False, False, False, False)
+    gpu.state.depth_mask_set(True)
+    gpu.state.depth_test_set("LESS_EQUAL")
+    batch.draw(_shader("UNIFORM_COLOR"))
+    gpu.state.depth_test_set("NONE")
+    gpu.state.color_mask_set(True, True, True, True)
+
+
+def ribbon_batch(ribbons: Any) -> Any:
+    """What the graphics card keeps of `ribbons.Ribbons`; None where there are none."""
+    if not len(ribbons.triangles):
+        return None
+    shader = _shader("SMOOTH_COLOR")
+    values = {"pos": ribbons.points, "color": ribbons.colours}
+    return batch_for_shader(shader, "TRIS", values, indices=ribbons.triangles)
+
+
+def draw_ribbons(batch: Any) -> None:
+    """Draws ribbons over a region, in its own pixels."""
+    gpu.state.blend_set("ALPHA")
+    batch.draw(_shader("SMOOTH_COLOR"))
+    gpu.state.blend_set("NONE")
 
 
 def _draw(mark: Marks, region: Any) -> None:

@@ -8,8 +8,8 @@ from bpy.app.handlers import persistent
 
 from ..messages import IllustrateError
 from ..plot.plots import PLANNED, page_of
-from ..scene import camera_problem, read_camera
-from .live import _redraw
+from ..reading.scene import camera_problem, frame_corners, read_camera
+from .shown import Shown
 
 PAPER, MARGIN, TRAVEL = (1.0, 1.0, 1.0, 1.0), (0.3, 0.6, 1.0, 1.0), (0.9, 0.1, 0.1, 0.7)
 
@@ -32,31 +32,16 @@ def on_frame(points_mm: Any, placing: Any, size_px: Any, corners: Any) -> Any:
     return origin + share[:, :1] * right + share[:, 1:] * down
 
 
-def frame_corners(scene: Any) -> Any:
-    """(3, 3) the camera frame's top left, top right and bottom left, in the world."""
-    camera = scene.camera
-    # Blender's order: top right, bottom right, bottom left, top left.
-    found = [camera.matrix_world.normalized() @ c for c in camera.data.view_frame(scene=scene)]
-    return np.array([found[3], found[0], found[2]])
-
-
-class PageOverlay:
+class PageOverlay(Shown):
     """What is shown, and the handle that Blender has of it."""
 
     def __init__(self) -> None:
         self.shows_page = self.shows_travel = False
-        self._handle: Any = None
 
     def show(self, page: bool, travel: bool) -> None:
         """Switches the page and the ways with the pen up on or off."""
         self.shows_page, self.shows_travel = page, travel
-        is_wanted, view = page or travel, bpy.types.SpaceView3D
-        if is_wanted and self._handle is None:
-            self._handle = view.draw_handler_add(self._draw, (), "WINDOW", "POST_VIEW")
-        elif not is_wanted and self._handle is not None:
-            view.draw_handler_remove(self._handle, "WINDOW")
-            self._handle = None
-        _redraw()
+        self._switch(page or travel)
 
     def lines(self, scene: Any, depsgraph: Any) -> list[tuple[Any, Any]]:
         """Ends of lines (n, 3) in the world, with their colours; none without a usable camera."""

@@ -78,24 +78,42 @@ class Driver:
         os._exit(1 if any(self.results.values()) else 0)
 
 
-def main() -> None:
-    """Registers the add-on and starts the driver."""
+def provide() -> None:
+    """Registers the add-on."""
     sys.path[:0] = [str(HERE), str(HERE.parent)]
     import installed
 
     installed.provide()
     import illustrate
-    import scenarios
 
     bpy.context.preferences.view.show_splash = False
+    bpy.context.preferences.system.viewport_aa = "OFF"  # there is no graphics card
     if not installed.is_enabled(illustrate):
         illustrate.register()
+
+
+def run(scenarios: list[Scenario]) -> None:
+    """Starts the driver with those that are named after the folder, or all of them."""
     out = pathlib.Path(sys.argv[sys.argv.index("--") + 1]).resolve()
     out.mkdir(parents=True, exist_ok=True)
     chosen = sys.argv[sys.argv.index("--") + 2 :]
-    wanted = [each for each in scenarios.ALL if not chosen or each.__name__ in chosen]
+    wanted = [each for each in scenarios if not chosen or each.__name__ in chosen]
     driver = Driver(wanted, out)
     bpy.app.timers.register(driver.tick, first_interval=1.0, persistent=True)
+
+
+def main() -> None:
+    """All scenarios."""
+    provide()
+    import hands_scenarios
+    import job_scenarios
+    import live_scenarios
+    import live_times
+    import paper_scenarios
+    import scenarios
+
+    parts = (scenarios, job_scenarios, live_scenarios, paper_scenarios, hands_scenarios, live_times)
+    run([each for part in parts for each in part.ALL])
 
 
 if __name__ == "__main__":

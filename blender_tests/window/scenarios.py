@@ -2,69 +2,19 @@
 
 import contextlib
 import pathlib
-import statistics
 import time
-from collections.abc import Generator
 from typing import Any
 
 import bpy
 import hands
 import numpy as np
-from illustrate import tasks, worker
+from illustrate.running import jobs, tasks
 from illustrate.ui import panel as side_panel
 from illustrate.ui import plot_panel, style_panel
 from illustrate.viewport.inspect import INSPECTOR, KINDS
-from illustrate.viewport.live import LIVE
-from mathutils import Quaternion
+from staging import Steps, new_scene, open_panel, pencils, strokes
 
-import tools
-
-Steps = Generator[Any, None, None]
 SUB_PANELS = [p for p in (*side_panel.CLASSES, *plot_panel.CLASSES) if hasattr(p, "bl_parent_id")]
-
-
-def new_scene(detail: int = 2) -> Any:
-    """Suzanne, subdivided, with a camera and a sun, and nothing else."""
-    with hands.override():
-        bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True, load_ui=False)
-    scene = hands.window().scene
-    tools.add_camera(scene, (2.5, -5, 2), (1000, 1000))
-    sun = bpy.data.objects.new("Sun", bpy.data.lights.new("Sun", "SUN"))
-    sun.rotation_euler = (0.6, 0.5, 0)
-    scene.collection.objects.link(sun)
-    with hands.override():
-        bpy.ops.mesh.primitive_monkey_add()
-    monkey = hands.window().view_layer.objects.active
-    tools.subdivide(monkey, levels=detail)
-    tools.shade_smooth(monkey, [True] * len(monkey.data.polygons))
-    hands.viewport().spaces.active.region_3d.view_distance = 5.0
-    with hands.override():
-        bpy.ops.ed.undo_push(message="New Scene")
-    return scene
-
-
-def pencils() -> list[Any]:
-    return [thing for thing in bpy.data.objects if thing.type == tools.pencil_type()]
-
-
-def strokes() -> int:
-    return sum(len(found) for thing in pencils() for found in tools.read_pencil(thing).values())
-
-
-def open_panel() -> Steps:
-    """Opens the side panel and finds the add-on's tab as one who clicks on one after the other."""
-    hands.show_side_panel(True)
-    hands.watch_panel()
-    yield 0.5
-    for place in hands.tab_places():
-        hands.click(*place)
-        yield 0.3
-        hands.redraw()
-        hands.panel_was_drawn()  # forgets what was drawn before the click was heard
-        hands.redraw()
-        if hands.panel_was_drawn():
-            return
-    raise AssertionError("no tab shows the panel")
 
 
 def the_button_draws(out: pathlib.Path) -> Steps:
@@ -123,7 +73,7 @@ def escape_stops_a_run(out: pathlib.Path) -> Steps:
         yield 0.2
         assert state() == before
     print("ESC to its end:", *(f"{1000 * s:.0f} ms" for s in latencies), flush=True)
-    yield lambda: not worker._running
+    yield lambda: not jobs.are_leaving()
     hands.picture(out / "5_after_escape.png")
 
 
@@ -240,59 +190,6 @@ def a_bake_is_stopped_between_frames(out: pathlib.Path) -> Steps:
     hands.picture(out / "7_baked.png")
 
 
-def live_lines_follow_the_view(out: pathlib.Path) -> Steps:
-    """60,000 triangles; lines while orbiting, quickly enough; nothing is left afterwards."""
-    new_scene()
-    hands.show_side_panel(False)
-    yield 0.3
-    plain = dark(hands.picture(out / "8_without_lines.png"))
-    hands.manager().illustrate_live = True
-    yield lambda: LIVE.lines is not None
-    view = hands.viewport().spaces.active.region_3d
-    LIVE.seconds.clear()
-    for i in range(25):
-        view.view_rotation = Quaternion((0, 0, 1), 0.02) @ view.view_rotation
-        hands.redraw()
-        if i % 20 == 19:
-            yield 0.05
-    shown = dark(hands.picture(out / "9_live_lines.png"))
-    assert shown > plain + 300, (plain, shown)
-    triangles = LIVE.lines.triangle_count if LIVE.lines else 0
-    median = statistics.median(LIVE.seconds)
-    print(f"live lines: {triangles} triangles, median {1000 * median:.1f} ms a redraw", flush=True)
-    assert len(LIVE.seconds) >= 25 and triangles > 50_000
-    hands.manager().illustrate_live_eye = "CAMERA"
-    hands.picture(out / "10_lines_of_the_camera.png")
-    hands.manager().illustrate_live_eye = "VIEW"
-    bpy.data.objects["Suzanne"].location.x += 0.5
-    lines = LIVE.lines
-    yield lambda: LIVE.lines is not lines
-    lines = LIVE.lines
-    yield 1.0
-    assert LIVE.lines is lines, "read again although nothing changed"
-    hands.manager().illustrate_live = False
-    assert LIVE._handle is None
-    after = dark(hands.picture(out / "11_lines_off.png"))
-    assert after < shown - 300
-
-
-def dark(path: pathlib.Path) -> int:
-    """Black pixels of the 3D view."""
-    return int((hands.pixels(path).max(axis=2) < 0.06).sum())
-
-
-def live_lines_end_with_the_file(_out: pathlib.Path) -> Steps:
-    """Loading a file turns them off, while they are shown and while they are made."""
-    for pause in (0.0, 1.0):
-        new_scene(4)
-        hands.manager().illustrate_live = True
-        yield pause
-        new_scene()
-        assert not LIVE.is_on and LIVE._handle is None and LIVE.lines is None
-        yield 0.5
-        hands.redraw()
-
-
 def overlays_are_shown(out: pathlib.Path) -> Steps:
     """Each overlay is seen."""
     new_scene()
@@ -380,8 +277,6 @@ ALL = [
     the_view_moves_while_it_works,
     saved_and_reopened,
     a_bake_is_stopped_between_frames,
-    live_lines_follow_the_view,
-    live_lines_end_with_the_file,
     overlays_are_shown,
     the_page_is_shown,
     the_panel_says_what_is_wrong,

@@ -5,13 +5,13 @@ from typing import Any
 
 import bpy
 
-from . import native, output
-from .illustration import compute, hatches_render, read_request
-from .messages import IllustrateError, counted
+from .. import native, output
+from ..messages import IllustrateError, counted
+from ..reading.tone_images import tone_of
+from .illustration import computing, hatches_render, read_request
 from .operators import DrawingOperator, still_there
 from .rendering import render_steps
-from .tasks import Step, Task
-from .tone_images import tone_of
+from .tasks import Task
 
 
 def frames_of(scene: Any) -> range:
@@ -36,7 +36,7 @@ class ILLUSTRATE_OT_bake(DrawingOperator, bpy.types.Operator):
     )
 
     def task(self, context: Any) -> Task:
-        """Draws frame after frame in a thread; writes them together at the end."""
+        """Draws frame after frame beside Blender; writes them together at the end."""
         scene, start = context.scene, time.perf_counter()
         name = scene.name
         output.check_can_bake(scene.illustrate.output)
@@ -48,14 +48,15 @@ class ILLUSTRATE_OT_bake(DrawingOperator, bpy.types.Operator):
                 scene.frame_set(frame)
                 rendered = None
                 if hatches_render(scene.illustrate):
-                    share = done / len(frames)
-                    rendered = yield from render_steps(scene, self.is_modal, tone_of, share, share)
+                    at = done / len(frames)
+                    rendered = yield from render_steps(scene, self.is_modal, tone_of, at, at)
                     scene = still_there(name)
                 request = read_request(scene, context.evaluated_depsgraph_get(), rendered)
                 request.expose_as(previous)
                 if scene.illustrate.keep_strokes and native.can_seed():
                     request.previous = previous
-                made = yield _step(request, frame, done / len(frames), (done + 1) / len(frames))
+                share = done / len(frames), (done + 1) / len(frames)
+                made = yield from computing(request, share, f"Frame {frame}")
                 sheets.append(output.sheet_of(made.drawing, made.arrays.camera, frame, made.names))
                 warnings += [w for w in made.warnings if w not in warnings]
                 previous = made.drawing
@@ -75,10 +76,6 @@ def _go_back(scene_name: str, frame: int, subframe: float) -> None:
     scene = bpy.data.scenes.get(scene_name)
     if scene is not None:
         scene.frame_set(frame, subframe=subframe)
-
-
-def _step(request: Any, frame: int, start: float, end: float) -> Step:
-    return Step(lambda progress: compute(request, progress), start, end, f"Frame {frame}")
 
 
 register, unregister = bpy.utils.register_classes_factory((ILLUSTRATE_OT_bake,))

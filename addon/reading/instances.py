@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 
+from ..settings.styles import Surface, style_of, surface_of
 from .cages import mesh_of, read_cages, trailing_subdivision
 from .lightness import LightnessReader
 from .mesh_arrays import MeshArrays, read_mesh
 from .seen_as import seen_as, with_materials
-from .styles import Surface, style_of, surface_of
 
 WITHOUT_SURFACE = {"POINTCLOUD": "point cloud", "VOLUME": "volume", "CURVES": "hair object"}
 STRANDS = "object with particle hair"
@@ -71,7 +71,7 @@ def read_shown(scene: Any, depsgraph: Any, is_wanted: Callable[[Any], bool]) -> 
         for kind in _without_surface(thing, instance.is_instance):
             shown.leave_out(kind, thing.name)
         if thing.type == "MESH":
-            place = (thing.name, style, surface, np.array(instance.matrix_world))
+            place = (thing.name, style, surface, np.array(instance.matrix_world, float))
             mesh = reader.read(thing, surface)
             pending.append((place, thing.original, mesh, _materials(thing)))
     _place(pending, shown, scene)

@@ -1,12 +1,11 @@
 """From a scene to a drawing: reads, prepares and draws.
 
-Reading asks Blender and belongs to the main thread; computing takes plain data and runs in any
-thread.
+Reading asks Blender; computing takes plain data and runs beside Blender, as jobs.
 """
 
 import time
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -14,15 +13,15 @@ from typing import Any
 
 import numpy as np
 
-from . import native, settings
+from .. import native
+from ..messages import IllustrateError, counted, quoted
+from ..reading.light_arrays import LightArrays
+from ..reading.mesh_arrays import MeshArrays
+from ..reading.scene import CameraArrays, SceneArrays, read_lights, read_scene
+from ..reading.tone_images import read_tone
+from ..settings import scene_settings as settings
 from .cache import CACHE, Cache, digest, split_widths
-from .light_arrays import LightArrays
-from .mesh_arrays import MeshArrays
-from .messages import IllustrateError, counted, quoted
-from .scene import SceneArrays, read_scene
-from .tone_images import read_tone
-
-Progress = Callable[[float, str], bool]
+from .jobs import Progress, Step, Steps, run
 
 PREPARING = 0.6  # share of the progress of a drawing that preparing has
 
@@ -55,7 +54,7 @@ class Request:
     draw: dict[str, Any]  # values of DrawOptions
     guide_weight: float
     warnings: list[str]
-    read_seconds: float
+    read_seconds: float = 0.0
     previous: Any = None  # the drawing whose strokes the new one starts from
 
     def expose_as(self, drawing: Any) -> None:
@@ -127,7 +126,7 @@ def prepare_scene(scene: Any, depsgraph: Any, progress: Progress | None = None) 
 
     Raises IllustrateError where `illustrate` does.
     """
-    return compute_prepared(read_request(scene, depsgraph), progress)
+    return run(preparing(read_request(scene, depsgraph)), progress)
 
 
 def read_request(scene: Any, depsgraph: Any, rendered: Any = None) -> Request:
@@ -135,23 +134,43 @@ def read_request(scene: Any, depsgraph: Any, rendered: Any = None) -> Request:
 
     rendered: (h, w) the light of a render of this frame, rows downwards, that gives tone.
     """
-    chosen, start = scene.illustrate, time.perf_counter()
+    start = time.perf_counter()
+    request = request_of(scene, read_arrays(scene, depsgraph), rendered)
+    request.read_seconds = time.perf_counter() - start
+    return request
+
+
+def read_arrays(scene: Any, depsgraph: Any, camera: CameraArrays | None = None) -> SceneArrays:
+    """The scene as its settings have it read. camera: another one than the scene's."""
+    chosen = scene.illustrate
     arrays = read_scene(
         scene,
         depsgraph,
         selected_only=chosen.source == "SELECTION",
-        use_lights=chosen.lighting == "SCENE",
+        use_lights=False,
         guides=chosen.guides,
+        camera=camera,
     )
-    if chosen.lighting == "SIDE":
-        arrays.lights = [LightArrays("side", None, 1.0)]
-    draw = settings.draw_values(chosen, arrays.camera.width_px)
+    arrays.lights = lights_of(scene, depsgraph)
+    return arrays
+
+
+def lights_of(scene: Any, depsgraph: Any) -> list[LightArrays]:
+    """The lights that the settings choose; none: a headlight."""
+    if scene.illustrate.lighting == "SIDE":
+        return [LightArrays("side", None, 1.0)]
+    return read_lights(scene, depsgraph) if scene.illustrate.lighting == "SCENE" else []
+
+
+def request_of(scene: Any, arrays: SceneArrays, rendered: Any = None) -> Request:
+    """What has been read, with the settings as they are now."""
+    chosen, camera = scene.illustrate, arrays.camera
+    draw = settings.draw_values(chosen, camera.width_px)
     draw["auto_exposure"] = shares_exposure(chosen)
-    size = arrays.camera.width_px, arrays.camera.height_px
     warnings: list[str] = []
     draw["tone_image"] = rendered if draw["hatching"] else None
     if rendered is None and draw["hatching"]:
-        draw["tone_image"], warnings = read_tone(scene, *size)
+        draw["tone_image"], warnings = read_tone(scene, camera.width_px, camera.height_px)
     return Request(
         scene.name,
         arrays,
@@ -159,7 +178,6 @@ def read_request(scene: Any, depsgraph: Any, rendered: Any = None) -> Request:
         draw,
         chosen.guide_weight,
         warnings + _guide_warnings(scene, arrays),
-        time.perf_counter() - start,
     )
 
 
@@ -177,51 +195,78 @@ def hatches_render(chosen: Any) -> bool:
 def compute(
     request: Request, progress: Progress | None = None, cache: Cache = CACHE
 ) -> Illustration:
-    """The illustration that a request asks for. Raises IllustrateError.
+    """The illustration that a request asks for, at once. Raises IllustrateError.
 
-    What the cache still has of the last one is taken over. Raises `illustrate_native.Cancelled`
-    when progress returned False.
+    Raises `illustrate_native.Cancelled` when progress returned False.
     """
-    start = 0.0 if cache.has(request.prepared_key) else PREPARING
-    prepared = compute_prepared(request, _part(progress, 0.0, start), cache)
-    drawn: list[Any] = []
+    return run(computing(request, cache=cache), progress)
 
-    def draw() -> Any:
-        drawn.append(_draw(request, prepared, _part(progress, start, 1.0)))
-        return drawn[0]
 
+def computing(
+    request: Request,
+    share: tuple[float, float] = (0.0, 1.0),
+    title: str = "",
+    cache: Cache = CACHE,
+) -> Steps[Illustration]:
+    """The same in steps, whose progress is a share of all. What the cache has is taken over."""
+    is_prepared, (start, end) = cache.has(request.prepared_key), share
+    between = start if is_prepared else start + PREPARING * (end - start)
+    prepared = yield from preparing(request, (start, between), title, cache)
     with _explained(request):
         # Strokes that start from a previous frame's are no function of the request alone.
-        kept = request.previous is None
-        drawing = cache.drawing(request.drawing_key, request.widths, draw) if kept else draw()
+        is_kept = request.previous is None
+        drawing: Any = cache.drawing(request.drawing_key, request.widths) if is_kept else None
+        is_drawn = drawing is None
+        if is_drawn:
+            drawing = yield Step(start_drawing(request, prepared), between, end, title)
+        if is_drawn and is_kept:
+            cache.keep_drawing(request.drawing_key, request.widths, drawing)
     seconds = {"read": request.read_seconds}
-    seconds.update(prepared.timings if start else {})
-    seconds.update(drawn[0].timings if drawn else {})
+    seconds.update({} if is_prepared else prepared.timings)
+    seconds.update(drawing.timings if is_drawn else {})
     warnings = _warnings(request.arrays, prepared.reports) + request.warnings
     warnings += _crowding(drawing.counts, prepared)
     return Illustration(drawing, prepared, request.arrays, warnings, seconds)
 
 
-def compute_prepared(
-    request: Request, progress: Progress | None = None, cache: Cache = CACHE
-) -> Any:
+def preparing(
+    request: Request,
+    share: tuple[float, float] = (0.0, 1.0),
+    title: str = "",
+    cache: Cache = CACHE,
+) -> Steps[Any]:
     """`illustrate_native.Prepared` for a request, from the cache where it is there."""
-    ill = native.load()
-
-    def make(previous: Any) -> Any:
-        meshes = native_meshes(ill, request.arrays)
-        options = settings.prepare_options(
-            request.prepare, request.arrays.guides, request.guide_weight
-        )
-        options.field = request.draw["hatching"]
-        prepared = ill.prepare(meshes, options, progress=progress, previous=previous)
-        if not len(prepared.surface.triangles):
-            raise _nothing_is_left(request, prepared.reports)
+    prepared = cache.prepared(request.prepared_key)
+    if prepared is not None:
         return prepared
-
     with _explained(request):
         follows = request.previous is not None
-        return cache.prepared(request.prepared_key, request.meshes_key, make, follows)
+        previous = cache.last_prepared(request.meshes_key, follows)
+        prepared = yield Step(start_preparing(request, previous), *share, title)
+        if not len(prepared.surface.triangles):
+            raise _nothing_is_left(request, prepared.reports)
+        cache.keep_prepared(request.prepared_key, request.meshes_key, prepared)
+    return prepared
+
+
+def start_preparing(request: Request, previous: Any) -> Any:
+    """The job that prepares a request."""
+    ill = native.load()
+    options = settings.prepare_options(request.prepare, request.arrays.guides, request.guide_weight)
+    options.field = request.draw["hatching"]
+    return ill.start_prepare(native_meshes(ill, request.arrays), options, previous=previous)
+
+
+def start_drawing(request: Request, prepared: Any) -> Any:
+    """The job that draws a request."""
+    ill, arrays = native.load(), request.arrays
+    return ill.start_draw(
+        prepared,
+        ill.Camera(**vars(arrays.camera)),
+        settings.draw_options(request.draw, arrays.styles),
+        lights=[ill.Light(**vars(light)) for light in arrays.lights],
+        previous=getattr(request.previous, "original", request.previous),
+    )
 
 
 def native_meshes(ill: Any, arrays: SceneArrays) -> list[Any]:
@@ -258,28 +303,6 @@ def _native_mesh(ill: Any, mesh: MeshArrays, textures: dict[int, Any]) -> Any:
 def _can_share(matrix: Any) -> bool:
     is_affine = np.isfinite(matrix).all() and (matrix[3] == (0, 0, 0, 1)).all()
     return bool(is_affine and np.linalg.det(matrix[:3, :3]) > 0)
-
-
-def _draw(request: Request, prepared: Any, progress: Progress | None) -> Any:
-    ill = native.load()
-    arrays = request.arrays
-    last = getattr(request.previous, "original", request.previous)
-    seeds = {"previous": last} if last is not None else {}
-    return ill.draw(
-        prepared,
-        ill.Camera(**vars(arrays.camera)),
-        settings.draw_options(request.draw, arrays.styles),
-        progress=progress,
-        lights=[ill.Light(**vars(light)) for light in arrays.lights],
-        **seeds,
-    )
-
-
-def _part(progress: Progress | None, start: float, end: float) -> Progress | None:
-    """Progress of a part [start, end] of the whole."""
-    if progress is None:
-        return None
-    return lambda fraction, stage: progress(start + (end - start) * fraction, stage)
 
 
 @contextmanager

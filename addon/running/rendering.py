@@ -6,27 +6,25 @@ can be watched and ended with ESC; in the background, and for scripts, it is wai
 
 import os
 import tempfile
-import threading
-from collections.abc import Callable, Generator, Iterator
+from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, contextmanager
 from typing import Any
 
 import bpy
 
-from .messages import IllustrateError
-from .ownership import is_ours, mark
-from .tasks import Step
-from .tone_images import load
+from ..messages import IllustrateError
+from ..ownership import is_ours, mark
+from ..reading.tone_images import load
+from .jobs import Step, Steps, run
 
 NAME = "Illustration Tone"
-INTERVAL_S = 0.05
 
 Handlers = dict[str, Callable[..., None]]
 
 
 def render_steps(
     scene: Any, as_job: bool, read: Callable[[Any], Any], start: float = 0.0, end: float = 0.5
-) -> Generator[Step, Any, Any]:
+) -> Steps[Any]:
     """read(image) of a render of the scene's current frame; the image is gone afterwards.
 
     as_job: as a job of Blender's, which a step waits for; else at once. Raises IllustrateError.
@@ -36,7 +34,7 @@ def render_steps(
             name = scene.name
             with _Watch() as watch:
                 _render(scene, "INVOKE_DEFAULT")
-                yield Step(watch.wait, start, end, "Rendering", shares_esc=True)
+                yield Step(watch, start, end, "Rendering", shares_esc=True)
             scene = bpy.data.scenes[name]
         else:
             _render(scene, "EXEC_DEFAULT")
@@ -45,11 +43,7 @@ def render_steps(
 
 def render_now(scene: Any, read: Callable[[Any], Any]) -> Any:
     """The same at once."""
-    try:
-        next(render_steps(scene, False, read))
-    except StopIteration as end:
-        return end.value
-    raise AssertionError("a render at once has no steps")
+    return run(render_steps(scene, False, read))
 
 
 def kept(image: Any) -> str:
@@ -129,10 +123,10 @@ def _as_png(scene: Any) -> AbstractContextManager[None]:
 
 
 class _Watch:
-    """Knows when a render that runs as a job is over."""
+    """A render that runs as a job of Blender's, looked at as one of the native module's."""
 
     def __init__(self) -> None:
-        self._is_over, self._was_cancelled = threading.Event(), False
+        self.is_done = self._was_cancelled = False
         self._handlers: Handlers = {"render_complete": self._end, "render_cancel": self._cancel}
 
     def __enter__(self) -> "_Watch":
@@ -147,16 +141,23 @@ class _Watch:
                 listed.remove(handler)
 
     def _end(self, *_: Any) -> None:
-        self._is_over.set()
+        self.is_done = True
 
     def _cancel(self, *_: Any) -> None:
-        self._was_cancelled = True
-        self._is_over.set()
+        self._was_cancelled = self.is_done = True
 
-    def wait(self, progress: Callable[[float, str], bool]) -> None:
-        """Returns when the render is whole. Raises IllustrateError when it is not to be."""
-        while not self._is_over.wait(INTERVAL_S):
-            if not progress(0.0, ""):
-                raise IllustrateError("The render was cancelled: nothing was changed")
+    def poll(self) -> tuple[float, str]:
+        """Blender shows itself how far its render is."""
+        return 0.0, ""
+
+    def cancel(self) -> None:
+        """Only Blender's own ESC ends its render; what comes of it is not taken."""
+
+    def wait(self, _seconds: float) -> bool:
+        """Never waited for: while Python waits, Blender does not come to tell of the end."""
+        return self.is_done
+
+    def result(self) -> None:
+        """Raises IllustrateError when the render is not to be whole."""
         if self._was_cancelled:
             raise IllustrateError("The render was cancelled: nothing was changed")

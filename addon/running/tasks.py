@@ -1,23 +1,21 @@
 """Operators that take a while: the same task runs at once for scripts, and modal for the artist.
 
-A task is a generator. It does what needs Blender itself and yields a Step for everything long; the
-result of the step is sent back to it. Its last words, the reports, are its return value. When it is
-cancelled it is closed: what it must set back stands in a `finally`.
+A task is a generator of steps (jobs.py). Its last words, the reports, are its return value. When it
+is cancelled it is closed: what it must set back stands in a `finally`.
 """
 
 import time
-from collections.abc import Callable, Generator
-from dataclasses import dataclass
+from collections.abc import Callable
 from typing import Any
 
 import bpy
 
-from .messages import IllustrateError
-from .worker import Progress, Worker
+from ..messages import IllustrateError
+from .jobs import Steps, go_on, let_go, run
 
-Task = Generator["Step", Any, list[tuple[str, str]]]
+Task = Steps[list[tuple[str, str]]]
 
-INTERVAL_S = 0.02  # between looks at the worker
+INTERVAL_S = 0.02  # between looks at the job
 SHOWN_S = 0.2  # that a text stays at least
 REDRAW_SHARE = 5.0  # and so many times as long as Blender takes to show it
 NAVIGATION = {
@@ -48,23 +46,18 @@ STAGES = {
 """What the artist reads for the names of the native stages."""
 
 
-@dataclass(frozen=True)
-class Step:
-    """Work for a thread: plain data in, plain data out. `start` .. `end` is its share of all."""
-
-    work: Callable[[Progress], Any]
-    start: float = 0.0
-    end: float = 1.0
-    title: str = ""  # what comes before the stage
-    shares_esc: bool = False  # whether a job of Blender's that it waits for is to see ESC, too
-
-
 _running: list["TaskOperator"] = []
 
 
 def is_running() -> bool:
     """True while a modal task runs."""
     return bool(_running)
+
+
+def stop_all() -> None:
+    """Ends what runs, without a result: before the operators' classes go."""
+    while _running:
+        _running[-1].cancel(bpy.context)
 
 
 def status_text(fraction: float, title: str, stage: str) -> str:
@@ -89,17 +82,10 @@ class TaskOperator:
 
     def execute(self, context: Any) -> set[str]:
         """Does the whole job; an error leaves the scene as it was."""
-        task, result = self.task(context), None
         try:
-            while True:
-                step = task.send(result)
-                result = step.work(lambda _fraction, _stage: True)
-        except StopIteration as end:
-            return self._finish(end.value)
+            return self._finish(run(self.task(context)))
         except IllustrateError as error:
             return self._fail(error)
-        finally:
-            task.close()
 
     def invoke(self, context: Any, _event: Any) -> set[str]:
         """Starts the job in the background, with progress and ESC."""
@@ -108,7 +94,7 @@ class TaskOperator:
         self.is_modal = True
         self._task = self.task(context)
         try:
-            self._start(self._task.send(None))
+            self._step = next(self._task)
         except StopIteration as end:
             return self._finish(end.value)
         except IllustrateError as error:
@@ -131,7 +117,7 @@ class TaskOperator:
         if event.type != "TIMER":
             return {"PASS_THROUGH" if event.type in NAVIGATION else "RUNNING_MODAL"}
         self._show_progress(context)
-        if not self._worker.is_done:
+        if not self._step.job.is_done:
             return {"RUNNING_MODAL"}
         try:
             return self._go_on(context)
@@ -141,21 +127,14 @@ class TaskOperator:
 
     def cancel(self, context: Any) -> None:
         """Ends without a result; Blender calls it too, when a file is loaded or the window goes."""
-        self._worker.cancel()
+        let_go(self._step.job)
         self._task.close()
         self._clean_up(context)
 
-    def _start(self, step: Step) -> None:
-        self._step, self._worker = step, Worker(step.work)
-
     def _go_on(self, context: Any) -> set[str]:
-        """Hands the result of a step to the task and starts the next."""
-        worker, task = self._worker, self._task
+        """Hands the result of a step to the task and takes the next."""
         try:
-            if worker.error is not None:
-                self._start(task.throw(worker.error))
-            else:
-                self._start(task.send(worker.result))
+            self._step = go_on(self._task, self._step.job)
         except StopIteration as end:
             self._clean_up(context)
             return self._finish(end.value)
@@ -166,9 +145,8 @@ class TaskOperator:
 
     def _show_progress(self, context: Any) -> None:
         """Only what has changed: every text makes Blender redraw, and keys wait meanwhile."""
-        step, worker = self._step, self._worker
-        fraction = step.start + (step.end - step.start) * worker.fraction
-        text = status_text(fraction, step.title, worker.stage)
+        fraction, stage = self._step.state()
+        text = status_text(fraction, self._step.title, stage)
         now = time.monotonic()
         if self._is_redrawing:  # the first event since: so long it took
             self._is_redrawing = False

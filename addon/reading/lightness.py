@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from .cache import digest
+from ..running.cache import digest
 
 PAPER = 0.8  # Blender's own base colour: what is as light is white paper, and nothing is whiter
 LUMINANCE = (0.2126, 0.7152, 0.0722)

@@ -7,7 +7,7 @@ from typing import Any
 import bpy
 import numpy as np
 
-from .ownership import is_ours
+from ..ownership import is_ours
 
 
 @dataclass
@@ -37,7 +37,7 @@ def read_guides(collection: Any, frame: int) -> GuideArrays:
     }
     guides = GuideArrays()
     for thing in list(collection.all_objects):  # reading curves makes and removes objects
-        matrix, said = np.array(thing.matrix_world), thing.illustrate_guide
+        matrix, said = np.array(thing.matrix_world, float), thing.illustrate_guide
         if thing.type == "EMPTY" and said.turns:
             guides.turn_places.append(matrix[:3, 3])
             guides.turns.append(said.turns)
@@ -97,7 +97,7 @@ def _strokes_v2(thing: Any, frame: int) -> Iterator[Any]:
         past = [drawn for drawn in layer.frames if drawn.frame_number <= frame]
         if layer.hide or not past:
             continue
-        matrix = np.array(layer.matrix_layer)
+        matrix = np.array(layer.matrix_layer, float)
         for stroke in max(past, key=lambda drawn: int(drawn.frame_number)).strokes:
             flat = np.zeros(3 * len(stroke.points), np.float32)
             stroke.points.foreach_get("co", flat)
@@ -110,7 +110,7 @@ def _strokes_v3(thing: Any, frame: int) -> Iterator[Any]:
         drawn = None if layer.hide else layer.get_frame_at(frame)
         if drawn is None:
             continue
-        matrix = np.array(layer.matrix_local)
+        matrix = np.array(layer.matrix_local, float)
         for stroke in drawn.drawing.strokes:
             points = np.array([point.position for point in stroke.points], float).reshape(-1, 3)
             yield _closed(points @ matrix[:3, :3].T + matrix[:3, 3], stroke.cyclic)

@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 from typing import Any
 
-from .ownership import is_ours
-from .scene import camera_problem, nothing_to_draw
-from .styles import style_of
+from ..ownership import is_ours
+from ..reading.scene import camera_problem, nothing_to_draw
+from ..settings.styles import style_of
 
 SECONDS_PER_TRIANGLE = 15e-6  # measured, with hatching, two cores
 LONG_S = 10.0
@@ -18,7 +18,7 @@ def stopping_problem(scene: Any, view_layer: Any) -> str:
     if problem:
         return problem
     selected_only = scene.illustrate.source == "SELECTION"
-    if next(_drawable(scene, view_layer, selected_only), None) is None:
+    if next(drawable(scene, view_layer, selected_only), None) is None:
         empty = [thing.name for thing in view_layer.objects if thing.type == "MESH"]
         return nothing_to_draw(scene, selected_only, [] if selected_only else empty)
     return ""
@@ -28,7 +28,7 @@ def slowing_problem(scene: Any, view_layer: Any) -> str:
     """A word about scenes that take long, with the way out; empty for others."""
     counts = {
         thing.name: len(thing.data.polygons)
-        for thing in _drawable(scene, view_layer, scene.illustrate.source == "SELECTION")
+        for thing in drawable(scene, view_layer, scene.illustrate.source == "SELECTION")
         if thing.type == "MESH"
     }
     seconds = SECONDS_PER_TRIANGLE * 2 * sum(counts.values())
@@ -41,7 +41,7 @@ def slowing_problem(scene: Any, view_layer: Any) -> str:
     )
 
 
-def _drawable(scene: Any, view_layer: Any, selected_only: bool) -> Iterator[Any]:
+def drawable(scene: Any, view_layer: Any, selected_only: bool) -> Iterator[Any]:
     """Objects of the view layer that may be drawn; instances are not unfolded."""
     guides = scene.illustrate.guides
     for thing in view_layer.objects:

@@ -14,12 +14,13 @@ from bpy.props import (
     PointerProperty,
 )
 
-from . import native, native_options
-from .guide_arrays import GuideArrays
+from .. import native
+from ..output import restyle
+from ..reading.guide_arrays import GuideArrays
+from ..reading.tone_images import SOURCES as TONE_SOURCES
+from . import native_options
 from .option_kinds import typed
-from .output import restyle
 from .styles import crease_angle
-from .tone_images import SOURCES as TONE_SOURCES
 
 SOURCES = [
     ("SCENE", "Scene", "Draw every mesh that can be seen", 0),
@@ -42,11 +43,24 @@ UNITS = [
     ("PIXEL", "Pixels", "Widths and distances are pixels of the render", 0),
     ("MILLIMETRE", "Millimetres", "Widths and distances are millimetres on the page", 1),
 ]
+PAPERS = [
+    ("WHITE", "White", "White paper", 0),
+    ("WORLD", "World", "Paper of the world's colour", 1),
+]
 BLACK = (0.0, 0.0, 0.0, 1.0)
 
 
 def _restyle(settings: Any, _context: Any) -> None:
     restyle(settings.id_data)
+
+
+def _on_paper(settings: Any, _context: Any) -> None:
+    for function in when_paper_changes:
+        function(settings.id_data)
+
+
+when_paper_changes: list[Any] = []
+"""Called with the scene."""
 
 
 def _colour(name: str, strokes: str, default: Any = BLACK) -> Any:
@@ -149,6 +163,13 @@ OWN: dict[str, Any] = {
         soft_max=100.0,
         description="How closely hatches follow the guides; 10 is nearly exact",
     ),
+    "paper": EnumProperty(
+        name="Paper",
+        items=PAPERS,
+        default="WHITE",
+        description="The colour behind the drawing in a viewport that is on paper",
+        update=_on_paper,
+    ),
     "line_color": _colour("Lines", "silhouettes and boundaries"),
     "feature_color": _colour("Features", "all other lines but hatches"),
     "hatch_color": _colour("Hatches", "hatches"),
@@ -231,6 +252,15 @@ def draw_values(settings: Any, width_px: int) -> dict[str, Any]:
         by_area = settings.tones == "AREA"
         values[name] = typed(getattr(settings, name)) if by_area else None
     return values
+
+
+def live_values(chosen: Any) -> tuple[Any, Any]:
+    """What live drawings look at: values that decide about shapes, and about all else."""
+    guides = chosen.guides.name if chosen.guides is not None else ""
+    shaping = (prepare_values(chosen), chosen.source, guides, chosen.guide_weight)
+    image = chosen.tone_image.name if chosen.tone_image is not None else ""
+    look = (draw_values(chosen, 1000), chosen.lighting, chosen.tone_source, image)
+    return (*shaping, chosen.crease_angle, chosen.loose_edges), (*look, chosen.auto_exposure)
 
 
 def prepare_options(values: dict[str, Any], guides: GuideArrays, guide_weight: float) -> Any:

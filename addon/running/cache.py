@@ -5,15 +5,15 @@ takes the prepared surface and field over; other widths take the whole drawing o
 """
 
 import hashlib
-from collections.abc import Callable
 from typing import Any
 
 import bpy
 import numpy as np
 from bpy.app.handlers import persistent
 
-from . import native, native_options
-from .native_options import WIDTHS
+from .. import native
+from ..settings import native_options
+from ..settings.native_options import WIDTHS
 
 MOST_DRAWINGS = 2
 MOST_STRETCH = 4.0  # of widths: strokes are simplified for the width that they were drawn with
@@ -33,37 +33,41 @@ class Cache:
         self._drawings: dict[str, tuple[Any, dict[str, Any]]] = {}
 
     def has(self, key: str) -> bool:
-        """True when `prepared` would be there at once."""
+        """True when `prepared` has it."""
         return self._prepared[0] == key
 
-    def prepared(
-        self, key: str, surface_key: str, make: Callable[[Any], Any], follows: bool = False
-    ) -> Any:
-        """What was prepared for `key`, else make(what is left of the last: the same surface).
+    def prepared(self, key: str) -> Any:
+        """What was prepared for `key`, or None."""
+        return self._prepared[2] if self.has(key) else None
+
+    def last_prepared(self, surface_key: str, follows: bool = False) -> Any:
+        """What the next may be made from: the last, where it has the same surface; or None.
 
         follows: the last is of the frame before, and handed on whatever its surface: it may be the
-        same in another pose.
+        same in another pose. What cannot be used is forgotten: two would need twice the memory.
         """
-        last_key, last_surface_key, last = self._prepared
-        if last_key == key:
-            return last
-        if last_surface_key != surface_key and not follows:
-            last = None
-            self.clear()  # two at a time would need twice the memory
-        made = make(last)
-        self._prepared = (key, surface_key, made)
-        self._drawings = {}
-        return made
+        if self._prepared[1] != surface_key and not follows:
+            self.clear()
+        return self._prepared[2]
 
-    def drawing(self, key: str, widths: dict[str, Any], make: Callable[[], Any]) -> Any:
-        """The drawing for `key`, as wide as `widths` say, else make()."""
+    def keep_prepared(self, key: str, surface_key: str, prepared: Any) -> None:
+        """Keeps what was prepared, in place of the last."""
+        self._prepared = (key, surface_key, prepared)
+        self._drawings = {}
+
+    def drawing(self, key: str, widths: dict[str, Any]) -> Any:
+        """The drawing for `key`, as wide as `widths` say, or None."""
         drawn, drawn_widths = self._drawings.pop(key, (None, {}))
         if drawn is None or not _can_stretch(drawn_widths, widths):
-            drawn, drawn_widths = make(), widths
+            return None
         self._drawings[key] = (drawn, drawn_widths)
+        return drawn if widths == drawn_widths else RestyledDrawing(drawn, drawn_widths, widths)
+
+    def keep_drawing(self, key: str, widths: dict[str, Any], drawn: Any) -> None:
+        """Keeps a drawing, and forgets the one that was looked at longest ago."""
+        self._drawings[key] = (drawn, widths)
         for old in list(self._drawings)[:-MOST_DRAWINGS]:
             self._drawings.pop(old, None)
-        return drawn if widths == drawn_widths else RestyledDrawing(drawn, drawn_widths, widths)
 
 
 CACHE = Cache()

@@ -5,7 +5,7 @@ from typing import Any
 
 import bpy
 
-from . import headless
+from .. import headless
 
 NAME = "illustrate"
 _handles: list[Any] = []

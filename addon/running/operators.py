@@ -5,21 +5,24 @@ from typing import Any
 
 import bpy
 
-from . import output
+from .. import output
+from ..messages import IllustrateError, counted
+from ..output import field_overlay
+from ..reading.tone_images import tone_of
+from ..viewport.inspect import INSPECTOR
+from ..viewport.paper import offer
 from .illustration import (
     Illustration,
-    compute,
-    compute_prepared,
+    computing,
     hatches_render,
+    preparing,
     read_request,
+    start_preparing,
 )
-from .messages import IllustrateError, counted
-from .output import field_overlay
+from .jobs import Step
 from .problems import stopping_problem
 from .rendering import kept, render_steps
-from .tasks import Step, Task, TaskOperator, is_running
-from .tone_images import tone_of
-from .viewport.inspect import INSPECTOR
+from .tasks import Task, TaskOperator, is_running
 
 RENDERING = 0.5  # share of the progress that a render has
 
@@ -47,7 +50,7 @@ class ILLUSTRATE_OT_illustrate(DrawingOperator, bpy.types.Operator):
     bl_description = "Draw the scene as its camera sees it, in place of the last illustration"
 
     def task(self, context: Any) -> Task:
-        """Renders where that is asked for, reads, draws in a thread, writes."""
+        """Renders where that is asked for, reads, draws beside Blender, writes."""
         scene, start = context.scene, time.perf_counter()
         name, rendered, begun = scene.name, None, 0.0
         if hatches_render(scene.illustrate):
@@ -55,12 +58,14 @@ class ILLUSTRATE_OT_illustrate(DrawingOperator, bpy.types.Operator):
             scene, begun = still_there(name), RENDERING
         request = read_request(scene, context.evaluated_depsgraph_get(), rendered)
         INSPECTOR.let_go()
-        made = yield Step(lambda progress: compute(request, progress), begun)
+        made = yield from computing(request, (begun, 1.0))
         scene = still_there(request.scene_name)
         output.write_drawing(
             scene, made.drawing, made.arrays.camera, scene.illustrate.output, made.names
         )
         INSPECTOR.remember(made)
+        if self.is_modal:
+            offer(context)
         return reports(made, time.perf_counter() - start)
 
 
@@ -132,12 +137,11 @@ class ILLUSTRATE_OT_show_field(DrawingOperator, bpy.types.Operator):
     def task(self, context: Any) -> Task:
         """Puts the field in place of the one shown last."""
         request = read_request(context.scene, context.evaluated_depsgraph_get())
-
-        def solve(progress: Any) -> Any:
-            prepared = compute_prepared(request, progress)
-            return prepared, prepared.field
-
-        prepared, field = yield Step(solve)
+        request.draw["hatching"] = True
+        prepared = yield from preparing(request, (0.0, 0.5))
+        # One that was kept may have left its field for later.
+        prepared = yield Step(start_preparing(request, prepared), 0.5)
+        field = prepared.field
         field_overlay.write(still_there(request.scene_name), prepared.surface, field)
         count = len(field.singular_indices)
         return [("INFO", f"The field has {counted(count, 'singularity', 'singularities')}")]

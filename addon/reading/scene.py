@@ -10,12 +10,12 @@ from typing import Any
 
 import numpy as np
 
+from ..messages import IllustrateError, quoted
+from ..ownership import is_ours
 from .guide_arrays import GuideArrays, read_guides
 from .instances import Placed, read_shown
 from .light_arrays import LightArrays, read_light, read_world
 from .mesh_arrays import MeshArrays
-from .messages import IllustrateError, quoted
-from .ownership import is_ours
 
 # Of refined surfaces, where the object is nearest to the camera, in units of paper: pixels of an
 # image whose larger side is 1024. The surface, and with it every hatch, is so the same at any
@@ -39,10 +39,10 @@ class CameraArrays:
     height_px: int
 
     def pixel_size(self, points: Any) -> Any:
-        """World length (p,) of a pixel across the view at the depths of points (p, 3)."""
+        """World length (p,) of a pixel, upwards as in the core, at the depths of points (p, 3)."""
         row = (self.projection @ self.view)[3]
         w = np.maximum(points @ row[:3] + row[3], self._least_w())
-        return 2 * w / (self.projection[0, 0] * self.width_px)
+        return 2 * w / (self.projection[1, 1] * self.height_px)
 
     def unit_size(self, points: Any) -> Any:
         """World length (p,) of a unit of paper across the view at the depths of points (p, 3)."""
@@ -115,7 +115,7 @@ def read_scene(
     if guides is not None:
         arrays.guides = read_guides(guides, scene.frame_current)
     if use_lights:
-        arrays.lights = _read_lights(scene, depsgraph)
+        arrays.lights = read_lights(scene, depsgraph)
     return arrays
 
 
@@ -172,6 +172,14 @@ def camera_problem(scene: Any) -> str:
     return ""
 
 
+def frame_corners(scene: Any) -> Any:
+    """(3, 3) the camera frame's top left, top right and bottom left, in the world."""
+    camera = scene.camera
+    # Blender's order: top right, bottom right, bottom left, top left.
+    found = [camera.matrix_world.normalized() @ c for c in camera.data.view_frame(scene=scene)]
+    return np.array([found[3], found[0], found[2]])
+
+
 def read_camera(scene: Any, depsgraph: Any) -> CameraArrays:
     """The scene's camera at its render size.
 
@@ -194,19 +202,19 @@ def read_camera(scene: Any, depsgraph: Any) -> CameraArrays:
         raise IllustrateError(
             f'Camera "{camera.name}" is scaled to nothing: clear its scale'
         ) from error
-    return CameraArrays(np.array(projection), np.array(view), width, height)
+    return CameraArrays(np.array(projection, float), np.array(view, float), width, height)
 
 
 # --- Lights -------------------------------------------------------------------------------------
 
 
-def _read_lights(scene: Any, depsgraph: Any) -> list[LightArrays]:
+def read_lights(scene: Any, depsgraph: Any) -> list[LightArrays]:
     """Lights of the render, as strong as its exposure makes them, and the light of the world."""
     lights = read_world(scene.world)
     for instance in depsgraph.object_instances:
         lamp = instance.object
         if lamp.type == "LIGHT" and instance.show_self and not lamp.original.hide_render:
-            lights.append(read_light(lamp.data, np.array(instance.matrix_world)))
+            lights.append(read_light(lamp.data, np.array(instance.matrix_world, float)))
     for light in lights:
         light.strength *= 2.0**scene.view_settings.exposure
     return [light for light in lights if light.strength > 0 and math.isfinite(light.strength)]

@@ -1,0 +1,1 @@
+"""What Blender has, as arrays for the core."""

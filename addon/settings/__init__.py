@@ -1,0 +1,1 @@
+"""What an artist can set: of scenes, collections, objects, materials and lights."""

@@ -1,0 +1,370 @@
+"""The switch of the live drawing, and what it shows over the viewports.
+
+Whatever the way it ends (switch, file, add-on), nothing stays behind.
+"""
+
+import time
+from typing import Any
+
+import bpy
+import numpy as np
+from bpy.app.handlers import persistent
+
+from .. import native, output
+from ..messages import counted
+from ..output.pens import PENS
+from ..output.strokes import pen_of
+from ..reading.scene import CameraArrays, camera_problem, read_camera
+from ..settings.guides import is_guide
+from ..settings.scene_settings import draw_values
+from .live import LINES, LIVE, WHOLE, Seen
+from .ribbons import ribbons_of
+from .shown import redraw, viewports
+from .views import View, view_of
+
+TICK_S = 0.02
+TIMES_KEPT = 2000
+SHAPED = ("MESH", "CURVE", "SURFACE", "FONT", "META", "EMPTY", "ARMATURE", "LATTICE")
+DATA = (bpy.types.Mesh, bpy.types.Curve, bpy.types.MetaBall)
+EYES = [
+    ("VIEW", "View", "What the view itself sees", 0),
+    ("CAMERA", "Camera", "The lines that the scene's camera sees, looked at from anywhere", 1),
+]
+
+
+class LiveView:
+    """The handlers that show the live drawing, and what they keep for the graphics card."""
+
+    def __init__(self) -> None:
+        self.seconds: list[float] = []  # of the last redraws, our part
+        self.blocks: list[float] = []  # of the last looks at the scene
+        self._handles: list[Any] = []
+        self._batches: dict[tuple[int, str], tuple[Any, Any]] = {}
+        self._depth: tuple[Any, Any] = (None, None)
+        self._seen: Any = None
+        self.when_switched: list[Any] = []  # called when it is turned on or off
+
+    @property
+    def is_on(self) -> bool:
+        """True while the drawing is shown."""
+        return bool(self._handles)
+
+    def switch(self, on: bool) -> None:
+        """Shows the drawing, or stops."""
+        if on and not self.is_on:
+            self._start()
+        elif not on and self.is_on:
+            self._stop()
+        for function in self.when_switched:
+            function()
+        redraw()
+
+    def _start(self) -> None:
+        self.seconds, self.blocks = [], []
+        view = bpy.types.SpaceView3D
+        self._handles = [
+            view.draw_handler_add(self._draw_lines, (), "WINDOW", "POST_VIEW"),
+            view.draw_handler_add(self._draw_strokes, (), "WINDOW", "POST_PIXEL"),
+        ]
+        for handlers, function in HANDLERS:
+            handlers.append(function)
+        bpy.app.timers.register(self._tick_again, first_interval=0.0)
+
+    def _stop(self) -> None:
+        for handle in self._handles:
+            bpy.types.SpaceView3D.draw_handler_remove(handle, "WINDOW")
+        self._handles = []
+        for handlers, function in HANDLERS:
+            if function in handlers:
+                handlers.remove(function)
+        if bpy.app.timers.is_registered(self._tick_again):
+            bpy.app.timers.unregister(self._tick_again)
+        LIVE.forget()
+        self._batches, self._depth, self._seen = {}, (None, None), None
+
+    def look_at(self, scene: Any, depsgraph: Any) -> None:
+        """Marks what an update has made stale: shapes, or only lights."""
+        seen = _what_is_seen(scene)
+        if seen != self._seen or any(map(_changes_shapes, depsgraph.updates)):
+            self._seen = seen
+            LIVE.shapes_are_stale = True
+        elif any(map(_changes_light, depsgraph.updates)):
+            LIVE.look_is_stale = True
+
+    def tick(self) -> None:
+        """One look at the job and at what is stale."""
+        start = time.perf_counter()
+        regions = {r.as_pointer() for area in viewports(bpy.context) for r in area.regions}
+        LIVE.views = {pointer: v for pointer, v in LIVE.views.items() if pointer in regions}
+        if LIVE.tick(bpy.context):
+            redraw()
+        _note(self.blocks, start)
+
+    def _tick_again(self) -> float | None:
+        if not self.is_on:
+            return None
+        self.tick()
+        return TICK_S
+
+    def _view(self, context: Any) -> View | None:
+        depsgraph = context.evaluated_depsgraph_get()
+        return view_of(context.scene, depsgraph, context.region, context.region_data)
+
+    def _draw_lines(self) -> None:
+        """Called by Blender for each viewport: rough lines where there are no exact ones yet."""
+        from . import overlay
+
+        start, context = time.perf_counter(), bpy.context
+        view = self._view(context)
+        if view is None:
+            return
+        seen = LIVE.look(context.region.as_pointer(), view)
+        eye = _seen_from(context)
+        is_bare = seen.drawing_of(LINES) is None or eye is not None
+        if LIVE.prepared is not None and is_bare:
+            if not context.space_data.show_object_viewport_mesh:
+                overlay.draw_depth(self._surface())
+            overlay.draw_rough(_rough(context, view, eye), context.region, context.region_data)
+        _note(self.seconds, start)
+
+    def _draw_strokes(self) -> None:
+        """Called by Blender for each viewport: what is drawn of its view."""
+        from . import overlay
+
+        start, context = time.perf_counter(), bpy.context
+        seen = LIVE.views.get(context.region.as_pointer())
+        if seen is None or _seen_from(context) is not None:
+            return
+        for part in (WHOLE, LINES):
+            batch = self._batch(context, seen, part)
+            if batch is not None:
+                overlay.draw_ribbons(batch)
+        _note(self.seconds, start)
+
+    def _batch(self, context: Any, seen: Seen, part: str) -> Any:
+        """Hatches of the last whole drawing, lines of the last lines; made once."""
+        from . import overlay
+
+        made = seen.drawing_of(part)
+        if made is None:
+            return None
+        inks = inks_of(context.scene.illustrate)
+        is_same = (id(made), tuple(seen.view.origin), seen.view.zoom, repr(inks))
+        key = context.region.as_pointer(), part
+        known, batch = self._batches.get(key, (None, None))
+        if known != is_same:
+            ribbons = strokes_as_ribbons(made.drawing, seen.view, inks, part == WHOLE)
+            batch = overlay.ribbon_batch(ribbons)
+            self._batches[key] = (is_same, batch)
+        return batch
+
+    def _surface(self) -> Any:
+        """The surface, where the viewport itself shows none that could hide lines."""
+        from . import overlay
+
+        prepared = LIVE.prepared
+        if self._depth[0] is not prepared:
+            surface = prepared.surface
+            self._depth = prepared, overlay.surface_batch(surface.positions, surface.triangles)
+        return self._depth[1]
+
+
+VIEW = LiveView()
+"""The live view of this Blender."""
+
+
+def strokes_as_ribbons(drawing: Any, view: View, inks: dict[str, Any], hatches: bool) -> Any:
+    """Ribbons of the hatches of a drawing, or of all else, the lowest first."""
+    parts = native.load_part("line_groups")
+    groups = [g for g in parts.line_groups(drawing) if g.is_hatching == hatches]
+    strokes = np.concatenate([g.strokes for g in groups]) if groups else np.zeros(0, np.intp)
+    colours = [inks[pen_of(g)] for g in groups for _ in g.strokes]
+    chosen, sizes = parts.points_of(drawing, strokes)
+    return ribbons_of(
+        view.to_region(np.asarray(drawing.image)[chosen]),
+        np.asarray(drawing.widths)[chosen] * view.zoom,
+        np.concatenate([[0], np.cumsum(sizes)]),
+        np.asarray(drawing.closed)[strokes],
+        np.array(colours, np.float32).reshape(-1, 4),
+    )
+
+
+def inks_of(chosen: Any) -> dict[str, Any]:
+    """(4,) colours of the pens."""
+    return {pen: tuple(getattr(chosen, name)) for pen, name in PENS.items()}
+
+
+def _note(times: list[float], start: float) -> None:
+    """Keeps how long it took since `start`, beside the last of its kind."""
+    times.append(time.perf_counter() - start)
+    del times[:-TIMES_KEPT]
+
+
+def _rough(context: Any, view: View, eye: CameraArrays | None) -> Any:
+    """Rough lines of a view as the settings have lines; of another eye where there is one.
+
+    The region's own matrices, since they reach beyond the frame of a camera.
+    """
+    from . import overlay
+
+    ill, chosen, data = native.load(), context.scene.illustrate, context.region_data
+    camera = eye or CameraArrays(
+        np.array(data.window_matrix, float),
+        np.array(data.view_matrix, float),
+        context.region.width,
+        context.region.height,
+    )
+    widths = draw_values(chosen, view.camera.width_px)
+    inks, zoom = inks_of(chosen), view.zoom
+    ends = ill.rough_silhouettes(LIVE.prepared, ill.Camera(**vars(camera)))
+    return overlay.Rough(
+        [
+            overlay.Marks(
+                "LINES", LIVE.features, inks["Feature"], widths["feature_width_px"] * zoom
+            ),
+            overlay.Marks("LINES", ends, inks["Line"], widths["line_width_px"] * zoom),
+        ],
+        inks["Hidden"] if chosen.hidden else None,
+        chosen.hidden_width_scale,
+    )
+
+
+def _seen_from(context: Any) -> CameraArrays | None:
+    """The camera whose lines are looked at from anywhere, where that was chosen."""
+    if context.window_manager.illustrate_live_eye != "CAMERA" or camera_problem(context.scene):
+        return None
+    return read_camera(context.scene, context.evaluated_depsgraph_get())
+
+
+def _what_is_seen(scene: Any) -> Any:
+    by_selection = scene.illustrate.source == "SELECTION"
+    return scene.name, tuple(
+        (t.name, t.hide_render, t.visible_get(), by_selection and t.select_get())
+        for t in scene.objects
+    )
+
+
+def _changes_shapes(update: Any) -> bool:
+    """Of meshes, or of what they are made of."""
+    if isinstance(update.id, bpy.types.Material | bpy.types.Image):
+        return True
+    if not (update.is_updated_geometry or update.is_updated_transform):
+        return False
+    is_data = isinstance(update.id, DATA)
+    if isinstance(update.id, bpy.types.Object) and is_guide(update.id, bpy.context.scene):
+        return True
+    return is_data or getattr(update.id, "type", "") in SHAPED
+
+
+def _changes_light(update: Any) -> bool:
+    is_data = isinstance(update.id, bpy.types.Light | bpy.types.World)
+    return is_data or getattr(update.id, "type", "") == "LIGHT"
+
+
+@persistent
+def _after_update(scene: Any, depsgraph: Any = None) -> None:
+    if depsgraph is not None and scene == bpy.context.scene:
+        VIEW.look_at(scene, depsgraph)
+
+
+@persistent
+def _everything_changed(*_: Any) -> None:
+    LIVE.shapes_are_stale = True
+
+
+@persistent
+def _before_load(*_: Any) -> None:
+    VIEW.switch(False)
+
+
+HANDLERS = (
+    (bpy.app.handlers.depsgraph_update_post, _after_update),
+    (bpy.app.handlers.frame_change_post, _everything_changed),
+    (bpy.app.handlers.undo_post, _everything_changed),
+    (bpy.app.handlers.redo_post, _everything_changed),
+)
+
+
+class ILLUSTRATE_OT_toggle_live(bpy.types.Operator):
+    """The switch for menus and shortcuts."""
+
+    bl_idname = "illustrate.toggle_live"
+    bl_label = "Live"
+    bl_description = (
+        "Draw in the viewports while you work: lines while a view moves, hatches when it rests"
+    )
+
+    def execute(self, _context: Any) -> set[str]:
+        """Turns it on or off."""
+        VIEW.switch(not VIEW.is_on)
+        return {"FINISHED"}
+
+
+class ILLUSTRATE_OT_keep_live(bpy.types.Operator):
+    """Turns what is seen into strokes."""
+
+    bl_idname = "illustrate.keep_live"
+    bl_label = "Keep"
+    bl_description = "Turn the live drawing of this viewport into strokes, and end it"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context: Any) -> bool:
+        """There is a whole drawing of the largest viewport."""
+        is_whole = _kept(context) is not None
+        if not is_whole:
+            cls.poll_message_set("The live drawing is not whole yet: let the view rest")
+        return is_whole
+
+    def execute(self, context: Any) -> set[str]:
+        """Writes it as Illustrate does."""
+        made, scene = _kept(context), context.scene
+        output.write_drawing(
+            scene, made.drawing, made.arrays.camera, scene.illustrate.output, made.names
+        )
+        VIEW.switch(False)
+        self.report({"INFO"}, f"Kept {counted(len(made.drawing.kinds), 'stroke')}")
+        return {"FINISHED"}
+
+
+def _kept(context: Any) -> Any:
+    """The whole drawing of the viewport that the mouse is in, else of the only one drawn."""
+    area = context.area
+    regions = [r for r in area.regions if r.type == "WINDOW"] if area is not None else []
+    seen = [LIVE.views[r.as_pointer()] for r in regions if r.as_pointer() in LIVE.views]
+    found = seen or list(LIVE.views.values())
+    return found[0].drawing_of(WHOLE) if len(found) == 1 else None
+
+
+CLASSES = (ILLUSTRATE_OT_toggle_live, ILLUSTRATE_OT_keep_live)
+
+
+def register() -> None:
+    """Registers the switch."""
+    bpy.app.handlers.load_pre.append(_before_load)
+    for each in CLASSES:
+        bpy.utils.register_class(each)
+    manager = bpy.types.WindowManager
+    manager.illustrate_live = bpy.props.BoolProperty(
+        name="Live",
+        description=ILLUSTRATE_OT_toggle_live.bl_description,
+        get=lambda _manager: VIEW.is_on,
+        set=lambda _manager, on: VIEW.switch(on),
+    )
+    manager.illustrate_live_eye = bpy.props.EnumProperty(
+        name="Live From",
+        items=EYES,
+        default="VIEW",
+        description="Whose lines are shown",
+        update=lambda _manager, _context: redraw(),
+    )
+
+
+def unregister() -> None:
+    """Turns the live drawing off and takes the switch away."""
+    VIEW.switch(False)
+    bpy.app.handlers.load_pre.remove(_before_load)
+    del bpy.types.WindowManager.illustrate_live_eye
+    del bpy.types.WindowManager.illustrate_live
+    for each in reversed(CLASSES):
+        bpy.utils.unregister_class(each)

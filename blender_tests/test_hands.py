@@ -1,0 +1,163 @@
+"""Hands on the drawing: picking, hiding, guides and singularities, and the gallery of presets."""
+
+import pathlib
+from typing import Any
+
+import bpy
+import numpy as np
+import pytest
+from illustrate import output
+from illustrate.messages import IllustrateError
+from illustrate.output.hiding import hide_stroke
+from illustrate.running import illustration
+from illustrate.ui import gallery, presets
+from illustrate.viewport.inspect import INSPECTOR
+from illustrate.viewport.pick import PICKER, hold_singularities, joined, nearest, thing_of
+
+import tools
+
+SIZE = (320, 240)
+
+
+@pytest.fixture(autouse=True)
+def _nothing_is_picked() -> Any:
+    PICKER.picked = None
+    yield
+    PICKER.picked = None
+
+
+def made_cube(scene: Any) -> Any:
+    tools.cube_scene(scene)
+    scene.illustrate.hidden = True
+    bpy.ops.illustrate.illustrate()
+    return INSPECTOR.made
+
+
+def pick_at(made: Any, number: Any) -> Any:
+    """What is picked in the middle of a stroke's first segment."""
+    drawing, camera = made.drawing, made.arrays.camera
+    first = drawing.offsets[number]
+    x, y = drawing.image[first : first + 2].mean(axis=0)
+    matrix = camera.projection @ camera.view
+    return nearest(drawing, made.names, matrix, SIZE, (x, SIZE[1] - y))
+
+
+def test_every_visible_line_is_picked_where_it_is(scene: Any) -> None:
+    made = made_cube(scene)
+    drawing = made.drawing
+    for number in np.flatnonzero(np.asarray(drawing.invisibility) == 0):
+        picked = pick_at(made, int(number))
+        assert picked is not None and picked.thing == "Box" and picked.layers == 0
+    camera = made.arrays.camera
+    matrix = camera.projection @ camera.view
+    assert nearest(drawing, made.names, matrix, SIZE, (2, 2)) is None
+
+
+def test_hidden_lines_are_picked_where_no_other_is(scene: Any) -> None:
+    scene.illustrate.hatching = False
+    made = made_cube(scene)
+    hidden = np.flatnonzero(np.asarray(made.drawing.invisibility) > 0)
+    picked = [pick_at(made, int(number)) for number in hidden]
+    assert any(p is not None and p.layers == 1 and p.kind == "CREASE" for p in picked)
+
+
+def seen_strokes() -> int:
+    thing = next(t for t in bpy.data.objects if t.type == tools.pencil_type())
+    count = 0
+    for layer in thing.data.layers:
+        for frame in layer.frames:
+            is_full = tools.V3 and frame.drawing.attributes.get("opacity") is None
+            for stroke in frame.drawing.strokes if tools.V3 else frame.strokes:
+                name = "opacity" if tools.V3 else "strength"
+                count += is_full or any(getattr(point, name) > 0 for point in stroke.points)
+    return count
+
+
+def test_a_stroke_is_hidden_and_no_other(scene: Any) -> None:
+    made = made_cube(scene)
+    drawing, before = made.drawing, seen_strokes()
+    assert before == len(drawing.kinds)
+    for number in (0, len(drawing.kinds) - 1):
+        PICKER.picked = pick_at(made, int(number))
+        points = drawing.points[drawing.offsets[number] : drawing.offsets[number + 1]]
+        assert hide_stroke(scene, points)
+    assert seen_strokes() == before - 2
+    assert not hide_stroke(scene, drawing.points[:3] + 100)
+    output.clear(scene)
+    assert not hide_stroke(scene, drawing.points[:3])
+
+
+def test_the_hatches_of_an_object_go(scene: Any) -> None:
+    made = made_cube(scene)
+    PICKER.picked = pick_at(made, 0)
+    assert thing_of(scene).name == "Box"
+    assert bpy.ops.illustrate.hide_hatches() == {"FINISHED"}
+    assert not scene.objects["Box"].illustrate.hatching
+    assert not {4, 5, 6} & set(INSPECTOR.made.drawing.kinds.tolist())
+    assert not bpy.ops.illustrate.hide_hatches.poll()
+
+
+def test_held_singularities_lead_the_hatches(scene: Any) -> None:
+    tools.add_camera(scene)
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=24, ring_count=12)
+    bpy.ops.object.shade_smooth()
+    bpy.ops.illustrate.illustrate()
+    assert bpy.ops.illustrate.hold_singularities() == {"FINISHED"}
+    guides = scene.illustrate.guides
+    assert sum(thing.illustrate_guide.turns for thing in guides.objects) == 8
+    assert not bpy.ops.illustrate.hold_singularities.poll()
+    moved = guides.objects[0]
+    moved.location = (0.6, -0.6, 0.529)
+    bpy.context.view_layer.update()
+    made = illustration.illustrate(scene, bpy.context.evaluated_depsgraph_get())
+    places = np.asarray(made.prepared.field.singular_positions)
+    assert np.linalg.norm(places - np.array(moved.location), axis=1).min() < 0.15
+
+
+def test_singularities_too_near_to_be_kept_apart_are_one() -> None:
+    places = [[0, 0, 0], [0.1, 0, 0], [5, 0, 0], [5.1, 0, 0], [9, 0, 0]]
+    kept, turns = joined(places, [1, -1, 1, 1, -1], 0.5)
+    assert turns.tolist() == [2, -1] and kept[:, 0].tolist() == [5, 9]
+    kept, turns = joined(places, [1, -1, 1, 1, -1], 0.01)
+    assert len(turns) == 5 and turns.sum() == 1
+
+
+def test_a_field_without_singularities_says_so(scene: Any) -> None:
+    class Field:
+        singular_positions, singular_indices = np.zeros((0, 3)), np.zeros(0, int)
+
+    with pytest.raises(IllustrateError, match="no singularities"):
+        hold_singularities(scene, Field())
+
+
+def test_guides_are_drawn_among_the_guides(scene: Any) -> None:
+    tools.cube_scene(scene)
+    assert bpy.ops.illustrate.draw_guide() == {"FINISHED"}
+    active = bpy.context.view_layer.objects.active
+    assert active.type == tools.pencil_type() and active.mode.startswith("PAINT")
+    assert active.name in scene.illustrate.guides.objects
+    assert not bpy.ops.illustrate.draw_guide.poll()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    bpy.ops.illustrate.draw_guide()
+    assert bpy.context.view_layer.objects.active == active
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def test_every_preset_has_a_small_picture() -> None:
+    shown = {path.stem for path in gallery.pictures().values()}
+    files = pathlib.Path(presets.shipped_folder())
+    assert shown == {path.stem for path in files.glob("*.py")} and len(shown) >= 5
+    for path in gallery.pictures().values():
+        data = path.read_bytes()
+        assert data.startswith(b"\x89PNG") and len(data) < 20_000
+
+
+def test_the_gallery_applies_presets(scene: Any) -> None:
+    manager = bpy.context.window_manager
+    names = list(gallery.pictures())
+    gallery._listed(manager, bpy.context)
+    gallery._choose(manager, names.index("Silhouette_Drawing"))
+    assert not scene.illustrate.hatching
+    assert manager.illustrate_gallery == "Silhouette_Drawing"
+    gallery._choose(manager, names.index("Etching"))
+    assert scene.illustrate.hatching and scene.illustrate.spacing_px == 4.5

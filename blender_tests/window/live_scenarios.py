@@ -1,0 +1,191 @@
+"""The live drawing in a window: what is seen while one works, and what it leaves."""
+
+import pathlib
+import statistics
+import time
+from typing import Any
+
+import bpy
+import hands
+import numpy as np
+from illustrate.viewport.live import LINES, LIVE, WHOLE
+from illustrate.viewport.live_view import VIEW
+from mathutils import Quaternion
+from staging import Steps, new_scene, pencils, strokes
+
+
+def dark(path: pathlib.Path) -> int:
+    """Black pixels of the 3D view."""
+    return int((hands.pixels(path).max(axis=2) < 0.06).sum())
+
+
+def region_view() -> Any:
+    return hands.viewport().spaces.active.region_3d
+
+
+def seen() -> Any:
+    """What is known of the largest viewport."""
+    return LIVE.views.get(hands.region("WINDOW").as_pointer())
+
+
+def is_whole() -> bool:
+    return seen() is not None and LIVE.is_idle() and seen().drawing_of(WHOLE) is not None
+
+
+def is_hatched() -> bool:
+    made = seen().drawing_of(WHOLE) if seen() is not None else None
+    return made is not None and bool((np.asarray(made.drawing.kinds) == 4).any())
+
+
+def turn(angle: float) -> None:
+    view = region_view()
+    view.view_rotation = Quaternion((0, 0, 1), angle) @ view.view_rotation
+
+
+def live_lines_follow_the_view(out: pathlib.Path) -> Steps:
+    """Rough lines while orbiting; exact lines and hatches at rest; nothing is left afterwards."""
+    new_scene()
+    hands.show_side_panel(False)
+    yield 0.3
+    plain = dark(hands.picture(out / "8_without_lines.png"))
+    hands.manager().illustrate_live = True
+    hands.redraw()
+    yield is_whole
+    rested = dark(hands.picture(out / "9_live_at_rest.png"))
+    assert rested > plain + 1000, (plain, rested)
+    VIEW.seconds.clear()
+    for i in range(25):
+        turn(0.02)
+        hands.redraw()
+        assert seen().drawing_of(LINES) is None, "hatches of another view"
+        if i % 20 == 19:
+            yield 0.01
+    shown = dark(hands.picture(out / "9_live_lines.png"))
+    assert shown > plain + 300, (plain, shown)
+    median = statistics.median(VIEW.seconds)
+    print(f"live lines: median {1000 * median:.1f} ms a redraw", flush=True)
+    start = time.monotonic()
+    yield is_hatched
+    print(f"live hatches: {time.monotonic() - start:.2f} s after rest", flush=True)
+    hands.manager().illustrate_live_eye = "CAMERA"
+    hands.picture(out / "10_lines_of_the_camera.png")
+    hands.manager().illustrate_live_eye = "VIEW"
+    hands.manager().illustrate_live = False
+    assert not VIEW.is_on
+    assert dark(hands.picture(out / "11_lines_off.png")) < shown - 300
+
+
+def live_drawing_follows_the_scene(out: pathlib.Path) -> Steps:
+    """A moved light, a slider, a dragged vertex in edit mode, frames; the last drawing stays."""
+    scene = new_scene(1)
+    hands.show_side_panel(False)
+    hands.manager().illustrate_live = True
+    with hands.override():
+        bpy.ops.view3d.view_camera()
+    hands.redraw()
+    yield is_whole
+    hands.picture(out / "20_live_camera.png")
+    for change in (move_light, move_slider, move_vertex, next_frame):
+        before = seen().drawing_of(WHOLE)
+        change(scene)
+        hands.redraw()
+        assert seen().drawing_of(WHOLE) is before, "the last one stays"
+        yield lambda before=before: is_whole() and seen().drawing_of(WHOLE) is not before
+        hands.picture(out / f"21_live_{change.__name__}.png")
+    current = seen().drawing_of(WHOLE)
+    yield 0.6
+    assert seen().drawing_of(WHOLE) is current, "drawn again although nothing changed"
+    hands.manager().illustrate_live = False
+
+
+def move_light(_scene: Any) -> None:
+    bpy.data.objects["Sun"].rotation_euler = (1.2, -0.8, 0)
+
+
+def move_slider(scene: Any) -> None:
+    scene.illustrate.spacing_px *= 2
+
+
+def move_vertex(_scene: Any) -> None:
+    import bmesh  # type: ignore[import-not-found]
+
+    with hands.override():
+        bpy.ops.object.mode_set(mode="EDIT")
+    mesh = bpy.data.objects["Suzanne"].data
+    edited = bmesh.from_edit_mesh(mesh)
+    edited.verts.ensure_lookup_table()
+    edited.verts[0].co.z += 0.4
+    bmesh.update_edit_mesh(mesh)
+
+
+def next_frame(scene: Any) -> None:
+    with hands.override():
+        bpy.ops.object.mode_set(mode="OBJECT")
+    monkey = bpy.data.objects["Suzanne"]
+    for frame, turned in ((1, 0.0), (2, 0.4)):
+        monkey.rotation_euler.z = turned
+        monkey.keyframe_insert("rotation_euler", frame=frame)
+    scene.frame_set(2)
+
+
+def live_drawing_skips_frames(_out: pathlib.Path) -> Steps:
+    """Playback goes on while drawings are made of some of its frames, and none waits in line."""
+    scene = new_scene(1)
+    next_frame(scene)
+    scene.frame_start, scene.frame_end = 1, 100
+    hands.manager().illustrate_live = True
+    hands.redraw()
+    yield is_whole
+    with hands.override():
+        bpy.ops.screen.animation_play()
+    first, versions, start = scene.frame_current, LIVE.version, time.monotonic()
+    yield lambda: time.monotonic() - start > 3.0
+    frames = (scene.frame_current - first) % 100
+    print(f"playback: {frames} frames in 3 s, {LIVE.version - versions} prepared", flush=True)
+    with hands.override():
+        bpy.ops.screen.animation_cancel(restore_frame=False)
+    assert frames > 3 and LIVE.version > versions
+    yield is_whole
+    hands.manager().illustrate_live = False
+
+
+def what_is_seen_is_kept(out: pathlib.Path) -> Steps:
+    """Keep writes the strokes that the viewport shows, in one step of undo."""
+    new_scene()
+    hands.show_side_panel(False)
+    hands.manager().illustrate_live = True
+    with hands.override():
+        bpy.ops.view3d.view_camera()
+    hands.redraw()
+    yield is_whole
+    count = len(seen().drawing_of(WHOLE).drawing.kinds)
+    with hands.override():
+        assert bpy.ops.illustrate.keep_live("EXEC_DEFAULT") == {"FINISHED"}
+    assert strokes() == count and len(pencils()) == 1 and not VIEW.is_on
+    hands.picture(out / "22_kept.png")
+    with hands.override():
+        bpy.ops.ed.undo()
+    yield 0.3
+    assert not pencils()
+
+
+def live_drawing_ends_with_the_file(_out: pathlib.Path) -> Steps:
+    """Loading a file turns it off, while it is shown and while it is made."""
+    for pause in (0.0, 0.1, 1.0):
+        new_scene(4)
+        hands.manager().illustrate_live = True
+        hands.redraw()
+        yield pause
+        new_scene()
+        assert not VIEW.is_on and LIVE.prepared is None and LIVE.running is None
+        yield 0.5
+        hands.redraw()
+
+
+ALL = [
+    live_lines_follow_the_view,
+    live_drawing_follows_the_scene,
+    live_drawing_skips_frames,
+    what_is_seen_is_kept,
+    live_drawing_ends_with_the_file,
+]
