@@ -3,7 +3,7 @@
     blender -b --factory-startup --python-exit-code 3 --python examples/demo.py -- [ARGUMENTS]
     python examples/demo.py [ARGUMENTS]            (a Python that has the module bpy)
 
-ARGUMENTS: [--out DIR] [SCENE ...]
+ARGUMENTS: [--out DIR] [--format FORMATS] [SCENE ...]
 
 Each scene leaves an .svg, a .png and a .blend in DIR (out/demo), those that move the .json of
 eight frames in a folder of their own (motion.py makes pictures of them); the run ends with a line
@@ -39,6 +39,7 @@ def main(headless: ModuleType) -> int:
     """Illustrates what the command line names; the exit code."""
     parser = argparse.ArgumentParser(prog="demo.py", description=(__doc__ or "").split("\n")[0])
     parser.add_argument("--out", default=str(ROOT / "out" / "demo"), metavar="DIR")
+    parser.add_argument("--format", default="svg,png,blend", help="as the headless command has it")
     parser.add_argument(
         "scenes",
         nargs="*",
@@ -59,7 +60,7 @@ def main(headless: ModuleType) -> int:
             continue
         settings = scenes.build(name).illustrate
         settings.line_width_px, settings.feature_width_px = LINE_WIDTH_PX, FEATURE_WIDTH_PX
-        command = ["--out", chosen.out, "--format", "svg,png,blend", "--name", name]
+        command = ["--out", chosen.out, "--format", chosen.format, "--name", name]
         if name in scenes.SEQUENCES:
             command = ["--out", str(pathlib.Path(chosen.out, name)), "--format", "json"]
             command += ["--frames", "1-8", "--name", "####"]

@@ -142,9 +142,13 @@ def build(name: str) -> Any:
     return bpy.context.scene
 
 
-def add(name: str, mesh: tuple[Any, Any]) -> Any:
-    """Links a smooth object with positions (n, 3) and faces to the scene; the object."""
-    return _link(_mesh_data(name, mesh[0].tolist(), mesh[1].tolist()))
+def add(name: str, mesh: tuple[Any, Any], smooth: bool = True) -> Any:
+    """Links an object with positions (n, 3) and faces to the scene; the object.
+
+    Shaded flat it has hard edges where faces turn much, and is smooth elsewhere.
+    """
+    positions, faces = np.asarray(mesh[0]).tolist(), [list(map(int, face)) for face in mesh[1]]
+    return _link(_mesh_data(name, positions, faces), smooth)
 
 
 def add_file(path: str) -> Any:
@@ -169,8 +173,8 @@ def _mesh_data(name: str, positions: list[Any], faces: list[Any]) -> Any:
     return data
 
 
-def _link(data: Any) -> Any:
-    data.polygons.foreach_set("use_smooth", np.ones(len(data.polygons), bool))
+def _link(data: Any, smooth: bool = True) -> Any:
+    data.polygons.foreach_set("use_smooth", np.full(len(data.polygons), smooth))
     thing = bpy.data.objects.new(data.name, data)
     bpy.context.scene.collection.objects.link(thing)
     return thing
