@@ -46,7 +46,8 @@ function(build_libraries folder)
   target_include_directories(illustrate_opensubdiv SYSTEM INTERFACE "${OPENSUBDIV_SOURCE}")
 
   set(CMAKE_POLICY_VERSION_MINIMUM 3.5)
-  set(BUILD_SHARED_LIBS OFF)
+  # Its own option() of this name asks the cache alone, and is ON unless it is there.
+  set(BUILD_SHARED_LIBS OFF CACHE BOOL "" FORCE)
   foreach(language PYTHON OCTAVE MATLAB GUILE SWIG TESTS)
     set(NLOPT_${language} OFF CACHE BOOL "" FORCE)
   endforeach()
@@ -59,6 +60,7 @@ endfunction()
 
 if(ILLUSTRATE_LIBRARY_SOURCES)
   build_libraries("${ILLUSTRATE_LIBRARY_SOURCES}")
+  set(ILLUSTRATE_LICENSES "${ILLUSTRATE_LIBRARY_SOURCES}/licenses")
 elseif(ILLUSTRATE_SYSTEM_LIBRARIES)
   imported_library(illustrate_opensubdiv "" osdCPU)
   imported_library(illustrate_nlopt "" nlopt_cxx nlopt)

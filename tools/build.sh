@@ -25,10 +25,10 @@ exec 9>"$ROOT/build/build.lock"
 flock 9
 
 if [ "${1:-}" = tests ]; then
-    configure "$BUILD" "$VENV/bin/python" -DILLUSTRATE_TESTS=ON
+    configure "$BUILD" -DILLUSTRATE_TESTS=ON
     compile "$BUILD" _core illustrate_tests
 else
-    configure "$BUILD" "$VENV/bin/python"
+    configure "$BUILD"
     compile "$BUILD" _core
 fi
 

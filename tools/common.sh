@@ -58,10 +58,10 @@ debian_mirror() {
         /etc/apt/sources.list 2>/dev/null | sed -n '1{p;q}'
 }
 
-# configure FOLDER PYTHON [CMAKE OPTION...]
+# configure FOLDER [CMAKE OPTION...]: for the Python of .venv, unless it is for another system.
 configure() {
-    cmake -G Ninja -S "$ROOT" -B "$1" "-DPython_EXECUTABLE=$2" \
-        "-Dpybind11_DIR=$("$VENV/bin/python" -m pybind11 --cmakedir)" "${@:3}" >"$1.log" ||
+    cmake -G Ninja -S "$ROOT" -B "$1" "-DPython_EXECUTABLE=$VENV/bin/python" \
+        "-Dpybind11_DIR=$("$VENV/bin/python" -m pybind11 --cmakedir)" "${@:2}" >"$1.log" ||
         { cat "$1.log" && fail "CMake could not configure the build"; } >&2
 }
 
@@ -71,7 +71,7 @@ compile() { cmake --build "$1" --parallel "$JOBS" --target "${@:2}"; }
 # build_unoptimised TARGET...: in build/unoptimised. Link-time optimisation shows the compiler all
 # files at once: it refuses types of one name that differ (the one-definition rule).
 build_unoptimised() {
-    configure "$ROOT/build/unoptimised" "$VENV/bin/python" -DCMAKE_BUILD_TYPE=Unoptimised \
+    configure "$ROOT/build/unoptimised" -DCMAKE_BUILD_TYPE=Unoptimised \
         -DILLUSTRATE_TESTS=ON -DCMAKE_INTERPROCEDURAL_OPTIMIZATION=ON \
         "-DCMAKE_CXX_FLAGS=-Werror=odr -Werror=lto-type-mismatch" &&
         compile "$ROOT/build/unoptimised" "$@"
@@ -85,7 +85,7 @@ compile_for_pythons() {
         list="$list${list:+;}$version=$folders"
     done
     rm -rf "$ROOT/build/native/pythons"
-    configure "$ROOT/build/native" "$VENV/bin/python" "-DILLUSTRATE_PYTHON_HEADERS=$list"
+    configure "$ROOT/build/native" "-DILLUSTRATE_PYTHON_HEADERS=$list"
     compile "$ROOT/build/native" "${@/#/_core_}"
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # setup_system.sh GROUP...: installs the Debian packages that are missing. --list GROUP...: names them.
-# Groups: build, test, lint, window, root, bpy (what the official module asks of the system), farm,
+# Groups: build, test, lint, window, wine, root, bpy (what the official module asks of the system), farm,
 # blender (unless $BLENDER or another Blender on the path is there).
 # As root or with a sudo that asks nothing; else prints the command to run and fails.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -23,6 +23,7 @@ packages_of() {
                 libxfixes3 libxi6 libxkbcommon0 libxrender1
             ;;
         root) echo debootstrap ;;
+        wine) echo wine wine64 ;;
         farm)
             echo slurmctld slurmd munge iproute2
             command -v node >/dev/null || echo nodejs
