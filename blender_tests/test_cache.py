@@ -147,7 +147,7 @@ def resident_mb() -> float:
 
 
 @pytest.mark.skipif(not pathlib.Path("/proc/self/statm").exists(), reason="reads Linux's /proc")
-def test_ten_runs_do_not_grow(scene: Any) -> None:
+def test_runs_do_not_grow(scene: Any) -> None:
     tools.add_camera(scene, (2.5, -5, 2))
     bpy.ops.mesh.primitive_monkey_add()
     monkey = bpy.context.object
@@ -158,7 +158,8 @@ def test_ten_runs_do_not_grow(scene: Any) -> None:
         monkey.location.x = 0.01 * i
         assert bpy.ops.illustrate.illustrate() == {"FINISHED"}
         sizes.append(resident_mb())
-    assert min(sizes[-3:]) < 1.05 * max(sizes[:3]), sizes
+    # The heap of a thread may grow once by many megabytes; a leak grows with each run.
+    assert np.median(np.diff(sizes)) < 0.5, sizes
 
 
 def test_digests_tell_things_apart() -> None:
