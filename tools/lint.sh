@@ -17,7 +17,7 @@ mapfile -t sources < <(find native -name '*.cpp' | sort)
 mapfile -t headers < <(find native -name '*.h' | sort)
 
 # clang-tidy reads the headers as they are written, without the precompiled one.
-cmake -G Ninja -S . -B build/lint -DILLUSTRATE_PRECOMPILED_HEADERS=OFF -DILLUSTRATE_TESTS=ON \
+cmake -G Ninja -S . -B build/lint -DILLUSTRATE_PRECOMPILED_HEADERS=OFF -DILLUSTRATE_UNITY_BUILD=OFF -DILLUSTRATE_TESTS=ON \
     "-DPython_EXECUTABLE=$VENV/bin/python" \
     "-Dpybind11_DIR=$(python -m pybind11 --cmakedir)" >build/lint.log ||
     { cat build/lint.log && fail "CMake could not configure the build"; } >&2

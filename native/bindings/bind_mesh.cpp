@@ -224,12 +224,12 @@ LightKind light_kind_named(const std::string& name) {
                      "', expected 'head', 'side', 'sun', 'point', 'spot', 'area' or 'ambient'");
 }
 
-const char* name_of(LightKind kind) { return light_names[static_cast<std::size_t>(kind)]; }
+const char* light_name(LightKind kind) { return light_names[static_cast<std::size_t>(kind)]; }
 
 void require(const py::object& argument, const char* name, LightKind kind) {
   if (argument.is_none()) {
     throw InvalidInput(std::string("light.") + name + " must be given for a light of kind '" +
-                       name_of(kind) + "'");
+                       light_name(kind) + "'");
   }
 }
 
@@ -292,7 +292,7 @@ void bind_light(py::module_& m) {
            "kind"_a, "vector"_a = none, "strength"_a = 1.0, "direction"_a = none,
            "angle_rad"_a = none, "blend"_a = 0.0, "falloff_distance"_a = 0.0, "edges"_a = none,
            "ellipse"_a = false, "casts_shadows"_a = true, "contours"_a = true)
-      .def_property_readonly("kind", [](const Light& light) { return name_of(light.kind); })
+      .def_property_readonly("kind", [](const Light& light) { return light_name(light.kind); })
       .def_property_readonly("vector",
                              [=](const Light& light) { return vector_array(light.vector); })
       .def_property_readonly("direction",

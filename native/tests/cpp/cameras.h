@@ -29,6 +29,9 @@ inline Camera orthographic(const Vec3& direction, double half_height, int size =
   return {projection, look_at(direction.normalized() * far / 2, Vec3::Zero()), size, size};
 }
 
+// From above; a world unit is a pixel.
+inline const Camera one_px = orthographic(Vec3(0, 0, 1), 500);
+
 inline Camera perspective(const Vec3& eye, const Vec3& target, double near = 0.1,
                           double fov_deg = 40, int size = 1000) {
   const double far = 1000, focal = 1 / std::tan(fov_deg * 3.141592653589793 / 360);

@@ -23,12 +23,12 @@ Surface plate(double half) {
 constexpr auto certain = Unseen::Evidence::certain;
 
 // 250 px to a unit, the origin at (500, 500).
-const Camera from_above = cameras::orthographic(Vec3::UnitZ(), 2);
+const Camera seen_from_above = cameras::orthographic(Vec3::UnitZ(), 2);
 
 TEST(OcclusionMap, HidesWhatIsBehindAllRound) {
   const Surface surface = plate(1);
-  const OcclusionMap map(surface, render_visible(surface, from_above, 1, {}, 1), 2);
-  const double depth = from_above.depth(Vec3::Zero());
+  const OcclusionMap map(surface, render_visible(surface, seen_from_above, 1, {}, 1), 2);
+  const double depth = seen_from_above.depth(Vec3::Zero());
   const auto hides = [&](double x, double y, double behind) {
     return map.hides(Vec2(x, y), Vec2(x, y), depth + behind);
   };
@@ -58,12 +58,12 @@ CurveNetwork line_under_plate(double from) {
 }
 
 double start_px(const CurveNetwork& network, std::size_t strand) {
-  return from_above.project(network.points[strand].front().position).xy.x();
+  return seen_from_above.project(network.points[strand].front().position).xy.x();
 }
 
 TEST(Unseen, StrandsAreCutALittleBeyondWhatHidesThem) {
   const Surface surface = plate(1);
-  const Unseen unseen(surface, from_above, certain, 1);
+  const Unseen unseen(surface, seen_from_above, certain, 1);
   const CurveNetwork cut = cut_at_unseen(unseen, line_under_plate(-1.9));
   ASSERT_EQ(cut.strands.size(), 2U) << "covered stretches of a few pixels are no strands";
   EXPECT_EQ(cut.strands[0].sight, Sight::possible);
@@ -86,7 +86,7 @@ TEST(Unseen, StrandsAlongAnEdgeAreCovered) {
     p.y() = 1 - 5. / 250;
     network.points.values[i].position = p;
   }
-  const CurveNetwork cut = cut_at_unseen(Unseen(surface, from_above, certain, 1), network);
+  const CurveNetwork cut = cut_at_unseen(Unseen(surface, seen_from_above, certain, 1), network);
   ASSERT_EQ(cut.strands.size(), 2U);
   EXPECT_EQ(cut.strands[1].sight, Sight::covered);
 }
@@ -94,7 +94,7 @@ TEST(Unseen, StrandsAlongAnEdgeAreCovered) {
 TEST(Unseen, StrandsAreCutBeyondTheFrame) {
   const Surface surface = plate(0.1);
   const CurveNetwork cut =
-      cut_at_unseen(Unseen(surface, from_above, certain, 1), line_under_plate(-100));
+      cut_at_unseen(Unseen(surface, seen_from_above, certain, 1), line_under_plate(-100));
   ASSERT_GE(cut.strands.size(), 2U);
   EXPECT_EQ(cut.strands[0].sight, Sight::beyond_frame);
   EXPECT_EQ(cut.strands[1].sight, Sight::possible);
@@ -182,10 +182,10 @@ TEST(Unseen, ChainsWithinWallsAreLeftOut) {
   const Surface surface =
       shapes::joined(plate(1), shapes::joined(shapes::sphere_surface(0.3, 2, Vec3(0, 0, -1)),
                                               shapes::sphere_surface(0.3, 2, Vec3(1, 0, -1))));
-  const ContourFunctions functions(surface, from_above);
+  const ContourFunctions functions(surface, seen_from_above);
   LinearSilhouettes found = linear_silhouettes(surface, functions);
   ASSERT_EQ(found.chains.size(), 2U);
-  EXPECT_EQ(leave_out_unseen_chains(Unseen(surface, from_above, certain, 1), found), 1);
+  EXPECT_EQ(leave_out_unseen_chains(Unseen(surface, seen_from_above, certain, 1), found), 1);
   for (std::size_t c = 0; c < 2; ++c) {
     EXPECT_EQ(found.is_left_out(c), found.chains[c].front().position.x() < 0.6);
   }

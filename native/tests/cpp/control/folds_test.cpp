@@ -11,7 +11,7 @@ namespace {
 
 using shapes::pi;
 
-SoundMesh sound(PolygonMesh mesh) {
+SoundMesh mended(PolygonMesh mesh) {
   mesh.cage = false;
   mesh.boundary = BoundaryRule::edges;
   mesh.crease_angle_deg = 30;
@@ -82,7 +82,7 @@ PolygonMesh with_mean_normals(PolygonMesh mesh) {
 }
 
 int fold_count(const PolygonMesh& mesh) {
-  const auto folded = fold(sound(mesh));
+  const auto folded = fold(mended(mesh));
   return folded ? static_cast<int>(folded->soft.edge_vertices.size()) : 0;
 }
 
@@ -101,7 +101,7 @@ SoundMesh cubes(int count) {
     const Points normals = smooth_cube().corner_normals;
     all.corner_normals.insert(all.corner_normals.end(), normals.begin(), normals.end());
   }
-  return sound(all);
+  return mended(all);
 }
 
 TEST(Folds, AreNoneWhereThereAreTooMany) {
@@ -136,7 +136,7 @@ TEST(Folds, AreWhatTheSmoothSurfaceMisses) {
   shapes::add_face(mesh, front);
   shapes::add_face(mesh, back);
   double nearest = 1e300;
-  for (const Vec3& p : surface_of(sound(with_mean_normals(mesh))).positions)
+  for (const Vec3& p : surface_of(mended(with_mean_normals(mesh))).positions)
     nearest = std::min(nearest, (p - Vec3(2, 0, 2.1)).norm());
   EXPECT_LT(nearest, .05);
 }
@@ -160,17 +160,17 @@ double off_chamfered(const Vec3& p, double w) {
 
 TEST(Folds, KeepToTheMesh) {
   double corner = 1e300;
-  for (const Vec3& p : surface_of(sound(smooth_cube())).positions) {
+  for (const Vec3& p : surface_of(mended(smooth_cube())).positions) {
     EXPECT_LT(std::abs(p.cwiseAbs().maxCoeff() - 1), .003);
     corner = std::min(corner, (p - Vec3(1, 1, 1)).norm());
   }
   EXPECT_LT(corner, .005);
-  for (const Vec3& p : surface_of(sound(chamfered_tube(.3))).positions)
+  for (const Vec3& p : surface_of(mended(chamfered_tube(.3))).positions)
     EXPECT_LT(off_chamfered(p, .3), .003);
 }
 
 TEST(Folds, FlatFacesStayFlat) {
-  const Surface surface = surface_of(sound(chamfered_tube(.3)));
+  const Surface surface = surface_of(mended(chamfered_tube(.3)));
   for (std::size_t v = 0; v < surface.positions.size(); ++v) {
     const Vec3& p = surface.positions[v];
     if (std::abs(p.y()) > .6 || p.x() < .9) continue;
@@ -180,7 +180,7 @@ TEST(Folds, FlatFacesStayFlat) {
 }
 
 TEST(Folds, AreNoCreases) {
-  for (const EdgeKind kind : surface_of(sound(smooth_cube())).feature_kinds)
+  for (const EdgeKind kind : surface_of(mended(smooth_cube())).feature_kinds)
     EXPECT_EQ(kind, EdgeKind::flat_outline);
 }
 
@@ -201,7 +201,7 @@ TEST(Folds, GrowSteadily) {
     }
     roof.level = 4;
     double highest = -1;
-    for (const Vec3& p : surface_of(sound(roof)).positions) highest = std::max(highest, p.z());
+    for (const Vec3& p : surface_of(mended(roof)).positions) highest = std::max(highest, p.z());
     return highest;
   };
   double last = farthest_corner(50);
@@ -217,7 +217,7 @@ TEST(Folds, OfADoubleCoverAreAlike) {
   PolygonMesh strip = shapes::moebius_mesh(5, 1);
   for (std::size_t c = 0; c < strip.corner_vertices.size(); ++c)
     strip.corner_normals.push_back(Vec3(0, 0, 1));
-  const SoundMesh mesh = sound(strip);
+  const SoundMesh mesh = mended(strip);
   const auto kept = keep_to_mesh(mesh, Scheme::catmull_clark);
   ASSERT_TRUE(kept);
   check_sound(*kept);

@@ -10,7 +10,7 @@
 namespace illustrate {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 // Few vertices, so that edges with many faces, pinches and duplicates abound.
 PolygonMesh nasty_mesh(unsigned seed) {
@@ -18,7 +18,7 @@ PolygonMesh nasty_mesh(unsigned seed) {
   const auto below = [&](int count) {
     return static_cast<int>(random() % static_cast<unsigned>(count));
   };
-  const std::vector<double> coordinates{0, 1, 2, -0.0, 1e-30, 1e30, 0.5, nan};
+  const std::vector<double> coordinates{0, 1, 2, -0.0, 1e-30, 1e30, 0.5, not_a_number};
   const int vertices = 4 + below(20), faces = below(60), known = 3 + below(6);
   PolygonMesh mesh;
   for (int v = 0; v < vertices; ++v)
@@ -105,7 +105,7 @@ TEST(MeshInput, ArraysThatDoNotFitAreNamed) {
   expect_invalid(changed([](auto& m) { m.marked_edges = {{-2, 0}}; }), "marked_edges[0] = -2");
   expect_invalid(changed([](auto& m) { m.face_materials = {1}; }), "face_materials (1)");
   expect_invalid(changed([](auto& m) { m.hole_faces = {6}; }), "hole_faces[0] = 6");
-  expect_invalid(changed([](auto& m) { m.crease_angle_deg = nan; }), "crease_angle_deg");
+  expect_invalid(changed([](auto& m) { m.crease_angle_deg = not_a_number; }), "crease_angle_deg");
   expect_invalid(changed([](auto& m) { m.level = -2; }), "level");
   expect_invalid(changed([](auto& m) { m.edge_length = -1; }), "edge_length");
 }

@@ -153,7 +153,7 @@ TEST(LineWeights, WrongOptionsAreNamed) {
 }
 
 // A level line that ends freely on the right.
-StrokePath level(double from, double to, double y, double width = 2) {
+StrokePath level_path(double from, double to, double y, double width = 2) {
   StrokePath path;
   for (double x = from; x <= to; x += 5)
     path.points.push_back({Vec3(x, -y, 0), {}, Vec2(x, y), width});
@@ -162,18 +162,18 @@ StrokePath level(double from, double to, double y, double width = 2) {
 }
 
 bool end_stays_free(StrokePath other) {
-  std::vector<StrokePath> paths{level(0, 50, 20), std::move(other)};
+  std::vector<StrokePath> paths{level_path(0, 50, 20), std::move(other)};
   keep_continued_ends(paths, 10, 1);
   return paths[0].free_end;
 }
 
 TEST(ContinuedEnds, OnAnotherLineThatRunsOnAreNotFree) {
-  EXPECT_FALSE(end_stays_free(level(45, 100, 20.5)));
-  EXPECT_FALSE(end_stays_free(level(50.5, 100, 20.0)));
-  EXPECT_TRUE(end_stays_free(level(45, 100, 23))) << "too far beside";
-  EXPECT_FALSE(end_stays_free(level(45, 100, 23, 8))) << "within a wide line";
-  EXPECT_TRUE(end_stays_free(level(55, 100, 20))) << "too far ahead";
-  EXPECT_TRUE(end_stays_free(level(0, 55, 20.5))) << "which ends there, too";
+  EXPECT_FALSE(end_stays_free(level_path(45, 100, 20.5)));
+  EXPECT_FALSE(end_stays_free(level_path(50.5, 100, 20.0)));
+  EXPECT_TRUE(end_stays_free(level_path(45, 100, 23))) << "too far beside";
+  EXPECT_FALSE(end_stays_free(level_path(45, 100, 23, 8))) << "within a wide line";
+  EXPECT_TRUE(end_stays_free(level_path(55, 100, 20))) << "too far ahead";
+  EXPECT_TRUE(end_stays_free(level_path(0, 55, 20.5))) << "which ends there, too";
 }
 
 TEST(ContinuedEnds, OnALineAcrossStayFree) {

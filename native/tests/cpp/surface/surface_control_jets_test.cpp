@@ -41,7 +41,7 @@ PolygonMesh irregular_ellipsoid(const Vec3& axes) {
 }
 
 // Mean and difference of the principal curvatures of an ellipsoid, at the point of it above p.
-std::pair<double, double> ellipsoid_curvature(const Vec3& axes, const Vec3& near) {
+std::pair<double, double> mean_and_difference(const Vec3& axes, const Vec3& near) {
   const Vec3 p = near / near.cwiseQuotient(axes).norm();
   const double h = 1 / p.cwiseQuotient(axes.cwiseProduct(axes)).norm();
   const double volume = axes.prod();
@@ -66,7 +66,7 @@ std::pair<double, double> ellipsoid_errors(const Surface& surface, const Vec3& a
   const std::vector<int> valence = valences(surface);
   double off[2]{}, size[2]{};
   for (std::size_t v = 0; v < surface.positions.size(); ++v) {
-    const auto [mean, difference] = ellipsoid_curvature(axes, surface.positions[v]);
+    const auto [mean, difference] = mean_and_difference(axes, surface.positions[v]);
     const double found_difference = std::abs(jet[v].k1 - jet[v].k2);
     const double error = 2 * std::pow((jet[v].k1 + jet[v].k2) / 2 - mean, 2) +
                          std::pow(found_difference - difference, 2) / 2;

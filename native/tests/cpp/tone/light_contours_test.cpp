@@ -8,6 +8,7 @@
 #include "tests/cpp/cameras.h"
 #include "tests/cpp/check_graph.h"
 #include "tests/cpp/shapes.h"
+#include "tests/cpp/tone/sun.h"
 
 namespace illustrate {
 namespace {
@@ -21,13 +22,6 @@ std::shared_ptr<const Prepared> prepared(const std::vector<PolygonMesh>& meshes,
   options.surface.level = level;
   options.field = false;
   return prepare(pointers, options);
-}
-
-Light sun(const Vec3& towards) {
-  Light light;
-  light.kind = LightKind::sun;
-  light.vector = towards;
-  return light;
 }
 
 PolygonMesh floor(double z, double half = 4) {
@@ -67,11 +61,11 @@ Lines lines_of(const Prepared& scene, const Camera& camera, const Light& light, 
   return lines;
 }
 
-constexpr double height = 2;  // of the ball over the floor
+constexpr double ball_height = 2;  // of the ball over the floor
 
 // A ball of the finer triangles the larger n.
 std::shared_ptr<const Prepared> ball_over_floor(int n) {
-  return prepared({shapes::icosphere_mesh(1, n), floor(-height)}, 1);
+  return prepared({shapes::icosphere_mesh(1, n), floor(-ball_height)}, 1);
 }
 
 double radius_of(const Prepared& scene) {
@@ -126,7 +120,7 @@ TEST(ShadowOutline, OfABallUnderTheSunIsAnEllipse) {
     const double radius = radius_of(*scene);
     const Lines lines =
         lines_of(*scene, camera, sun(towards), Kind::shadow_outline, [&](const Vec3& p) {
-          EXPECT_NEAR(p.z(), -height, 1e-9);
+          EXPECT_NEAR(p.z(), -ball_height, 1e-9);
           return std::abs((p - p.dot(towards) * towards).norm() - radius);
         });
     EXPECT_GE(lines.length, .5);
@@ -142,7 +136,7 @@ TEST(ShadowOutline, OfALampGrowsWithTheDistance) {
   lamp.vector = Vec3(0, 0, 4);
   const auto scene = ball_over_floor(4);
   const double slope = 1 / std::sqrt(4 * 4 - 1.);  // of the rays that touch the ball
-  const double radius = (lamp.vector.z() + height) * slope;
+  const double radius = (lamp.vector.z() + ball_height) * slope;
   const Lines lines =
       lines_of(*scene, cameras::orthographic(Vec3(0, -.1, -1), 6), lamp, Kind::shadow_outline,
                [&](const Vec3& p) { return std::abs(p.head<2>().norm() - radius); });

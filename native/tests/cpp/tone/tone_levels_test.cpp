@@ -4,6 +4,7 @@
 #include "core/errors.h"
 #include "tests/cpp/cameras.h"
 #include "tests/cpp/shapes.h"
+#include "tests/cpp/tone/sun.h"
 #include "tone/tone_regions.h"
 
 namespace illustrate {
@@ -15,13 +16,6 @@ double share_of(const ToneMap& tone, Tone level) {
   const auto seen = std::count_if(tone.level.begin(), tone.level.end(),
                                   [](Tone other) { return other != Tone::nothing; });
   return double(std::count(tone.level.begin(), tone.level.end(), level)) / double(seen);
-}
-
-Light sun(const Vec3& towards) {
-  Light light;
-  light.kind = LightKind::sun;
-  light.vector = towards;
-  return light;
 }
 
 struct Scene {

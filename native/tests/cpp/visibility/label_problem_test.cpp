@@ -7,7 +7,7 @@
 namespace illustrate {
 namespace {
 
-constexpr int most = 4;  // labels of the small problems are at most this
+constexpr int most_label = 4;  // labels of the small problems are at most this
 
 class RandomProblems {
  public:
@@ -19,14 +19,15 @@ class RandomProblems {
       problem.values.push_back({between(0, problem.unknowns - 1), low, low + between(0, 1),
                                 between(0, 9), between(0, 9)});
     }
-    for (int i = 0; i < problem.unknowns; ++i) problem.values.push_back({i, 0, most, 0, 1000});
+    for (int i = 0; i < problem.unknowns; ++i)
+      problem.values.push_back({i, 0, most_label, 0, 1000});
     for (int i = problem.unknowns > 1 ? between(0, 10) : 0; i > 0; --i) add_difference(problem);
     return problem;
   }
 
   std::vector<int> labels(int count) {
     std::vector<int> result;
-    for (int i = 0; i < count; ++i) result.push_back(between(0, most + 1));
+    for (int i = 0; i < count; ++i) result.push_back(between(0, most_label + 1));
     return result;
   }
 
@@ -44,10 +45,10 @@ class RandomProblems {
   std::mt19937 random_{1};
 };
 
-// The next of all labels up to `most`; false after the last.
+// The next of all labels up to `most_label`; false after the last.
 bool advance(std::vector<int>& x) {
   for (int& label : x) {
-    if (++label <= most) return true;
+    if (++label <= most_label) return true;
     label = 0;
   }
   return false;

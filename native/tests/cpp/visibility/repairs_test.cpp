@@ -11,7 +11,7 @@
 namespace illustrate {
 namespace {
 
-const Camera one_px = cameras::orthographic(Vec3(0, 0, 1), 500);  // a world unit is a pixel
+using cameras::one_px;
 
 // A closed silhouette through these points, cut into two strands at the cusps at its first and its
 // last, where it gains these layers.

@@ -10,7 +10,7 @@
 namespace illustrate {
 namespace {
 
-const Camera one_px = cameras::orthographic(Vec3(0, 0, 1), 500);  // a world unit is a pixel
+using cameras::one_px;
 
 const Points fold{{0, 0, 0}, {1, 0, 0}, {3, -.1, 0}, {3.6, -.08, 0}, {5, -.1, 0}, {20, -4, 0}};
 const Points rim{{0, 0, -1},    {1, .05, -1}, {3.2, -.15, -1},

@@ -9,7 +9,7 @@
 namespace illustrate {
 namespace {
 
-const Camera one_px = cameras::orthographic(Vec3(0, 0, 1), 500);  // a world unit is a pixel
+using cameras::one_px;
 
 // Closed silhouettes through these points, each with its surface on its left.
 CurveNetwork closed_curves(const std::vector<Points>& curves) {
