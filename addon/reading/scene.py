@@ -25,6 +25,7 @@ UNITS_ACROSS = 1024.0
 MOST_PIXELS = 4.0
 MEASURED_EDGES = 20_000
 LEEWAY = 1.4  # below 2, which would be another level
+LONG_SHARE = 0.95  # of the edges are no longer than a long one
 NO_COLOUR = (0.6, 0.6, 0.6, 1.0)  # of objects without a material, linear
 MOST_HALVINGS = 12  # more than any level of subdivision
 
@@ -239,7 +240,7 @@ def _in_world(placed: Placed, camera: CameraArrays) -> MeshArrays:
         arrays.corner_normals = geometry.corner_normals @ _of_normals(linear).T
     sizes = camera.unit_size(_finite(arrays.positions))
     if len(sizes):
-        arrays.edge_length = _halved(_median_edge(arrays), EDGE_LENGTH * float(sizes.min()))
+        arrays.edge_length = _halved(*_usual_edges(arrays), EDGE_LENGTH * float(sizes.min()))
     return arrays
 
 
@@ -267,20 +268,25 @@ def _of_normals(linear: Any) -> Any:
     return cofactors.astype(np.float32)
 
 
-def _halved(edge: float, longest: float) -> float:
+def _halved(edge: float, long_edge: float, longest: float) -> float:
     """What makes subdivision halve `edge` just as often as it must to be at most `longest`.
 
     It changes only where another level of subdivision does: while the camera moves, it stays the
-    same to the last bit. LEEWAY is for edges that mending the mesh makes a little longer.
+    same to the last bit. LEEWAY is for edges that mending the mesh makes a little longer. Where
+    `edge` is shorter it is doubled, but not beyond `long_edge`: there are none to be halved then.
     """
     if not (edge > 0 and longest > 0):
         return longest
-    halvings = min(max(math.ceil(math.log2(edge / longest)), 0), MOST_HALVINGS)
+    doublings = math.floor(math.log2(long_edge / edge))
+    halvings = min(max(math.ceil(math.log2(edge / longest)), -doublings), MOST_HALVINGS)
     return LEEWAY * math.ldexp(edge, -halvings)
 
 
-def _median_edge(mesh: MeshArrays) -> float:
-    """Of edges round faces, some of them when they are many; 0 where none is finite."""
+def _usual_edges(mesh: MeshArrays) -> tuple[float, float]:
+    """The median of the edges round faces, and one that few exceed; 0 where none is finite.
+
+    Of some of them when they are many.
+    """
     ends = np.cumsum(mesh.face_sizes)
     following = np.arange(1, len(mesh.corner_vertices) + 1)
     following[ends - 1] = ends - mesh.face_sizes
@@ -290,4 +296,7 @@ def _median_edge(mesh: MeshArrays) -> float:
     with np.errstate(invalid="ignore", over="ignore"):
         lengths = np.linalg.norm(b - a, axis=1)
     lengths = lengths[np.isfinite(lengths)]
-    return float(np.partition(lengths, len(lengths) // 2)[len(lengths) // 2]) if len(lengths) else 0
+    if not len(lengths):
+        return 0.0, 0.0
+    places = [len(lengths) // 2, int(LONG_SHARE * (len(lengths) - 1))]
+    return tuple(np.partition(lengths, places)[places].tolist())

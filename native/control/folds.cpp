@@ -21,6 +21,16 @@ constexpr double sharpest_fold = 8;
 
 // Edges of hexagons are curves, those of squares are none.
 constexpr double curve_deg = 64, fold_deg = 76;
+// A triangle that is so pointed opposite an edge is a piece of a strip that comes to that edge.
+constexpr double strip_deg = 30;
+
+// What turns less is a curve or hardly seen; from here on it is a corner where it stands alone.
+constexpr double bend_deg = 35, corner_bend_deg = 50;
+// An arc's first and last edge turn half as much as the others, which is two fifths and more. What
+// turns by less than a fifth of its neighbour, or by twice as much, is of another curve.
+constexpr double least_share = 0.2, less_share = 0.4;
+constexpr double more_share = 1.7, most_share = 2;
+
 // Shading turns 72 degrees over a face of a pentagonal prism, 90 across a chamfer.
 constexpr double bent_face_deg = 72, folded_face_deg = 84;
 
@@ -30,6 +40,15 @@ constexpr double flat_deg = 20, missed_fold_deg = 40;
 
 double degrees_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / pi;
+}
+
+struct Turn {
+  double degrees = 0;
+  Vec3 axis = Vec3::Zero();  // of any length
+};
+
+Turn turn_between(const Vec3& from, const Vec3& to) {
+  return {degrees_between(from, to), from.cross(to)};
 }
 
 class FoldFinder {
@@ -59,6 +78,60 @@ class FoldFinder {
     return smoothstep(bent_face_deg, folded_face_deg, degrees_between(near, far));
   }
 
+  // How the surface turns on its way across an edge, from the face of the half-edge to its mate's:
+  // as the faces do, or the strips that they are pieces of.
+  Turn turn_at(int h, int mate) const {
+    const Vec3& here = normals_[idx(faces_.corner_faces[idx(h)])];
+    const Vec3& beyond = normals_[idx(faces_.corner_faces[idx(mate)])];
+    const Turn of_faces = turn_between(here, beyond), of_strips = mitred_turn(h, mate);
+    return of_faces.degrees < of_strips.degrees ? of_strips : of_faces;
+  }
+
+  // Of two strips that meet in a mitre, as mouldings and the bevels of letters do: at both ends of
+  // the edge, and as much where they lie nearly in one plane, so that their faces hardly turn.
+  Turn mitred_turn(int h, int mate) const {
+    if (!is_strip(h) || !is_strip(mate)) return {};
+    Turn turn = turn_past(faces_.previous(h), faces_.next(mate));
+    turn.degrees = std::min(turn.degrees, turn_past(faces_.previous(mate), faces_.next(h)).degrees);
+    return turn;
+  }
+
+  std::size_t corners_of(int h) const { return faces_[faces_.corner_faces[idx(h)]].size(); }
+
+  bool is_strip(int h) const {
+    if (corners_of(h) != 3) return corners_of(h) == 4;
+    const Vec3& apex = mesh_.positions[idx(faces_.head(faces_.next(h)))];
+    const Vec3& a = mesh_.positions[idx(faces_.corners[idx(h)])];
+    const Vec3& b = mesh_.positions[idx(faces_.head(h))];
+    return degrees_between(a - apex, b - apex) < strip_deg;
+  }
+
+  // From half-edge `before`, which ends where `after` begins.
+  Turn turn_past(int before, int after) const {
+    const Vec3& from = mesh_.positions[idx(faces_.corners[idx(before)])];
+    const Vec3& here = mesh_.positions[idx(faces_.head(before))];
+    return turn_between(here - from, mesh_.positions[idx(faces_.head(after))] - here);
+  }
+
+  // Of an edge between two quadrilaterals: how differently the edges before and after it in their
+  // strip turn. No curve goes on through it then, whatever its angle.
+  double lone_share(int h, int mate, const Turn& turn) const {
+    const double share = smoothstep(bend_deg, corner_bend_deg, turn.degrees);
+    if (share == 0) return 0;
+    return share * std::min(difference(h, turn), difference(mate, {turn.degrees, -turn.axis}));
+  }
+
+  // 0 .. 1: between an edge's turn, on the way out of a face, and that of the edge where the way
+  // comes into it. 0 where that one says nothing.
+  double difference(int h, const Turn& turn) const {
+    const int across = faces_.next(faces_.next(h)), before = edges_.mates[idx(across)];
+    if (corners_of(h) != 4 || before == none || edges_.is_sharp(across)) return 0;
+    const Turn last = turn_at(before, across);
+    const double share = last.axis.dot(turn.axis) > 0 ? last.degrees / turn.degrees : 0;
+    return share < 1 ? 1 - smoothstep(least_share, less_share, share)
+                     : smoothstep(more_share, most_share, share);
+  }
+
   // The same of an edge that turns by so many degrees and whose ends the smooth surface misses.
   double missed_share(int h, double turn) const {
     if (distances_.empty()) return 0;
@@ -71,13 +144,15 @@ class FoldFinder {
     const int mate = edges_.mates[idx(h)];
     if (mate == none || edges_.is_sharp(h)) return 0;
     const int face = faces_.corner_faces[idx(h)], other = faces_.corner_faces[idx(mate)];
-    const double turn = degrees_between(normals_[idx(face)], normals_[idx(other)]);
-    const double share = std::max({smoothstep(curve_deg, fold_deg, turn), missed_share(h, turn),
-                                   folded_share(h), folded_share(mate)});
+    const double faces_turn = degrees_between(normals_[idx(face)], normals_[idx(other)]);
+    const Turn turn = turn_at(h, mate);
+    const double share =
+        std::max({smoothstep(curve_deg, fold_deg, turn.degrees), lone_share(h, mate, turn),
+                  missed_share(h, faces_turn), folded_share(h), folded_share(mate)});
     if (share == 0) return 0;
     // A cubic spline's limit is a sixth of its control polygon's second difference inside it.
     const double height = std::min(height_over(h), height_over(mate));
-    const double rounding = px_ * height * std::sin(std::min(turn, 90.) * pi / 180) / 6;
+    const double rounding = px_ * height * std::sin(std::min(turn.degrees, 90.) * pi / 180) / 6;
     if (!(rounding > rounding_px)) return 0;
     return share * std::min(sharpest_fold, std::log(rounding / rounding_px) / std::log(2.));
   }

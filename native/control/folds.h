@@ -1,13 +1,15 @@
 // Edges shaded smooth that turn too far to be samples of a curve.
 //
-// Rounding takes the vertices of a mesh for samples of a smooth surface. Where two faces meet at
-// nearly a right angle, as those of a cube that is shaded smooth, or where the normals turn as far
-// within one face, as across a chamfer whose normals continue the flat faces on either side, they
-// are not: an arc there would leave the artist's mesh far, and so would the limit of a cage. Such
-// edges are *folds*: semi-sharp creases, so sharp that the surface keeps within half a pixel of
-// the mesh, of a drawing in which the object's diagonal has 1400. They are shaded smooth and drawn
-// as smooth: no line runs along them but the silhouette. Folds are lines: an edge is no sharper
-// than what goes on at either end, and a single edge that turns far is noise.
+// Rounding takes the vertices of a mesh for samples of a smooth surface. They are not where two
+// faces meet at nearly a right angle, as those of a cube that is shaded smooth; where two strips of
+// faces meet so in a mitre, as the bevels of a letter do, however flat; where the normals turn as
+// far within one face, as across a chamfer whose normals continue the flat faces on either side;
+// nor where an edge turns and those before and after it in its strip do not. An arc there would
+// leave the artist's mesh far, and so would the limit of a cage. Such edges are *folds*: semi-sharp
+// creases, so sharp that the surface keeps within half a pixel of the mesh, of a drawing in which
+// the object's diagonal has 1400. They are shaded smooth and drawn as smooth: no line runs along
+// them but the silhouette. Folds are lines: an edge is no sharper than what goes on at either end,
+// and a single edge that turns far is noise.
 #pragma once
 
 #include <optional>

@@ -6,6 +6,7 @@
 
 #include "core/errors.h"
 #include "surface/subdivision/base_edges.h"
+#include "surface/subdivision/coarse_bends.h"
 
 namespace illustrate {
 namespace {
@@ -50,8 +51,7 @@ double largest_scale(const SoundMesh& mesh) {
   return scale;
 }
 
-// In world units, where the mesh is drawn largest.
-double median_edge(const SoundMesh& mesh) {
+std::vector<double> edge_lengths(const SoundMesh& mesh) {
   std::vector<double> lengths;
   const std::vector<int> offsets = face_offsets(mesh.face_sizes);
   for (std::size_t f = 0; f < mesh.face_sizes.size(); ++f) {
@@ -61,10 +61,32 @@ double median_edge(const SoundMesh& mesh) {
       lengths.push_back((mesh.positions[idx(mesh.corner_vertices[idx(next)])] - a).stableNorm());
     }
   }
+  return lengths;
+}
+
+// Reorders them.
+double median(std::vector<double>& lengths) {
   if (lengths.empty()) return 0;
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
   std::nth_element(lengths.begin(), middle, lengths.end());
-  return largest_scale(mesh) * *middle;
+  return *middle;
+}
+
+// What an automatic level goes by, in world units, where the mesh is drawn largest.
+struct Edges {
+  double median = 0;
+  bool has_long = false;  // so many that their bends have to be looked at
+};
+
+Edges measure_edges(const SoundMesh& mesh) {
+  std::vector<double> lengths = edge_lengths(mesh);
+  const double middle = median(lengths);
+  double all = 0, long_ones = 0;
+  for (const double length : lengths) {
+    all += length;
+    if (is_coarse(length, middle)) long_ones += length;
+  }
+  return {largest_scale(mesh) * middle, long_ones > ignored_coarse_share * all};
 }
 
 double automatic_edge_length(const std::vector<SoundMesh>& meshes) {
@@ -88,6 +110,15 @@ int level_for(double edge, double longest) {
   return level;
 }
 
+// By the median edge, and by the bends of faces that are much larger.
+int automatic_level(const SoundMesh& mesh, const Edges& edges, double longest) {
+  const int level = level_for(edges.median, longest);
+  if (!edges.has_long) return level;
+  const double scale = largest_scale(mesh);
+  return std::max(level, level_for_coarse_bends(mesh, edges.median / scale, longest / scale,
+                                                highest_automatic_level));
+}
+
 int explicit_level(const SoundMesh& mesh, const SurfaceOptions& options) {
   return mesh.level.value_or(options.level);
 }
@@ -99,7 +130,7 @@ void check_explicit_level(const SoundMesh& mesh, Scheme scheme, int level) {
 }
 
 void keep_budget(const std::vector<SoundMesh>& meshes, const std::vector<Scheme>& schemes,
-                 const std::vector<double>& edges, const std::vector<std::uint8_t>& automatic,
+                 const std::vector<Edges>& edges, const std::vector<std::uint8_t>& automatic,
                  int budget, std::vector<int>& levels) {
   std::vector<FaceCount> faces;
   std::int64_t total = 0;
@@ -107,18 +138,23 @@ void keep_budget(const std::vector<SoundMesh>& meshes, const std::vector<Scheme>
     faces.push_back(automatic[i] ? count_faces(meshes[i]) : FaceCount{});
     total += triangle_count(faces[i], schemes[i], levels[i]);
   }
-  const auto edge = [&](std::size_t i) { return std::ldexp(edges[i], -levels[i]); };
+  const auto edge = [&](std::size_t i) { return std::ldexp(edges[i].median, -levels[i]); };
+  // The first level of a mesh with coarse bends is worth most: on it the surface keeps to the mesh.
+  const auto keeps = [&](std::size_t i) { return edges[i].has_long && levels[i] == 1; };
+  const auto gives_up_sooner = [&](std::size_t i, std::size_t other) {
+    return keeps(i) != keeps(other) ? keeps(other) : edge(i) < edge(other);
+  };
   while (total > budget) {
-    int shortest = none;
+    int first = none;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
       if (!automatic[i] || levels[i] == 0) continue;
-      if (shortest == none || edge(i) < edge(idx(shortest))) shortest = static_cast<int>(i);
+      if (first == none || gives_up_sooner(i, idx(first))) first = static_cast<int>(i);
     }
-    if (shortest == none) return;
-    const FaceCount& given_up = faces[idx(shortest)];
-    int& level = levels[idx(shortest)];
-    total -= triangle_count(given_up, schemes[idx(shortest)], level);
-    total += triangle_count(given_up, schemes[idx(shortest)], --level);
+    if (first == none) return;
+    const FaceCount& given_up = faces[idx(first)];
+    int& level = levels[idx(first)];
+    total -= triangle_count(given_up, schemes[idx(first)], level);
+    total += triangle_count(given_up, schemes[idx(first)], --level);
   }
 }
 
@@ -127,7 +163,7 @@ void keep_budget(const std::vector<SoundMesh>& meshes, const std::vector<Scheme>
 std::vector<int> choose_levels(const std::vector<SoundMesh>& meshes,
                                const std::vector<Scheme>& schemes, const SurfaceOptions& options) {
   std::vector<int> levels(meshes.size(), 0);
-  std::vector<double> edges(meshes.size(), 0);
+  std::vector<Edges> edges(meshes.size());
   std::vector<std::uint8_t> automatic(meshes.size(), 0);
   const double usual =
       options.edge_length > 0 ? options.edge_length : automatic_edge_length(meshes);
@@ -139,8 +175,8 @@ std::vector<int> choose_levels(const std::vector<SoundMesh>& meshes,
       continue;
     }
     automatic[i] = 1;
-    edges[i] = median_edge(meshes[i]);
-    levels[i] = level_for(edges[i], meshes[i].edge_length.value_or(usual));
+    edges[i] = measure_edges(meshes[i]);
+    levels[i] = automatic_level(meshes[i], edges[i], meshes[i].edge_length.value_or(usual));
   }
   keep_budget(meshes, schemes, edges, automatic, options.triangle_budget, levels);
   return levels;

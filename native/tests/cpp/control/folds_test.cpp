@@ -118,6 +118,56 @@ TEST(Folds, AreWhatTurnsTooFarForACurve) {
   EXPECT_EQ(fold_count(shapes::uv_sphere_mesh(1, 8, 4)), 0);
 }
 
+// A moulding round a regular polygon of n sides: from the inside out less and less flat.
+PolygonMesh moulding(int n) {
+  const std::vector<Vec2> profile{{1, 0}, {1.2, .02}, {1.4, .1}, {1.5, .3}, {1.5, .8}};
+  PolygonMesh mesh;
+  for (const Vec2& p : profile)
+    for (int i = 0; i < n; ++i)
+      mesh.positions.emplace_back(p.x() * std::cos(2 * pi * i / n),
+                                  p.x() * std::sin(2 * pi * i / n), p.y());
+  for (int j = 0; j + 1 < static_cast<int>(profile.size()); ++j)
+    for (int i = 0; i < n; ++i) {
+      const int next = (i + 1) % n;
+      shapes::add_face(mesh, {j * n + i, (j + 1) * n + i, (j + 1) * n + next, j * n + next});
+    }
+  return with_mean_normals(mesh);
+}
+
+// Its inner faces turn by 11 degrees at the corners of a square, and the strips they are pieces of
+// by 90.
+TEST(Folds, AreMitres) {
+  EXPECT_EQ(fold_count(moulding(4)), 16);
+  EXPECT_EQ(fold_count(moulding(8)), 0);
+}
+
+// Squares in a row, each turned by so many degrees against the one before.
+PolygonMesh bent_strip(const std::vector<double>& turns_deg) {
+  PolygonMesh mesh;
+  Vec2 here = Vec2::Zero();
+  double direction = 0;
+  const auto add_pair = [&] {
+    for (const double y : {0., 1.}) mesh.positions.emplace_back(here.x(), y, here.y());
+  };
+  add_pair();
+  for (const double turn : turns_deg) {
+    direction += turn * pi / 180;
+    here += Vec2(std::cos(direction), std::sin(direction));
+    add_pair();
+    const int v = static_cast<int>(mesh.positions.size());
+    shapes::add_face(mesh, {v - 4, v - 2, v - 1, v - 3});
+  }
+  return with_mean_normals(mesh);
+}
+
+TEST(Folds, AreBendsThatNoCurveGoesOnThrough) {
+  EXPECT_EQ(fold_count(bent_strip({0, 0, 55, 0, 0})), 1);
+  EXPECT_EQ(fold_count(bent_strip({0, 0, 55, -55, 0, 0})), 2);
+  EXPECT_EQ(fold_count(bent_strip({0, 55, 55, 55, 0})), 0) << "an arc";
+  EXPECT_EQ(fold_count(bent_strip({0, 25, 50, 50, 25, 0})), 0) << "an arc with its ends";
+  EXPECT_EQ(fold_count(bent_strip({0, 0, 30, 0, 0})), 0) << "hardly a bend";
+}
+
 // Stairs below a roof, all of it shaded smooth. Where the roof meets the first riser it turns by 55
 // degrees, less than a fold: it is one since the smooth surface would miss its ends.
 TEST(Folds, AreWhatTheSmoothSurfaceMisses) {

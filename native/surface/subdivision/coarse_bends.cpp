@@ -1,0 +1,83 @@
+#include "surface/subdivision/coarse_bends.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "control/half_edges.h"
+
+namespace illustrate {
+namespace {
+
+// Of the longest edge, which the add-on asks to be three pixels: .4 pixels.
+constexpr double chord_share = 1.0 / 8;
+// As folds begin (control/folds.cpp).
+constexpr double fold_rad = 64 * 3.14159265358979323846 / 180;
+
+class CoarseBends {
+ public:
+  CoarseBends(const SoundMesh& mesh, double median, double nearest, int highest)
+      : mesh_(mesh),
+        edges_(mesh),
+        normals_(unit_normals(edges_.faces, mesh.positions)),
+        median_(median),
+        nearest_(nearest),
+        highest_(highest) {}
+
+  int level() const {
+    std::vector<double> lengths(idx(highest_) + 1, 0);  // of the edges that need each level
+    double all = 0;
+    for (const int h : edges_.first) {
+      const double length = (head(h) - start(h)).norm();
+      lengths[idx(level_of(h))] += length;
+      all += length;
+    }
+    double finer = 0;
+    for (int level = highest_; level > 0; --level) {
+      finer += lengths[idx(level)];
+      if (finer > ignored_coarse_share * all) return level;
+    }
+    return 0;
+  }
+
+ private:
+  const Vec3& start(int h) const { return mesh_.positions[idx(edges_.faces.corners[idx(h)])]; }
+  const Vec3& head(int h) const { return mesh_.positions[idx(edges_.faces.head(h))]; }
+
+  int level_of(int h) const {
+    const int mate = edges_.mates[idx(h)];
+    if (mate == none || edges_.is_sharp(h)) return 0;
+    const double reach = (reach_of(h) + reach_of(mate)) / 2;
+    if (!is_coarse(reach, median_)) return 0;
+    const std::vector<int>& faces = edges_.faces.corner_faces;
+    const Vec3 &a = normals_[idx(faces[idx(h)])], &b = normals_[idx(faces[idx(mate)])];
+    const double turn = std::atan2(a.cross(b).norm(), a.dot(b));
+    const double sagitta = reach * turn / 8;
+    if (!(sagitta > nearest_)) return 0;
+    if (!mesh_.cage && turn > fold_rad) return 1;
+    // A level halves chords, and quarters how far they are from their arcs.
+    return std::min(highest_, static_cast<int>(std::ceil(std::log(sagitta / nearest_) / std::log(4))));
+  }
+
+  // How far the face reaches from the line of its half-edge.
+  double reach_of(int h) const {
+    const Vec3 along = (head(h) - start(h)).normalized();
+    double reach = 0;
+    for (const int v : edges_.faces[edges_.faces.corner_faces[idx(h)]])
+      reach = std::max(reach, (mesh_.positions[idx(v)] - start(h)).cross(along).norm());
+    return reach;
+  }
+
+  const SoundMesh& mesh_;
+  const HalfEdges edges_;
+  const Points normals_;  // (f)
+  double median_, nearest_;
+  int highest_;
+};
+
+}  // namespace
+
+int level_for_coarse_bends(const SoundMesh& mesh, double median, double longest, int highest) {
+  return CoarseBends(mesh, median, chord_share * longest, highest).level();
+}
+
+}  // namespace illustrate
