@@ -323,8 +323,8 @@ class PrepareOptions:
     scheme: str
     """'auto', 'catmull-clark', 'loop' or 'none'."""
     level: int
-    """Of subdivision; -1: the first whose median edge is at most edge_length, and whose chords where
-    a coarse part bends stay within an eighth of it of their arcs, within the budget.
+    """Of subdivision; -1: the first whose median edge is at most edge_length, and whose chords
+    where a coarse part bends stay within an eighth of it of their arcs, within the budget.
     """
     edge_length: float
     """World units; 0: 1/600 of the diagonal of the box of all meshes."""
