@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <numeric>
 #include <thread>
 #include <vector>
 
@@ -105,6 +106,32 @@ void parallel_each(std::size_t count, int threads, const Progress& progress,
   queue.work(report, body, failures[0]);
   for (std::thread& other : others) other.join();
   rethrow_first(failures);
+}
+
+void parallel_parts(
+    const std::vector<std::size_t>& sizes, const PartSizes& limits, int threads,
+    const Progress& progress,
+    const std::function<void(std::size_t part, int threads, const Progress& progress)>& body) {
+  const std::size_t whole = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
+  const auto share = [&](std::size_t done) {
+    return static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(whole, 1));
+  };
+  std::vector<std::size_t> small, small_sizes;
+  std::size_t done = 0;
+  for (std::size_t part = 0; part < sizes.size(); ++part) {
+    const std::size_t size = sizes[part];
+    if (size <= limits.large && 2 * size <= whole) {
+      small.push_back(part);
+      small_sizes.push_back(size);
+      continue;
+    }
+    body(part, threads, progress.part(share(done), share(done + size)));
+    done += size;
+  }
+  const std::vector<std::size_t> starts = shares_of(small_sizes, limits.at_a_time);
+  parallel_each(starts.size() - 1, threads, progress.part(share(done), 1), [&](std::size_t s) {
+    for (std::size_t k = starts[s]; k < starts[s + 1]; ++k) body(small[k], 1, {});
+  });
 }
 
 std::vector<std::size_t> shares_of(const std::vector<std::size_t>& work, std::size_t least) {

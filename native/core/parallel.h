@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "core/progress.h"
@@ -27,6 +28,22 @@ void parallel_for(std::size_t count, int threads, const Progress& progress,
 // before each element of the calling thread.
 void parallel_each(std::size_t count, int threads, const Progress& progress,
                    const std::function<void(std::size_t i)>& body);
+
+// Which parts of some work are done one after another, each on all threads, and how much of the
+// others a thread takes at a time: in the unit of their sizes.
+struct PartSizes {
+  std::size_t large = std::numeric_limits<std::size_t>::max();
+  std::size_t at_a_time = 1;
+};
+
+// Calls body(part, threads, progress) for each part of some work. One that is larger than `limits`
+// says, or more than half of the whole, gets the calling thread, all `threads` and its share of the
+// progress; so a single part does. The others follow side by side, each on one thread and without
+// progress. The body writes only to what belongs to its part.
+void parallel_parts(
+    const std::vector<std::size_t>& sizes, const PartSizes& limits, int threads,
+    const Progress& progress,
+    const std::function<void(std::size_t part, int threads, const Progress& progress)>& body);
 
 // Consecutive elements put together to shares of so much work at least: the first element of each
 // share, and the count.

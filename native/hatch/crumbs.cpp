@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "hatch/greedy/neighbour_grid.h"
-#include "hatch/view/hatch_runs.h"
+#include "hatch/view/hatch_area.h"
 
 namespace illustrate {
 namespace {
@@ -68,11 +68,10 @@ class Sweeper {
   bool meets_tone(int hatch, bool at_end) const {
     const Span<const HatchPoint> points = curve(hatch);
     const std::size_t last = points.size() - 1;
-    const Vec2& tip = points[at_end ? last : 0].image;
-    const Vec2 way = tip - points[at_end ? last - 1 : 1].image;
-    const Vec2 beyond = tip + end_reach * spacing(hatch) * way.normalized();
-    return !scene_.curves.separate(tip, beyond) &&
-           !suits(region_of(scene_.tone, beyond), hatches_.kinds[idx(hatch)]);
+    const std::optional<Region> beyond =
+        region_beyond(scene_, points[at_end ? last - 1 : 1].image, points[at_end ? last : 0].image,
+                      end_reach * spacing(hatch));
+    return beyond && !suits(*beyond, hatches_.kinds[idx(hatch)]);
   }
 
   static bool suits(Region region, Kind kind) {
@@ -111,8 +110,7 @@ class Sweeper {
   Hatches kept() const {
     Hatches result;
     for (std::size_t h = 0; h < is_kept_.size(); ++h) {
-      if (!is_kept_[h]) continue;
-      result.add(hatches_.curves[h], hatches_.kinds[h], hatches_.objects[h]);
+      if (is_kept_[h]) result.add(hatches_, h);
     }
     return result;
   }

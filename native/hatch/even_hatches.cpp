@@ -120,11 +120,10 @@ class GroupHatcher {
         view_({scene.surface, scene.field, scene.families, scene.camera, scene.visible, tone_,
                scene.graph, scene.curves, scene.spacing_scale, scene.unhatched},
               options),
-        strips_(edge_places(view_)),
         undercuts_(scene, options) {}
 
   // Places of hatches and of undercuts beside critical curves.
-  EdgeStrips strips() const { return {strips_, undercuts_.strips()}; }
+  EdgeStrips strips() const { return {edge_places(view_), undercuts_.strips()}; }
 
   Hatches hatches(const HatchGroup& group, int threads, std::int64_t& steps,
                   const Progress& progress) const {
@@ -151,7 +150,6 @@ class GroupHatcher {
   const bool follows_;
   const ToneMap tone_;  // what is hatched broadened
   const HatchView view_;
-  const std::vector<SurfacePoint> strips_;
   const UndercutHatcher undercuts_;
 };
 
@@ -175,13 +173,11 @@ Hatches even_hatches(const HatchScene& scene, const CurvesOfObjects& curves,
   const std::vector<HatchGroup> groups = hatch_groups(scene, curves, first, hatcher.strips());
   std::vector<Hatches> made(groups.size());
   std::vector<std::int64_t> steps(groups.size());
-  if (groups.size() == 1) {
-    made[0] = hatcher.hatches(groups[0], threads, steps[0], progress);
-  } else {
-    parallel_each(groups.size(), threads, progress,
-                  [&](std::size_t g) { made[g] = hatcher.hatches(groups[g], 1, steps[g], {}); });
-  }
-  Hatches hatches = joined(made);
+  parallel_parts(std::vector<std::size_t>(groups.size(), 1), {}, threads, progress,
+                 [&](std::size_t g, int of_group, const Progress& part) {
+                   made[g] = hatcher.hatches(groups[g], of_group, steps[g], part);
+                 });
+  Hatches hatches = joined(std::move(made));
   for (const std::int64_t count : steps) counts["hatch_steps"] += count;
   counts["hatches"] += static_cast<std::int64_t>(hatches.kinds.size());
   progress.report(1);

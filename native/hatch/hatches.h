@@ -23,6 +23,13 @@ struct Hatches {
     kinds.push_back(kind);
     objects.push_back(object);
   }
+  // One of others, or all of them; what others were cut from stays with them.
+  void add(const Hatches& others, std::size_t hatch) {
+    add(others.curves[hatch], others.kinds[hatch], others.objects[hatch]);
+  }
+  void add(const Hatches& others) {
+    for (std::size_t h = 0; h < others.kinds.size(); ++h) add(others, h);
+  }
 };
 
 }  // namespace illustrate

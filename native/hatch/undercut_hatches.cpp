@@ -40,10 +40,7 @@ void UndercutHatcher::add(Hatches& hatches, StreamlineSet& set, const HatchGroup
   extend_tips(set, view_, 0.6, 0.5);
   relax_streamlines(set, view_, 2, threads, progress.part(0.8, 1));
   cut_streamlines(set, view_, 0.6, least);
-  const Hatches found = finished(set.streamlines, view_);
-  for (std::size_t h = 0; h < found.kinds.size(); ++h) {
-    hatches.add(found.curves[h], found.kinds[h], found.objects[h]);
-  }
+  hatches.add(finished(set.streamlines, view_));
 }
 
 }  // namespace illustrate

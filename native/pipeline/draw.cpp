@@ -280,11 +280,10 @@ class View {
     const HatchScene deep{scene.surface,       turned,         families,    scene.camera,
                           scene.visible,       tone,           scene.graph, scene.curves,
                           scene.spacing_scale, scene.unhatched};
-    const Hatches extra =
+    Hatches extra =
         reduced(place_hatches(deep, options_.hatch, result_.counts, progress.part(0.2, 1)), deep);
-    for (std::size_t i = 0; i < extra.kinds.size(); ++i) {
-      made.add(extra.curves[i], Kind::cross_hatch, extra.objects[i]);
-    }
+    std::fill(extra.kinds.begin(), extra.kinds.end(), Kind::cross_hatch);
+    made.add(extra);
   }
 
   const SeenScene& scene_;

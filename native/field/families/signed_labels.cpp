@@ -28,8 +28,8 @@ constexpr int most_passes = 4;
 // A gain, of the weights around, that rounding does not explain.
 constexpr double least_gain = 1e-9;
 
-// A part of more nodes is searched on the calling thread and reports; of others each thread takes
-// so many nodes at a time.
+// A part of more nodes is searched by itself and reports; of others each thread takes so many nodes
+// at a time.
 constexpr std::size_t large_part = 100000;
 constexpr std::size_t nodes_at_a_time = 1000;
 
@@ -239,22 +239,14 @@ class Searcher {
   }
 
   Labels search(int threads, const Progress& progress) {
-    std::vector<std::size_t> small, sizes, large;
+    std::vector<std::size_t> open, sizes;
     for (std::size_t p = 0; p < parts_.size(); ++p) {
       if (labels_[idx(nodes(p)[0])] != 0) continue;
-      const std::size_t size = nodes(p).size();
-      (size > large_part ? large : small).push_back(p);
-      if (size <= large_part) sizes.push_back(size);
+      open.push_back(p);
+      sizes.push_back(nodes(p).size());
     }
-    const Progress of_large = progress.part(0, 0.5);
-    for (std::size_t i = 0; i < large.size(); ++i) {
-      const auto count = static_cast<double>(large.size()), done = static_cast<double>(i);
-      search(large[i], of_large.part(done / count, (done + 1) / count));
-    }
-    const std::vector<std::size_t> shares = shares_of(sizes, nodes_at_a_time);
-    parallel_each(shares.size() - 1, threads, progress.part(0.5, 1), [&](std::size_t s) {
-      for (std::size_t k = shares[s]; k < shares[s + 1]; ++k) search(small[k], {});
-    });
+    parallel_parts(sizes, {large_part, nodes_at_a_time}, threads, progress,
+                   [&](std::size_t k, int, const Progress& part) { search(open[k], part); });
     return std::move(labels_);
   }
 

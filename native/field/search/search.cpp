@@ -13,8 +13,8 @@ namespace {
 // Near the last field, a search that takes longer needs to look at all scales.
 constexpr int few_evaluations = 8;
 
-// A part with more vertices, or most of the graph's, is searched on all threads and reports; of
-// others, each thread takes so many vertices at a time.
+// A part with more vertices is searched on all threads and reports; of others, each thread takes so
+// many vertices at a time.
 constexpr std::size_t large_part = 2000;
 constexpr std::size_t vertices_at_a_time = 256;
 
@@ -58,20 +58,12 @@ class Searcher {
         z_(graph.size()) {}
 
   SearchResult search(const Progress& progress) {
-    std::size_t large = 0;
-    std::vector<std::size_t> small, sizes;
-    for (std::size_t part = 0; part < parts_.size(); ++part) {
-      const std::size_t size = std::as_const(parts_)[part].size();
-      if (size <= large_part && 2 * size <= graph_.size()) {
-        small.push_back(part);
-        sizes.push_back(size);
-        continue;
-      }
-      const std::size_t done = large;
-      large += size;
-      search(part, options_.threads, progress.part(share(done), share(large)));
-    }
-    search(small, shares_of(sizes, vertices_at_a_time), progress.part(share(large), 1));
+    std::vector<std::size_t> sizes;
+    for (std::size_t part = 0; part < parts_.size(); ++part) sizes.push_back(vertices(part).size());
+    parallel_parts(sizes, {large_part, vertices_at_a_time}, options_.threads, progress,
+                   [&](std::size_t part, int threads, const Progress& of_part) {
+                     search(part, threads, of_part);
+                   });
     SearchResult result{std::move(z_), {true, 0}};
     for (const MinimiseResult& of_part : results_) {
       result.minimise.converged &= of_part.converged;
@@ -81,33 +73,22 @@ class Searcher {
   }
 
  private:
-  double share(std::size_t vertices) const {
-    return static_cast<double>(vertices) / static_cast<double>(std::max<std::size_t>(1, z_.size()));
-  }
-
-  void search(const std::vector<std::size_t>& parts, const std::vector<std::size_t>& shares,
-              const Progress& progress) {
-    if (parts.empty()) return;
-    parallel_each(shares.size() - 1, options_.threads, progress, [&](std::size_t s) {
-      for (std::size_t k = shares[s]; k < shares[s + 1]; ++k) search(parts[k], 1, {});
-    });
-  }
+  Span<const int> vertices(std::size_t part) const { return parts_[part]; }
 
   void search(std::size_t part, int threads, const Progress& progress) {
-    const Span<const int> vertices = std::as_const(parts_)[part];
-    const FieldGraph graph = part_of(graph_, vertices, numbers_);
-    const SearchStarts starts{of_part(starts_.initial, vertices),
-                              of_part(starts_.principal, vertices),
-                              of_part(starts_.nearby, vertices)};
+    const Span<const int> own = vertices(part);
+    const FieldGraph graph = part_of(graph_, own, numbers_);
+    const SearchStarts starts{of_part(starts_.initial, own), of_part(starts_.principal, own),
+                              of_part(starts_.nearby, own)};
     const SearchResult found = search_part(graph, starts, options_, threads, progress);
-    for (std::size_t i = 0; i < vertices.size(); ++i) z_[idx(vertices[i])] = found.z[i];
+    for (std::size_t i = 0; i < own.size(); ++i) z_[idx(own[i])] = found.z[i];
     results_[part] = found.minimise;
   }
 
   const FieldGraph& graph_;
   const SearchStarts& starts_;
   const FieldOptions& options_;
-  Ragged<int> parts_;
+  const Ragged<int> parts_;
   std::vector<MinimiseResult> results_;  // (parts)
   std::vector<int> numbers_;             // (n) of each vertex within its part
   CrossNumbers z_;                       // (n)

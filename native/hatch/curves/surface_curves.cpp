@@ -369,14 +369,11 @@ CurvesOfObjects ObjectCurves::down_to(const std::vector<double>& radii,
     if (has_curves) wanted.push_back(i);
     if (!has_curves) curves[i] = &objects_[i]->seeds_to(radii[i]);
   }
-  const auto make = [&](std::size_t i, const Progress& part) {
-    curves[i] = &objects_[i]->down_to(radii[i], part);
-  };
   progress.report(0);
-  if (wanted.size() == 1) make(wanted[0], progress);
-  if (wanted.size() > 1) {
-    parallel_each(wanted.size(), threads, progress, [&](std::size_t k) { make(wanted[k], {}); });
-  }
+  parallel_parts(std::vector<std::size_t>(wanted.size(), 1), {}, threads, progress,
+                 [&](std::size_t k, int, const Progress& part) {
+                   curves[wanted[k]] = &objects_[wanted[k]]->down_to(radii[wanted[k]], part);
+                 });
   progress.report(1);
   return curves;
 }

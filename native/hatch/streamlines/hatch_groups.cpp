@@ -86,26 +86,18 @@ std::vector<HatchGroup> hatch_groups(const HatchScene& scene, const CurvesOfObje
   return divider.take();
 }
 
-Hatches joined(const std::vector<Hatches>& groups) {
-  if (groups.size() == 1) return groups[0];
-  struct Place {
-    int object;
-    std::size_t group, hatch;
-  };
-  std::vector<Place> order;
-  Hatches result;
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    const Hatches& hatches = groups[g];
-    for (std::size_t h = 0; h < hatches.kinds.size(); ++h)
-      order.push_back({hatches.objects[h], g, h});
+Hatches joined(std::vector<Hatches> groups) {
+  if (groups.size() == 1) return std::move(groups[0]);
+  Hatches all, result;
+  for (const Hatches& hatches : groups) {
+    all.add(hatches);
     for (std::size_t i = 0; i < hatches.placed.size(); ++i) result.placed.add(hatches.placed[i]);
   }
+  std::vector<std::size_t> order(all.objects.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
-                   [](const Place& a, const Place& b) { return a.object < b.object; });
-  for (const Place& place : order) {
-    const Hatches& hatches = groups[place.group];
-    result.add(hatches.curves[place.hatch], hatches.kinds[place.hatch], place.object);
-  }
+                   [&](std::size_t a, std::size_t b) { return all.objects[a] < all.objects[b]; });
+  for (const std::size_t h : order) result.add(all, h);
   return result;
 }
 

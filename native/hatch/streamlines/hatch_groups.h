@@ -25,7 +25,7 @@ struct HatchGroup {
 std::vector<HatchGroup> hatch_groups(const HatchScene& scene, const CurvesOfObjects& curves,
                                      const Ragged<SurfacePoint>& first, const EdgeStrips& strips);
 
-// The hatches of all groups, object after object.
-Hatches joined(const std::vector<Hatches>& groups);
+// The hatches of all groups, object after object: as if they had been hatched one after another.
+Hatches joined(std::vector<Hatches> groups);
 
 }  // namespace illustrate

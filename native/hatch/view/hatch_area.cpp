@@ -14,6 +14,13 @@ constexpr double sheet_cells = 4;
 
 }  // namespace
 
+std::optional<Region> region_beyond(const HatchScene& scene, const Vec2& before, const Vec2& last,
+                                    double reach_px) {
+  const Vec2 beyond = last + reach_px * (last - before).normalized();
+  if (scene.curves.separate(last, beyond)) return {};
+  return region_of(scene.tone, beyond);
+}
+
 double HatchArea::pixel_per_w(const Camera& camera) {
   const Mat4 clip = camera.projection() * camera.view();
   return 2 / (clip.row(1).head<3>().norm() * camera.height_px());

@@ -1,6 +1,8 @@
 // Where hatches are wanted, and what is seen there.
 #pragma once
 
+#include <optional>
+
 #include "hatch/view/hatch_runs.h"
 #include "hatch/view/hatch_scene.h"
 
@@ -11,6 +13,11 @@ enum class Area : std::uint8_t {
   hatched,   // midtones, shadows and undercuts, no Mach bands
   undercut,  // undercuts only
 };
+
+// The region that lies so far beyond the last of two points; nothing where a critical curve runs
+// between.
+std::optional<Region> region_beyond(const HatchScene& scene, const Vec2& before, const Vec2& last,
+                                    double reach_px);
 
 class HatchArea {
  public:

@@ -70,6 +70,46 @@ TEST_P(ParallelTest, EachStopsWhenCancelledOrFailed) {
   EXPECT_THROW(parallel_each(1000, GetParam(), {}, fails), InvalidInput);
 }
 
+TEST(Parts, GetAllThreadsWhereTheyAreLargeOrMostOfTheWork) {
+  struct Case {
+    std::vector<std::size_t> sizes;
+    std::vector<std::size_t> alone;
+  };
+  const PartSizes limits{100, 10};
+  for (const auto& [sizes, alone] : {Case{{}, {}}, Case{{1}, {0}}, Case{{1, 1}, {}},
+                                     Case{{3, 1, 1}, {0}}, Case{{50, 101, 60, 102}, {1, 3}}}) {
+    std::vector<int> threads(sizes.size(), 0);
+    std::vector<double> reports;
+    const Progress progress(
+        [&](double fraction, const std::string&) {
+          reports.push_back(fraction);
+          return true;
+        },
+        "");
+    parallel_parts(sizes, limits, 7, progress, [&](std::size_t part, int given, const Progress& p) {
+      threads[part] = given;
+      p.report(1);
+    });
+    for (std::size_t part = 0; part < sizes.size(); ++part) {
+      const bool is_alone = std::count(alone.begin(), alone.end(), part) > 0;
+      EXPECT_EQ(threads[part], is_alone ? 7 : 1);
+    }
+    EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
+    EXPECT_GE(reports.size(), alone.size());
+  }
+}
+
+TEST_P(ParallelTest, PartsStopWhenCancelledOrFailed) {
+  const std::vector<std::size_t> sizes{1, 200, 1, 1};
+  const Progress cancel([](double, const std::string&) { return false; }, "");
+  const auto asks = [](std::size_t, int, const Progress& progress) { progress.report(0); };
+  EXPECT_THROW(parallel_parts(sizes, {100, 1}, GetParam(), cancel, asks), Cancelled);
+  const auto fails = [](std::size_t part, int, const Progress&) {
+    if (part == 3) throw InvalidInput("part 3");
+  };
+  EXPECT_THROW(parallel_parts(sizes, {100, 1}, GetParam(), {}, fails), InvalidInput);
+}
+
 TEST(Shares, HoldWorkEnoughAndEverything) {
   EXPECT_EQ(shares_of({}, 5), (std::vector<std::size_t>{0}));
   EXPECT_EQ(shares_of({1}, 5), (std::vector<std::size_t>{0, 1}));

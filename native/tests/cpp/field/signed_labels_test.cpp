@@ -173,7 +173,7 @@ TEST(CheapLabels, OfNothingAreNoneAndCanBeCancelled) {
   EXPECT_EQ(cheap_labels(graph_of({-1}, {})), Labels{-1});
   SeededNumbers numbers(9);
   int calls = 0;
-  const Progress progress([&](double, const std::string&) { return ++calls < 2; }, "field");
+  const Progress progress([&](double, const std::string&) { return ++calls < 3; }, "field");
   EXPECT_THROW(cheap_labels(sheet(30, 0.2, numbers), 1, progress), Cancelled);
 }
 
