@@ -7,6 +7,7 @@
 #include "core/parallel.h"
 #include "hatch/streamlines/cut_streamlines.h"
 #include "hatch/streamlines/edge_seeds.h"
+#include "hatch/streamlines/even_planes.h"
 #include "hatch/streamlines/finish_streamlines.h"
 #include "hatch/streamlines/grow_streamlines.h"
 #include "hatch/streamlines/hatch_groups.h"
@@ -60,6 +61,7 @@ void place_anew(StreamlineSet& set, const HatchView& view, const CurvesOfObjects
   merge_streamlines(set, view);
   thin_streamlines(set, view, 1.1);
   relax_streamlines(set, view, 2, threads, progress.part(0.8, 1));
+  even_planes(set, view);
   cut_streamlines(set, view, 0.5, 1);
 }
 

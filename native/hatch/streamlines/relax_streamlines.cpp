@@ -4,19 +4,16 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "hatch/streamlines/neighbours.h"
 
 namespace illustrate {
 namespace {
 
 // In spacings.
-constexpr double near_reach = 1.25;  // of neighbours: most are found so near
-constexpr double reach = 2;          // of all
 constexpr double curve_reach = 1.5;  // of critical curves
 constexpr double most_pull = 0.4;
 constexpr double most_move = 0.19;  // in a sweep
 constexpr double stiffness = 2.4;   // length over which a streamline bends
-
-constexpr double band = 0.55;  // half a neighbour's piece of line, in node steps
 
 constexpr double share_moved = 0.75;  // of the solution, in a sweep
 
@@ -31,9 +28,6 @@ constexpr double least_apart = 0.51;
 
 // Of a node that is held.
 constexpr double holding_weight = 1e6;
-
-// Nodes of one streamline nearer along it are not its own neighbours.
-constexpr int own_nodes = 6;
 
 // A node moves in the image at most so many times as far as it is meant to.
 constexpr double most_overshoot = 1.3;
@@ -147,57 +141,21 @@ class Relaxer {
     to.erase(to.begin(), to.begin() + static_cast<std::ptrdiff_t>(begin));
   }
 
-  // Distances to the nearest parallel streamlines to the left and the right, infinite beyond
-  // `reach`.
-  std::array<double, 2> beside(const Streamline& streamline, int number, int index) const {
-    const auto near = beside(streamline, number, index, near_reach * streamline.spacing);
-    if (std::isfinite(near[0]) && std::isfinite(near[1])) return near;
-    return beside(streamline, number, index, reach * streamline.spacing);
-  }
-
-  std::array<double, 2> beside(const Streamline& streamline, int number, int index,
-                               double far) const {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    const StreamlineNode& node = streamline.nodes[idx(index)];
-    const Vec2 left = node.left();
-    const double half_piece = std::min(streamline.spacing * node_step, double(set_.grid.widest()));
-    const double beside = 2 * band * half_piece;
-    const Vec2 half = far * left.cwiseAbs() + beside * node.heading.cwiseAbs();
-    const Eigen::AlignedBox2d box(node.image - half, node.image + half);
-    std::array<double, 2> nearest{infinite, infinite};
-    const Vec2 strip(beside, far + 2 * band * double(set_.grid.widest()));
-    set_.grid.visit_strip(box, node.image, node.heading, strip, [&](const GridNode& other) {
-      const Vec2 offset = other.image - node.image;
-      const double along = offset.dot(node.heading);
-      if (std::abs(along) > beside) return;
-      if (other.streamline == number && std::abs(other.index - index) <= own_nodes) return;
-      const double at = along / other.heading.dot(node.heading);  // along the neighbour
-      if (!(std::abs(at) <= 2 * band * double(other.half))) return;
-      const double across = offset.dot(left) - at * other.heading.dot(left);
-      double& best = nearest[across < 0];
-      if (std::abs(across) < std::min(best, far) &&
-          HatchView::is_alike(node, other, streamline.spacing)) {
-        best = std::abs(across);
-      }
-    });
-    return nearest;
-  }
-
   // A critical curve nearer than the neighbour takes its place: as far beyond as the node is before
   // it.
   double mirrored(const StreamlineNode& node, const Vec2& side, double distance,
                   double spacing) const {
     const double most = curve_reach * spacing, far = std::min(distance, most);
-    const double at = far * view_.curves.first_crossing(node.image, node.image + far * side);
+    const double at = curve_beside(view_, node, side, far);
     return at <= far ? std::clamp(2 * at, 0.5 * spacing, most) : distance;
   }
 
   Pull pull_at(const Streamline& streamline, int number, int index) const {
     const StreamlineNode& node = streamline.nodes[idx(index)];
     const double spacing = streamline.spacing, most = most_pull * spacing;
-    auto [left, right] = beside(streamline, number, index);
-    left = mirrored(node, node.left(), left, spacing);
-    right = mirrored(node, -node.left(), right, spacing);
+    const auto beside = neighbours(set_, number, index);
+    const double left = mirrored(node, node.left(), beside[0].distance, spacing);
+    const double right = mirrored(node, -node.left(), beside[1].distance, spacing);
     Pull pull;
     if (std::isfinite(left) && std::isfinite(right)) {
       pull = {(left - right) / 2, full_weight};

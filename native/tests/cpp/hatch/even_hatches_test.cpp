@@ -43,6 +43,28 @@ TEST(EvenHatches, PlaneIsHatchedEvenlyByBothFamilies) {
   EXPECT_EQ(scene.counts["hatches"], static_cast<int>(hatches.curves.size()));
 }
 
+// Gaps of a face of ninety hatches, before its edges too, when it is known to be flat.
+TEST(EvenHatches, AreRuledOnFlatFaces) {
+  Scene scene = scene_of(shapes::plain_surface(shapes::plane(13, 11)),
+                         cameras::orthographic(Vec3::UnitZ(), 1.2, 880),
+                         [](const Vec3&) { return Vec3(Vec3::UnitX()); });
+  scene.add_arc(Kind::boundary, {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}});
+  const double drifting = spacing_variation(scene.even(), Vec2::UnitY());
+  scene.surface.planes.emplace_back();
+  scene.surface.triangle_planes.assign(scene.surface.triangles.size(), 0);
+  const Hatches ruled = scene.even();
+  check_hatches(scene, ruled);
+  EXPECT_GT(drifting, 0.06);
+  EXPECT_LT(spacing_variation(ruled, Vec2::UnitY()), 0.01);
+  for (std::size_t h = 0; h < ruled.curves.size(); ++h) {
+    const auto curve = std::as_const(ruled.curves)[h];
+    for (const HatchPoint& point : curve) {
+      const Vec2 off = (point.image - curve.front().image).cwiseAbs();
+      EXPECT_LT(off.minCoeff(), 1e-3) << "straight";
+    }
+  }
+}
+
 TEST(EvenHatches, KeepToTheCross) {
   Scene scene = torus_scene();
   const Hatches hatches = scene.even();
