@@ -101,9 +101,9 @@ TEST(TouchImages, StayWhereAnotherCurveCrosses) {
   const CurveNetwork network = rim_beside_fold(false, true);
   const Arrangement before = arrange(network, one_px), after = pulled_together(network);
   ASSERT_EQ(after.live_crossings(), 2);
-  for (std::size_t c = 0; c < after.crossings().size(); ++c) {
-    if (!after.is_live(static_cast<int>(c))) continue;
-    EXPECT_LT((after.image_at(after.crossings()[c].back) - after.crossing(static_cast<int>(c)).image).norm(), 1e-3);
+  for (int c = 0; c < static_cast<int>(after.crossings().size()); ++c) {
+    if (!after.is_live(c)) continue;
+    EXPECT_LT((after.image_at(after.crossing(c).back) - after.crossing(c).image).norm(), 1e-3);
   }
   EXPECT_EQ(drawn(after, 1), drawn(before, 1));
 }
