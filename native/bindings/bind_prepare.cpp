@@ -6,6 +6,7 @@
 #include "bindings/draw_options.h"
 #include "bindings/jobs.h"
 #include "pipeline/prepare.h"
+#include "surface/edge_kinds.h"
 
 namespace illustrate::bindings {
 namespace {
@@ -43,26 +44,11 @@ py::array line_curvature(const SurfaceHandle& handle, Value PrincipalCurvature::
   return array_of(std::move(values));
 }
 
-std::uint8_t public_kind(EdgeKind kind) {
-  switch (kind) {
-    case EdgeKind::boundary:
-      return static_cast<std::uint8_t>(Kind::boundary);
-    case EdgeKind::flat_outline:
-      return static_cast<std::uint8_t>(Kind::flat_outline);
-    case EdgeKind::seam:
-      return static_cast<std::uint8_t>(Kind::seam);
-    case EdgeKind::mark:
-      return static_cast<std::uint8_t>(Kind::mark);
-    case EdgeKind::material:
-      return static_cast<std::uint8_t>(Kind::material);
-    default:
-      return static_cast<std::uint8_t>(Kind::crease);
-  }
-}
-
 py::array feature_kinds(const SurfaceHandle& handle) {
   std::vector<std::uint8_t> kinds;
-  for (const EdgeKind kind : handle.surface().feature_kinds) kinds.push_back(public_kind(kind));
+  for (const EdgeKind kind : handle.surface().feature_kinds) {
+    kinds.push_back(static_cast<std::uint8_t>(line_kind(kind)));
+  }
   return array_of(std::move(kinds));
 }
 

@@ -4,14 +4,11 @@
 
 #include "core/index_map.h"
 #include "core/prefetch.h"
+#include "surface/edge_kinds.h"
 #include "surface/locate.h"
 
 namespace illustrate {
 namespace {
-
-bool is_passage(EdgeKind kind) {
-  return kind != EdgeKind::crease && kind != EdgeKind::boundary && kind != EdgeKind::seam;
-}
 
 // By the corners that are front, a bit for each: the edge from a front corner to a back one, and
 // that from a back corner to a front one.
@@ -73,7 +70,7 @@ class Tracer {
   // The segment that goes on where segment i ends.
   int segment_behind(int i, const IndexMap& index) const {
     const std::size_t triangle = idx(triangles_[idx(i)]), out = idx(segments_[idx(i)].out);
-    if (!is_passage(surface_.edge_kinds[triangle][out])) return none;
+    if (parts_surface(surface_.edge_kinds[triangle][out])) return none;
     const int other = surface_.neighbours[triangle][out];
     return other == none ? none : index[other];
   }

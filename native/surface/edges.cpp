@@ -6,6 +6,7 @@
 #include "core/parallel.h"
 #include "core/tolerances.h"
 #include "mesh/polygons.h"
+#include "surface/edge_kinds.h"
 
 namespace illustrate {
 namespace {
@@ -198,10 +199,7 @@ class FlatAreas {
 
   int area(int t) const { return std::max(areas_[idx(t)], none); }
 
-  bool is_divided(int t, int k) const {
-    const EdgeKind kind = surface_.edge_kinds[idx(t)][idx(k)];
-    return kind == EdgeKind::crease || kind == EdgeKind::boundary || kind == EdgeKind::seam;
-  }
+  bool is_divided(int t, int k) const { return parts_surface(surface_.edge_kinds[idx(t)][idx(k)]); }
 
   void mark_if_outline(int t, int k) {
     const int n = surface_.neighbours[idx(t)][idx(k)];

@@ -152,7 +152,7 @@ class DualTree::Builder {
         set_grid(face, begin, end);
         tree_.roots_[face] = static_cast<int>(tree_.nodes_.size());
         tree_.nodes_.emplace_back();
-        fill_node(idx(tree_.roots_[face]), begin, end, octree_levels, true);
+        fill_node(idx(tree_.roots_[face]), begin, end, octree_levels, /*is_last=*/true);
       }
       begin = end;
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/direction.h"
 #include "surface/locate.h"
 
 namespace illustrate {
@@ -10,11 +11,13 @@ namespace {
 constexpr double farthest_px = 1.6 * cusp_reach_px;
 constexpr double swallowtail_px = 0.25;
 
+constexpr std::array<Direction, 2> directions{Direction::backward, Direction::forward};
+
 // Steps along a chain in one direction, round a closed one.
 class Walk {
  public:
-  Walk(std::size_t count, bool closed, std::size_t from, bool forward)
-      : count_(count), closed_(closed), at_(from), forward_(forward) {}
+  Walk(std::size_t count, bool closed, std::size_t from, Direction direction)
+      : count_(count), closed_(closed), at_(from), forward_(direction == Direction::forward) {}
 
   // False at the end of an open chain, and after a whole round.
   bool step() {
@@ -51,7 +54,9 @@ class Drawn {
   Vec2 image(std::size_t i) const { return camera_.project(line_.points[i].position).xy; }
   double distance(std::size_t i, std::size_t j) const { return (image(i) - image(j)).norm(); }
   bool closed() const { return line_.closed; }
-  Walk walk(std::size_t from, bool forward) const { return {size(), line_.closed, from, forward}; }
+  Walk walk(std::size_t from, Direction direction) const {
+    return {size(), line_.closed, from, direction};
+  }
 
   // Cusps, ends, and points on edges that may be curves.
   bool must_stay(const Surface& surface, std::size_t i) const {
@@ -95,8 +100,7 @@ class Thinner {
 
   void run(const std::vector<std::size_t>& cusps) {
     for (const std::size_t cusp : cusps) {
-      clear(cusp, false);
-      clear(cusp, true);
+      for (const Direction direction : directions) clear(cusp, direction);
     }
     put_together();
   }
@@ -110,8 +114,8 @@ class Thinner {
     std::optional<ContourKnot> knot;
   };
 
-  void clear(std::size_t cusp, bool forward) {
-    Walk walk = drawn_.walk(cusp, forward);
+  void clear(std::size_t cusp, Direction direction) {
+    Walk walk = drawn_.walk(cusp, direction);
     std::vector<std::size_t> dropped;
     std::size_t last = cusp;
     while (walk.step()) {
@@ -124,6 +128,7 @@ class Thinner {
         last = at;
         continue;
       }
+      const bool forward = direction == Direction::forward;
       if (reached > farthest_px) add_between(cusp, forward ? last : at, forward ? at : last);
       break;
     }
@@ -208,13 +213,13 @@ struct RecedingPoint {
   double distance;  // from the cusp
 };
 
-std::vector<RecedingPoint> receding(const Drawn& drawn, std::size_t cusp, bool forward) {
+std::vector<RecedingPoint> receding(const Drawn& drawn, std::size_t cusp, Direction direction) {
   constexpr std::size_t longest = 100;
   constexpr double farthest = 30;  // px
   std::vector<RecedingPoint> strand;
   strand.reserve(longest);
   strand.push_back({cusp, drawn.image(cusp), 0});
-  Walk walk = drawn.walk(cusp, forward);
+  Walk walk = drawn.walk(cusp, direction);
   while (strand.size() < longest && walk.step()) {
     const Vec2 image = drawn.image(walk.at());
     const double distance = (image - strand[0].image).norm();
@@ -237,8 +242,8 @@ class Horn {
  public:
   Horn(const Drawn& drawn, std::size_t cusp)
       : drawn_(drawn),
-        backward_(receding(drawn, cusp, false)),
-        forward_(receding(drawn, cusp, true)) {}
+        backward_(receding(drawn, cusp, Direction::backward)),
+        forward_(receding(drawn, cusp, Direction::forward)) {}
 
   void find(std::vector<CrossedSegment>& crossed) const {
     const std::vector<RecedingPoint>&a = backward_, &b = forward_;
@@ -284,8 +289,8 @@ bool stays_near(const Drawn& drawn, std::size_t a, std::size_t b, double reach) 
 bool drop_around(const Surface& surface, const Drawn& drawn, std::size_t middle, double reach,
                  std::vector<std::uint8_t>& dropped) {
   bool meets_cusp = false;
-  for (const bool forward : {false, true}) {
-    Walk walk = drawn.walk(middle, forward);
+  for (const Direction direction : directions) {
+    Walk walk = drawn.walk(middle, direction);
     while (walk.step() && drawn.distance(walk.at(), middle) <= reach) {
       if (drawn.must_stay(surface, walk.at())) {
         meets_cusp |= drawn[walk.at()].is_cusp();

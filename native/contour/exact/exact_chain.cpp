@@ -54,7 +54,7 @@ SurfacePoint on_triangle(const PatchTriangle& patch, int triangle, const Vec2& u
   return {triangle, b1, b2};
 }
 
-void ExactChain::solve(Span<const EdgePoint> linear, bool closed, bool everywhere) {
+void ExactChain::solve(Span<const EdgePoint> linear, bool closed, Exactness exactness) {
   linear_ = linear;
   closed_ = closed;
   exact_.clear();
@@ -63,7 +63,7 @@ void ExactChain::solve(Span<const EdgePoint> linear, bool closed, bool everywher
   for (std::size_t i = 0; i < segments(); ++i) {
     stations_[i].turns_over = turns_over(linear[i], linear[after(i)]);
   }
-  if (everywhere) {
+  if (exactness == Exactness::everywhere) {
     for (std::size_t i = 0; i < stations_.size(); ++i) solve_station(i);
     return;
   }
@@ -125,7 +125,9 @@ double ExactChain::dilation_reach(const EdgePoint& p) const {
   return std::min(dilation_edges * edge_px, most_dilation_px);
 }
 
-void ExactChain::want_around(std::size_t i, bool forward, std::vector<std::uint8_t>& wanted) const {
+void ExactChain::want_around(std::size_t i, Direction direction,
+                             std::vector<std::uint8_t>& wanted) const {
+  const bool forward = direction == Direction::forward;
   const std::size_t count = stations_.size();
   const Vec2& centre = images_[i];
   const double reach = dilation_reach(linear_[i]);
@@ -142,8 +144,8 @@ std::vector<std::size_t> ExactChain::near_suspects() const {
   std::vector<std::uint8_t> wanted(stations_.size(), 0);
   for (std::size_t i = 0; i < segments(); ++i) {
     if (!is_suspect(i)) continue;
-    want_around(i, false, wanted);
-    want_around(after(i), true, wanted);
+    want_around(i, Direction::backward, wanted);
+    want_around(after(i), Direction::forward, wanted);
   }
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < wanted.size(); ++i) {

@@ -5,7 +5,9 @@
 #include <unordered_map>
 
 #include "contour/exact/exact_segment.h"
+#include "contour/exact/exactness.h"
 #include "contour/silhouettes.h"
+#include "core/direction.h"
 
 namespace illustrate {
 
@@ -58,8 +60,8 @@ class ExactChain {
         solved_(solved),
         segment_(contour, functions.camera()) {}
 
-  // Finds the exact points of a linear chain, which is to outlive this; everywhere: all of them.
-  void solve(Span<const EdgePoint> linear, bool closed, bool everywhere);
+  // Finds the exact points of a linear chain, which is to outlive this.
+  void solve(Span<const EdgePoint> linear, bool closed, Exactness exactness);
 
   // The chain that was solved, with what lies within its triangles.
   ExactPolyline polyline();
@@ -119,7 +121,8 @@ class ExactChain {
   bool turns_off(std::size_t segment) const;
   bool drifts(std::size_t segment) const;
   double dilation_reach(const EdgePoint& point) const;
-  void want_around(std::size_t station, bool forward, std::vector<std::uint8_t>& wanted) const;
+  void want_around(std::size_t station, Direction direction,
+                   std::vector<std::uint8_t>& wanted) const;
   std::vector<std::size_t> near_suspects() const;
 
   void solve_station(std::size_t station);

@@ -28,9 +28,12 @@ struct ExactChains {
 struct Task {
   const LimitSurface& limit;
   const Camera& camera;
-  bool everywhere;
+  Exactness exactness;
   int threads;
 };
+
+// What becomes of chains with troubled triangles.
+enum class Troubled : std::uint8_t { left_empty, drawn };
 
 class Drawer {
  public:
@@ -38,23 +41,22 @@ class Drawer {
       : camera_(task.camera),
         contour_(task.limit, task.camera),
         segment_(contour_, task.camera),
-        everywhere_(task.everywhere) {}
+        exactness_(task.exactness) {}
 
-  // Chains with troubled triangles stay empty, unless all are wanted.
   ExactChains draw(const Surface& surface, const ContourFunctions& functions,
                    const LinearSilhouettes& linear, std::size_t begin, std::size_t end,
-                   SolvedEdges* solved, bool all) {
+                   SolvedEdges* solved, Troubled troubled_ones) {
     ExactChain exact(surface, contour_, functions, solved);
     ExactChains result;
     result.chains.resize(end - begin);
     result.swallowtails.resize(end - begin);
     for (std::size_t c = begin; c < end; ++c) {
       if (linear.is_left_out(c)) continue;
-      exact.solve(linear.chains[c], linear.closed[c], everywhere_);
+      exact.solve(linear.chains[c], linear.closed[c], exactness_);
       ExactPolyline line = exact.polyline();
       const std::vector<int> troubled = exact.troubled();
       result.troubled.insert(result.troubled.end(), troubled.begin(), troubled.end());
-      if (!all && !troubled.empty()) continue;
+      if (troubled_ones == Troubled::left_empty && !troubled.empty()) continue;
       result.swallowtails[c - begin] = finish(surface, exact, line);
       result.chains[c - begin] = std::move(line);
     }
@@ -96,7 +98,7 @@ class Drawer {
   const Camera& camera_;
   LimitContour contour_;
   ExactSegment segment_;
-  bool everywhere_;
+  Exactness exactness_;
 };
 
 // Points of linear chains that are worth a turn on another thread.
@@ -116,8 +118,8 @@ ExactChains draw_untroubled(const Surface& surface, const ContourFunctions& func
   const std::vector<std::size_t> starts = shares_of(sizes, least_share);
   std::vector<ExactChains> shares(starts.size() - 1);
   parallel_each(shares.size(), task.threads, progress, [&](std::size_t i) {
-    shares[i] =
-        Drawer(task).draw(surface, functions, linear, starts[i], starts[i + 1], nullptr, false);
+    shares[i] = Drawer(task).draw(surface, functions, linear, starts[i], starts[i + 1], nullptr,
+                                  Troubled::left_empty);
   });
   ExactChains result;
   for (ExactChains& share : shares) {
@@ -208,8 +210,8 @@ class Finer {
       const Surface& surface = patchwork_.surface();
       const ContourFunctions functions(surface, task_.camera);
       const LinearSilhouettes traced = trace(surface, functions);
-      redrawn_.chains =
-          drawer.draw(surface, functions, traced, 0, traced.chains.size(), &solved, is_last);
+      redrawn_.chains = drawer.draw(surface, functions, traced, 0, traced.chains.size(), &solved,
+                                    is_last ? Troubled::drawn : Troubled::left_empty);
       wanted.clear();
       if (!is_last) wanted = redrawn_.chains.troubled;
     }
@@ -363,9 +365,9 @@ void redraw_troubled(const Surface& surface, const LinearSilhouettes& linear, co
 
 Silhouettes exact_silhouettes(const Surface& surface, const LimitSurface& limit,
                               const ContourFunctions& functions, const Camera& camera,
-                              const LinearSilhouettes& linear, bool everywhere, Counts& counts,
+                              const LinearSilhouettes& linear, Exactness exactness, Counts& counts,
                               const Progress& progress, int threads) {
-  const Task task{limit, camera, everywhere, threads};
+  const Task task{limit, camera, exactness, threads};
   ExactChains drawn = draw_untroubled(surface, functions, linear, task, progress.part(0, 0.5));
   counts["troubled_triangles"] += static_cast<std::int64_t>(drawn.troubled.size());
   if (!drawn.troubled.empty()) {

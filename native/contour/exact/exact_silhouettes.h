@@ -5,6 +5,7 @@
 // matters: round cusps, and where chains end on feature curves. Elsewhere linear points stay.
 #pragma once
 
+#include "contour/exact/exactness.h"
 #include "contour/silhouettes.h"
 #include "core/progress.h"
 #include "surface/limit/limit_surface.h"
@@ -30,12 +31,13 @@ struct Silhouettes {
 // The linear chains, but: points near cusps and ends lie on the limit surface; linear cusps give
 // way to exact ones; points are added within triangles (edge none) where the curve turns, and taken
 // away nearer to a cusp than the image can show. Pairs of cusps less than a quarter pixel apart
-// that undo each other's turn (a swallowtail) become one plain point. `everywhere`: all points
-// become exact. Adds "evaluations", "swallowtails", "troubled_triangles" to `counts`. Throws
-// Cancelled through `progress`. threads (0: all cores) take chains in turn.
+// that undo each other's turn (a swallowtail) become one plain point. With
+// Exactness::everywhere all points become exact. Adds "evaluations", "swallowtails",
+// "troubled_triangles" to `counts`. Throws Cancelled through `progress`. threads (0: all cores)
+// take chains in turn.
 Silhouettes exact_silhouettes(const Surface& surface, const LimitSurface& limit,
                               const ContourFunctions& functions, const Camera& camera,
-                              const LinearSilhouettes& linear, bool everywhere, Counts& counts,
+                              const LinearSilhouettes& linear, Exactness exactness, Counts& counts,
                               const Progress& progress = {}, int threads = 1);
 
 }  // namespace illustrate

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "surface/edge_kinds.h"
 #include "surface/locate.h"
 
 namespace illustrate {
@@ -20,26 +21,6 @@ struct Piece {
 
   bool symmetric() const { return strand.left_layers == strand.right_layers; }
 };
-
-Kind kind_of(EdgeKind kind) {
-  switch (kind) {
-    case EdgeKind::boundary:
-      return Kind::boundary;
-    case EdgeKind::crease:
-      return Kind::crease;
-    case EdgeKind::seam:
-      return Kind::seam;
-    case EdgeKind::mark:
-      return Kind::mark;
-    case EdgeKind::material:
-      return Kind::material;
-    case EdgeKind::flat_outline:
-      return Kind::flat_outline;
-    case EdgeKind::smooth:
-      break;
-  }
-  return Kind::silhouette;  // a smooth edge between a front and a back face of a polygon object
-}
 
 class PieceMaker {
  public:
@@ -70,7 +51,7 @@ class PieceMaker {
     result.places = {start_node == none ? place(first, 0) : none,
                      end_node == none ? place(first, 1) : none};
     result.nodes = {start_node, end_node};
-    result.strand.kind = kind_of(edge.kind);
+    result.strand.kind = line_kind(edge.kind);
     result.strand.object = surface_.triangle_objects[idx(first.triangle)];
     result.from_polygons = is_polygonal(first);
     set_layers(edge, cuts, (from + to) / 2, result.strand);

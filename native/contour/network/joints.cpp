@@ -89,15 +89,18 @@ class JointFinder {
   }
 
   // The node where a point of a curve lies on a feature edge, none where the edge is no feature.
-  int cut_feature(int triangle, int corner, double fraction, const Vec3& position,
-                  bool tells_side = true) {
+  // The curve comes from this side of the edge; that of a free line tells nothing.
+  int cut_feature(const EdgeSide& side, double fraction, const Vec3& position) {
+    return cut_feature(side, fraction, position, side);
+  }
+  int cut_feature(const EdgeSide& at, double fraction, const Vec3& position, const EdgeSide& told) {
+    const auto [triangle, corner] = at;
     if (surface_.edge_kinds[idx(triangle)][idx(corner)] == EdgeKind::smooth) return none;
     const auto found = feature_of_side_.find(side_key(triangle, corner));
     if (found == feature_of_side_.end()) return none;
     const int node = add_node(NodeKind::joint, position);
-    joints_.edges.push_back({found->second,
-                             along_feature(found->second, triangle, corner, fraction), node,
-                             tells_side ? EdgeSide{triangle, corner} : EdgeSide{}});
+    joints_.edges.push_back(
+        {found->second, along_feature(found->second, triangle, corner, fraction), node, told});
     return node;
   }
 
@@ -111,7 +114,7 @@ class JointFinder {
       if (p.cusp_jump != 0)
         node = add_node(NodeKind::cusp, p.position);
       else if (p.edge != none)
-        node = cut_feature(p.on.triangle, p.edge, p.fraction, p.position);
+        node = cut_feature({p.on.triangle, p.edge}, p.fraction, p.position);
       if (node == none && tip) node = add_node(NodeKind::end, p.position);
       if (node != none) joints_.chains.push_back({c, static_cast<int>(i), 0, node, p.cusp_jump});
     }
@@ -134,7 +137,7 @@ class JointFinder {
     const std::array<double, 3> weights{1 - p.b1 - p.b2, p.b1, p.b2};
     for (int k = 0; k < 3; ++k) {
       if (weights[idx(previous_corner(k))] > on_edge_weight) continue;
-      const int node = cut_feature(p.triangle, k, weights[idx(next_corner(k))], position);
+      const int node = cut_feature({p.triangle, k}, weights[idx(next_corner(k))], position);
       if (node != none) return node;
     }
     return none;
@@ -158,7 +161,7 @@ class JointFinder {
       const bool tip = !closed && (i == 0 || i + 1 == line.size());
       int node = none;
       if (p.edge != none) {
-        node = cut_feature(p.on.triangle, p.edge, p.fraction, p.position, false);
+        node = cut_feature({p.on.triangle, p.edge}, p.fraction, p.position, EdgeSide{});
       }
       if (node == none && tip) node = add_node(NodeKind::end, p.position);
       if (node != none) joints_.lines.push_back({c, static_cast<int>(i), 0, node, {}});

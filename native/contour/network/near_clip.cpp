@@ -22,6 +22,13 @@ class NearClipper {
   }
 
  private:
+  // Which of a strand's own ends a piece of it has.
+  struct Kept {
+    bool start = false;
+    bool end = false;
+  };
+  static constexpr Kept whole{true, true};
+
   bool seen(const CurvePoint& p) const { return camera_.near_distance(p.position) > 0; }
 
   void clip_strand(int s) {
@@ -29,7 +36,7 @@ class NearClipper {
     const Strand& strand = network_.strands[idx(s)];
     if (std::all_of(points.begin(), points.end(), [&](const CurvePoint& p) { return seen(p); })) {
       for (const CurvePoint& p : points) result_.points.push(p);
-      finish(strand, s, true, true);
+      finish(strand, s, whole);
       return;
     }
     cut_strand(s, points, strand);
@@ -43,27 +50,29 @@ class NearClipper {
       while (start < n && seen(points[start])) ++start;
     }
     const std::size_t count = strand.closed() ? n + 1 : n;
-    bool open = false, whole_start = false;
+    bool open = false;
+    Kept kept;
     Strand piece = strand;
     for (std::size_t i = 0; i < count; ++i) {
       const CurvePoint& p = points[(start + i) % n];
       const bool here = seen(p);
       if (here && !open) {
         open = true;
-        whole_start = i == 0;
+        kept.start = i == 0;
         piece.start_node = strand.start_node;
-        if (!whole_start) piece.start_node = push_cut(points[(start + i + n - 1) % n], p);
+        if (!kept.start) piece.start_node = push_cut(points[(start + i + n - 1) % n], p);
       }
       if (here) result_.points.push(p);
       if (!here && open) {
         piece.end_node = push_cut(p, points[(start + i + n - 1) % n]);
-        finish(piece, s, whole_start, false);
+        finish(piece, s, kept);
         open = false;
       }
     }
     if (!open) return;
     piece.end_node = strand.end_node;
-    finish(piece, s, whole_start, true);
+    kept.end = true;
+    finish(piece, s, kept);
   }
 
   // A point on the near plane between a hidden and a seen point, as a new node.
@@ -79,12 +88,12 @@ class NearClipper {
     return static_cast<int>(result_.nodes.size()) - 1;
   }
 
-  void finish(const Strand& strand, int source, bool whole_start, bool whole_end) {
+  void finish(const Strand& strand, int source, const Kept& kept) {
     const int index = static_cast<int>(result_.strands.size());
     result_.points.close_list();
     result_.strands.push_back(strand);
-    if (whole_start) ends_[idx(source)][0] = index;
-    if (whole_end) ends_[idx(source)][1] = index;
+    if (kept.start) ends_[idx(source)][0] = index;
+    if (kept.end) ends_[idx(source)][1] = index;
   }
 
   void keep_tie(const Tie& tie) {

@@ -69,8 +69,8 @@ CurveNetwork build_network(const ContourScene& scene, const Camera& camera,
     mark_unseen_segments(*unseen, linear);
   }
   const Silhouettes found =
-      exact_silhouettes(surface, scene.limit, functions, camera, linear, false, counts,
-                        progress.part(0, 0.5), options.threads);
+      exact_silhouettes(surface, scene.limit, functions, camera, linear, Exactness::where_needed,
+                        counts, progress.part(0, 0.5), options.threads);
   const PolygonSilhouettes folds = polygon_silhouettes(surface, camera, scene.dual);
   progress.report(0.5);
   FreeLines lines = scene.light_contours ? *scene.light_contours : FreeLines{};

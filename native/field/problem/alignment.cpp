@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "surface/edge_kinds.h"
+
 namespace illustrate {
 namespace {
 
@@ -19,8 +21,6 @@ struct FeatureSide {
 };
 
 bool attracts(EdgeKind kind) { return kind == EdgeKind::boundary || kind == EdgeKind::crease; }
-
-bool may_have_copies(EdgeKind kind) { return attracts(kind) || kind == EdgeKind::seam; }
 
 FeatureSide feature_side(const Surface& surface, int triangle, int corner) {
   const Triangle& vertices = surface.triangles[idx(triangle)];
@@ -70,7 +70,7 @@ Alignment align_to_features(const Surface& surface, const TangentFrames& frames,
     }
     for (int k = 0; k < 3; ++k) {
       const EdgeKind kind = surface.edge_kinds[t][idx(k)];
-      if (!may_have_copies(kind)) continue;
+      if (!parts_surface(kind)) continue;
       const FeatureSide side = feature_side(surface, static_cast<int>(t), k);
       sides.push_back(side);
       if (!attracts(kind)) continue;

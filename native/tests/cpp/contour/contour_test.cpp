@@ -18,7 +18,7 @@ std::int64_t cusps_of(const Surface& surface, const Camera& camera) {
   const ContourFunctions functions(surface, camera);
   Counts counts;
   return exact_silhouettes(surface, LimitSurface(surface), functions, camera,
-                           linear_silhouettes(surface, functions), false, counts)
+                           linear_silhouettes(surface, functions), Exactness::where_needed, counts)
       .cusps;
 }
 

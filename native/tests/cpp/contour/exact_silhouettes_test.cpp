@@ -19,13 +19,14 @@ struct Drawn {
   Counts counts;
 };
 
-Drawn draw(const Surface& surface, const Camera& camera, bool everywhere = false) {
+Drawn draw(const Surface& surface, const Camera& camera,
+           Exactness exactness = Exactness::where_needed) {
   const LimitSurface limit(surface);
   const ContourFunctions functions(surface, camera);
   Drawn drawn;
   drawn.linear = linear_silhouettes(surface, functions);
   drawn.exact =
-      exact_silhouettes(surface, limit, functions, camera, drawn.linear, everywhere, drawn.counts);
+      exact_silhouettes(surface, limit, functions, camera, drawn.linear, exactness, drawn.counts);
   return drawn;
 }
 
@@ -289,7 +290,7 @@ TEST(ExactSilhouettes, EverywhereMeansEverywhere) {
   const Surface torus = refined(shapes::torus_mesh(1, .4, 24, 12), at_level(2));
   const LimitSurface limit(torus);
   for (const Camera& camera : cameras_at(.5)) {
-    const Drawn drawn = draw(torus, camera, true);
+    const Drawn drawn = draw(torus, camera, Exactness::everywhere);
     LimitContour contour(limit, camera);
     for (const ChainPoint& p : drawn.exact.chains.values) {
       const PatchTriangle& patch = torus.patches[idx(p.on.triangle)];

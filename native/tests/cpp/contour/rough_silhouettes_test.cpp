@@ -63,8 +63,8 @@ Silhouettes exact(const Surface& surface, const Camera& camera, Counts& counts, 
     counts["unseen_chains"] += leave_out_unseen_chains(unseen, linear);
     mark_unseen_segments(unseen, linear);
   }
-  return exact_silhouettes(surface, LimitSurface(surface), functions, camera, linear, false, counts,
-                           {}, threads);
+  return exact_silhouettes(surface, LimitSurface(surface), functions, camera, linear,
+                           Exactness::where_needed, counts, {}, threads);
 }
 
 Surface level_0(const std::vector<PolygonMesh>& meshes) {
