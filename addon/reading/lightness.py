@@ -364,6 +364,7 @@ def read_image(image: Any) -> Any:
     image.pixels.foreach_get(pixels)
     pixels = _averaged(pixels.reshape(height, width, image.channels))
     colours = pixels[..., :3] if image.channels > 2 else pixels[..., :1]
+    # Pixels of bytes come as the file has them, floats are linear already.
     if image.colorspace_settings.name == "sRGB" and not image.is_float:
         colours = _linear(colours)
     weights = np.array(LUMINANCE if colours.shape[2] == 3 else (1.0,), np.float32)

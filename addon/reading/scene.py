@@ -163,6 +163,7 @@ def camera_problem(scene: Any) -> str:
             f'"{camera.name}", the camera of scene "{scene.name}", is not a '
             "camera: choose one in the scene properties"
         )
+    # `calc_matrix_camera` would give them an ordinary perspective, without a word.
     if camera.data.type not in ("PERSP", "ORTHO"):
         kind = {"PANO": "panoramic"}.get(camera.data.type, camera.data.type.lower())
         return (
@@ -197,6 +198,7 @@ def read_camera(scene: Any, depsgraph: Any) -> CameraArrays:
         depsgraph, x=width, y=height, scale_x=render.pixel_aspect_x, scale_y=render.pixel_aspect_y
     )
     try:
+        # Normalized: Blender looks through a scaled camera as if it were not.
         view = evaluated.matrix_world.normalized().inverted()
     except ValueError as error:
         raise IllustrateError(
