@@ -144,7 +144,8 @@ def colour_of(scene: Any, name: str) -> tuple[float, ...]:
     material = next((slot.material for slot in thing.material_slots), None) if thing else None
     if material is None:
         return NO_COLOUR
-    for node in material.node_tree.nodes if material.node_tree else ():
+    tree = material.node_tree if material.use_nodes else None  # a tree out of use stays there
+    for node in tree.nodes if tree else ():
         if node.type == "BSDF_PRINCIPLED" and not node.inputs["Base Color"].is_linked:
             return tuple(node.inputs["Base Color"].default_value)
     return tuple(material.diffuse_color)
