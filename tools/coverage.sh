@@ -55,6 +55,7 @@ addon_files() {
 mkdir -p "$OUT" "$BUILD"
 "$ROOT/tools/setup_python.sh" "$TOOLS" "$ROOT/tools/requirements_coverage.txt"
 PARTS=" ${*:-cpp python addon} "
+if [[ $PARTS == *" addon "* ]]; then "$ROOT/tools/setup_system.sh" build test blender; fi
 if [[ $PARTS == *" cpp "* ]]; then cpp; fi
 if [[ $PARTS == *" python "* || $PARTS == *" addon "* ]]; then "$ROOT/tools/build.sh"; fi
 if [[ $PARTS == *" python "* ]]; then python_files; fi

@@ -1,4 +1,4 @@
-"""The pages of docs/ name what is there: files, links, sections, targets of make."""
+"""Pages and workflows name what is there: files, links, sections, targets of make."""
 
 from __future__ import annotations
 
@@ -18,6 +18,8 @@ PAGES = sorted(
     if page.parent != SITE
 )
 NAMES = [page.relative_to(ROOT).as_posix() for page in PAGES]
+
+WORKFLOWS = sorted((ROOT / ".github" / "workflows").glob("*.yml"))
 
 FENCE = re.compile(r"^```.*?^```", re.DOTALL | re.MULTILINE)
 CODE = re.compile(r"`([^`\n]+)`")
@@ -106,12 +108,28 @@ def test_numbers_stand_where_the_page_says(page: Path) -> None:
         ), f"{file}: {name}"
 
 
+@cache
+def targets() -> set[str]:
+    """Of the Makefile."""
+    return set(re.findall(r"^([\w-]+):", (ROOT / "Makefile").read_text(), re.MULTILINE))
+
+
 @pytest.mark.parametrize("page", PAGES, ids=NAMES)
 def test_targets_of_make_are_there(page: Path) -> None:
-    known = set(re.findall(r"^([\w-]+):", (ROOT / "Makefile").read_text(), re.MULTILINE))
     text = page.read_text(encoding="utf-8")
     named = re.findall(r"`make ([\w-]+)`|^make ([\w-]+)", text, re.MULTILINE)
-    assert not {a or b for a, b in named} - known
+    assert not {a or b for a, b in named} - targets()
+
+
+@pytest.mark.parametrize("path", WORKFLOWS, ids=lambda path: path.stem)
+def test_workflows_install_make_and_call_its_targets(path: Path) -> None:
+    for job in re.split(r"^  (?=\w+:$)", path.read_text(encoding="utf-8"), flags=re.MULTILINE)[1:]:
+        rows = re.findall(r"^ +target: \[(.+)\]$", job, re.MULTILINE)
+        chosen = {name for row in rows for name in row.split(", ")}
+        called = set(re.findall(r"run: make ([\w-]+)$", job, re.MULTILINE)) | chosen
+        assert called <= targets()
+        # Bare images have none.
+        assert not called or re.search(r"install(?s:.)*? make ", job.partition("run: make")[0])
 
 
 def test_every_page_is_reached_from_the_first() -> None:
