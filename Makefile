@@ -75,6 +75,6 @@ fresh:
 docs:
 	tools/docs.sh
 
-## lines that no test runs, C++ and Python, the worst files first
+## lines that no test runs: C++, module and add-on, the worst files first
 coverage:
 	tools/coverage.sh

@@ -12,6 +12,7 @@ import bpy
 FOLDER = pathlib.Path(__file__).parent / "languages"
 TABLES = {"de_DE": "german", "de": "german"}
 """The table of each of Blender's languages; some have another name from 4.0 on."""
+# Blender looks the names of operators up in a context of their own, all else in "*".
 CONTEXTS = ("*", "Operator")
 
 

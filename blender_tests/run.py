@@ -7,7 +7,7 @@ ARGUMENTS are pytest's.
 
 pytest comes from this Python, else from $ILLUSTRATE_TEST_SITE, or .venv where that is not set.
 The add-on is that of build/addons; $ILLUSTRATE_ADDONS names another folder of add-ons, and
-$ILLUSTRATE_ZIP a package to install and to test.
+$ILLUSTRATE_ZIP a package to install and to test. $ILLUSTRATE_COVERAGE: see measured.py.
 """
 
 import os
@@ -34,8 +34,10 @@ def own_arguments() -> list[str]:
 if __name__ == "__main__":
     set_paths()
     import installed
+    import measured
     import pytest
 
     installed.provide()
     options = ["-c", os.devnull, "--rootdir", str(HERE), "-p", "no:cacheprovider"]
-    sys.exit(int(pytest.main([*options, str(HERE), *own_arguments()])))
+    arguments = [*options, str(HERE), *own_arguments()]
+    sys.exit(int(pytest.main(arguments, plugins=measured.plugins())))

@@ -110,6 +110,16 @@ def test_very_different_widths_are_drawn_again(scene: Any, counter: Counter, wid
     assert counter.of(scene)[0] == ["draw"]
 
 
+def test_strokes_without_width_are_not_stretched(scene: Any, counter: Counter) -> None:
+    tools.add_camera(scene)
+    style = add_sphere().illustrate
+    style.use_own, style.width_scale = True, 0.0
+    counter.of(scene)
+    assert counter.of(scene)[0] == []
+    style.width_scale = 0.5
+    assert counter.of(scene)[0] == ["draw"]
+
+
 def test_two_styles_stay_at_hand(scene: Any, counter: Counter) -> None:
     tools.add_camera(scene)
     add_sphere()

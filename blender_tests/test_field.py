@@ -103,6 +103,23 @@ def test_strokes_are_read_in_world_space(scene: Any, kind: str, closed: bool) ->
         assert np.linalg.norm(guide - corner, axis=1).min() < 1e-5
 
 
+@pytest.mark.skipif(bpy.app.version < (4, 2, 0), reason="scripts cannot make hair curves before")
+def test_hair_curves_are_read_in_world_space(scene: Any) -> None:
+    tools.cube_scene(scene)
+    fur = bpy.data.hair_curves.new("Fur")
+    fur.add_curves([3, 2, 1])
+    flat = np.arange(18, dtype=np.float32)
+    fur.attributes["position"].data.foreach_set("vector", flat)
+    thing = bpy.data.objects.new("Fur", fur)
+    thing.scale = (1, 2, 1)
+    guide_collection(scene).objects.link(thing)
+    bpy.context.view_layer.update()
+    expected = flat.reshape(-1, 3) * (1, 2, 1)
+    long, short = guides_of(scene)  # one point has no direction
+    assert long == pytest.approx(expected[:3])
+    assert short == pytest.approx(expected[3:5])
+
+
 def test_guides_are_not_drawn_and_child_collections_count(scene: Any) -> None:
     tools.cube_scene(scene)
     collection = guide_collection(scene)
@@ -122,6 +139,13 @@ def test_drawings_of_the_frame_in_force_are_read(scene: Any) -> None:
     scene.frame_set(7)
     assert len(guides_of(scene)) == 1
     scene.frame_set(0)
+    assert not guides_of(scene)
+
+
+def test_hidden_layers_guide_nothing(scene: Any) -> None:
+    tools.cube_scene(scene)
+    pencil = add_pencil(guide_collection(scene), CORNERS)
+    pencil.data.layers[0].hide = True
     assert not guides_of(scene)
 
 

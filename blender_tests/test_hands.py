@@ -10,9 +10,10 @@ from illustrate import output
 from illustrate.messages import IllustrateError
 from illustrate.output.hiding import hide_stroke
 from illustrate.running import illustration
-from illustrate.ui import gallery, presets
+from illustrate.ui import gallery, panel, presets
 from illustrate.viewport.inspect import INSPECTOR
 from illustrate.viewport.pick import PICKER, hold_singularities, joined, nearest, thing_of
+from test_ui import draw
 
 import tools
 
@@ -95,6 +96,35 @@ def test_the_hatches_of_an_object_go(scene: Any) -> None:
     assert not scene.objects["Box"].illustrate.hatching
     assert not {4, 5, 6} & set(INSPECTOR.made.drawing.kinds.tolist())
     assert not bpy.ops.illustrate.hide_hatches.poll()
+
+
+def test_the_panel_says_what_is_picked_and_the_operator_hides_it(scene: Any) -> None:
+    scene.illustrate.hatching = False
+    made = made_cube(scene)
+    assert "illustrate.hide_stroke" not in draw(panel.ILLUSTRATE_PT_hands)
+    picked = [pick_at(made, int(n)) for n in np.flatnonzero(made.drawing.invisibility)]
+    PICKER.picked = next(p for p in picked if p is not None and p.layers == 1)
+    shown = draw(panel.ILLUSTRATE_PT_hands)
+    assert {"illustrate.hide_stroke", "illustrate.hide_hatches", "use_own"} <= set(shown)
+    assert " of Box, behind 1 surface" in " ".join(shown)
+    before = seen_strokes()
+    assert bpy.ops.illustrate.hide_stroke() == {"FINISHED"}
+    assert seen_strokes() == before - 1
+    assert not bpy.ops.illustrate.hide_stroke.poll()
+
+
+def test_what_was_picked_may_be_gone(scene: Any) -> None:
+    PICKER.picked = pick_at(made_cube(scene), 0)
+    output.clear(scene)
+    with pytest.raises(RuntimeError, match="no such stroke: press Keep or Illustrate"):
+        bpy.ops.illustrate.hide_stroke()
+    scene.camera = None  # the hatches go with the next drawing that can be made
+    assert bpy.ops.illustrate.hide_hatches() == {"FINISHED"}
+    assert not scene.objects["Box"].illustrate.hatching
+    PICKER.picked = pick_at(INSPECTOR.made, 0)
+    bpy.data.objects.remove(scene.objects["Box"])
+    with pytest.raises(RuntimeError, match="is gone: draw anew"):
+        bpy.ops.illustrate.hide_hatches()
 
 
 def test_held_singularities_lead_the_hatches(scene: Any) -> None:

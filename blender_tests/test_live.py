@@ -198,6 +198,23 @@ def test_a_free_view_and_the_view_of_the_camera(scene: Any) -> None:
     assert view_of(scene, depsgraph, region, data) is None
 
 
+def test_views_that_no_drawing_fits_are_none(scene: Any) -> None:
+    tools.cube_scene(scene)
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    camera = read_camera(scene, depsgraph)
+    region = SimpleNamespace(width=640, height=480)
+    data = SimpleNamespace(
+        view_perspective="PERSP", window_matrix=camera.projection, view_matrix=camera.view,
+        perspective_matrix=-camera.projection @ camera.view,
+    )  # fmt: skip
+    assert view_of(scene, depsgraph, region, data) is not None
+    assert view_of(scene, depsgraph, SimpleNamespace(width=640, height=1), data) is None
+    data.view_perspective = "CAMERA"  # whose frame lies behind the viewer
+    assert view_of(scene, depsgraph, region, data) is None
+    data.view_perspective, data.window_matrix = "PERSP", np.zeros((4, 4))
+    assert view_of(scene, depsgraph, region, data) is None
+
+
 def area_of(ribbons: Any, least: float) -> float:
     """Of the triangles, each times the mean of its alpha, where that is at least so much."""
     corners = ribbons.points[ribbons.triangles].astype(float)

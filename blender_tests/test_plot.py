@@ -13,6 +13,7 @@ import pytest
 from illustrate.messages import IllustrateError
 from illustrate.output import stamps
 from illustrate.plot import plots
+from illustrate.plot.plots import PLANNED
 from illustrate.plot.settings import KINDS
 from illustrate.reading.scene import frame_corners, read_camera
 from illustrate.running import illustration
@@ -274,6 +275,23 @@ def test_the_overlay_lies_about_the_cameras_frame(scene: Any, tmp_path: Any) -> 
     export(tmp_path / "cube.svg")
     assert len(OVERLAY.lines(scene, depsgraph)) == 2 + len(groups(tmp_path / "cube.svg"))
     OVERLAY.shows_page = OVERLAY.shows_travel = False
+
+
+def test_the_overlay_waits_for_a_page_that_can_be_told(scene: Any, tmp_path: Any) -> None:
+    tools.cube_scene(scene)
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    OVERLAY.shows_page = True
+    scene.illustrate_plot.fit = "lines"  # the page depends on what will be drawn
+    PLANNED.remember("", None)
+    assert not OVERLAY.lines(scene, depsgraph)
+    export(tmp_path / "cube.svg")
+    assert len(OVERLAY.lines(scene, depsgraph)) == 2
+    scene.illustrate_plot.fit, scene.illustrate_plot.margins_mm = "frame", (999.0,) * 4
+    PLANNED.remember("", None)
+    assert not OVERLAY.lines(scene, depsgraph)  # the button says what is wrong
+    scene.camera = None
+    assert not OVERLAY.lines(scene, depsgraph)
+    OVERLAY.shows_page = False
 
 
 def test_the_switches_of_the_overlay() -> None:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from bpy_extras.object_utils import world_to_camera_view
 from illustrate.reading import cages
-from illustrate.reading.scene import read_camera
+from illustrate.reading.scene import NO_COLOUR, colour_of, read_camera
 from mathutils import Matrix, Vector
 
 import tools
@@ -314,3 +314,21 @@ def test_edits_in_edit_mode_are_read(scene: Any) -> None:
         assert only_mesh(scene).positions[:, 2].min() == pytest.approx(1)
     finally:
         bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def test_the_colour_of_an_object_is_that_of_its_first_material(scene: Any) -> None:
+    cube = tools.cube_scene(scene)
+    assert colour_of(scene, "Box") == colour_of(scene, "Nobody") == NO_COLOUR
+    made = bpy.data.materials.new("Red")
+    made.diffuse_color = (1.0, 0.0, 0.0, 1.0)
+    cube.data.materials.append(made)
+    made.use_nodes = True
+    base = next(n for n in made.node_tree.nodes if n.type == "BSDF_PRINCIPLED").inputs["Base Color"]
+    base.default_value = (0.0, 0.5, 0.0, 1.0)
+    assert colour_of(scene, "Box") == (0.0, 0.5, 0.0, 1.0)
+    if bpy.app.version < (5, 0, 0):
+        made.use_nodes = False  # the nodes stay
+        assert colour_of(scene, "Box") == (1.0, 0.0, 0.0, 1.0)
+        made.use_nodes = True
+    made.node_tree.links.new(made.node_tree.nodes.new("ShaderNodeRGB").outputs[0], base)
+    assert colour_of(scene, "Box") == (1.0, 0.0, 0.0, 1.0)

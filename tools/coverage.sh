@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
-# coverage.sh [cpp] [python]: which lines no test runs, the worst files first; both where none is
-# named. Lists go to out/coverage. C++: the C++ tests, in a build of its own. Python: the module's
-# own files, by its Python tests; the add-on runs inside Blender and is not measured.
+# coverage.sh [cpp] [python] [addon]: which lines no test runs, the worst files first; all three where
+# none is named. Lists go to out/coverage. C++: the C++ tests, in a build of its own. Python: the
+# module's own files, by its Python tests. Add-on: its files, by its tests in $BLENDER, in the
+# background, save the one of memory, which the measuring needs too; what a second process runs,
+# such as a window or a farm, counts as not run.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 BUILD=$ROOT/build/coverage OUT=$ROOT/out/coverage TOOLS=$ROOT/build/coverage/venv
@@ -22,25 +24,40 @@ cpp() {
         --txt "$OUT/cpp.txt" --print-summary "$BUILD/native"
 }
 
-# measured ARGUMENTS...: coverage.py in the environment that holds the module.
+# measured DATA ARGUMENTS...: coverage.py in the environment that holds the module.
 measured() {
-    COVERAGE_FILE=$BUILD/python.data PYTHONPATH=$(echo "$TOOLS"/lib/python*/site-packages) \
-        "$VENV/bin/python" -m coverage "$@"
+    COVERAGE_FILE=$BUILD/$1.data PYTHONPATH=$(site_packages) \
+        "$VENV/bin/python" -m coverage "${@:2}"
 }
+
+site_packages() { echo "$TOOLS"/lib/python*/site-packages; }
+
+# report DATA: its list.
+report() { measured "$1" report --sort cover --skip-covered --show-missing | tee "$OUT/$1.txt"; }
 
 python_files() {
     say "Python tests"
     cd "$ROOT"
-    measured run --branch --source "$PACKAGE" -m pytest -q native/tests/python
-    measured report --sort cover --skip-covered | tee "$OUT/python.txt"
+    measured python run --branch --source "$PACKAGE" -m pytest -q native/tests/python
+    report python
+}
+
+addon_files() {
+    say "add-on tests"
+    cd "$ROOT"
+    ILLUSTRATE_COVERAGE=$BUILD/addon.data ILLUSTRATE_COVERAGE_SITE=$(site_packages) \
+        "$(find_blender)" -b --factory-startup --python-exit-code 1 \
+        --python blender_tests/run.py -- -q -k "not do_not_grow"
+    report addon
 }
 
 "$ROOT/tools/setup_python.sh"
 mkdir -p "$OUT" "$BUILD"
 "$ROOT/tools/setup_python.sh" "$TOOLS" "$ROOT/tools/requirements_coverage.txt"
-if [[ " ${*:-cpp python} " == *" cpp "* ]]; then cpp; fi
-if [[ " ${*:-cpp python} " == *" python "* ]]; then
-    "$ROOT/tools/build.sh"
-    python_files
-fi
+PARTS=" ${*:-cpp python addon} "
+if [[ $PARTS == *" addon "* ]]; then "$ROOT/tools/setup_system.sh" build test blender; fi
+if [[ $PARTS == *" cpp "* ]]; then cpp; fi
+if [[ $PARTS == *" python "* || $PARTS == *" addon "* ]]; then "$ROOT/tools/build.sh"; fi
+if [[ $PARTS == *" python "* ]]; then python_files; fi
+if [[ $PARTS == *" addon "* ]]; then addon_files; fi
 say "the lists are in out/coverage"

@@ -84,6 +84,7 @@ class Sequence:
 
     def _frame(self, frame: int) -> None:
         if self._chosen.skip_existing and self._existing(frame):
+            # Its strokes are in files, not at hand: the next frame cannot start from them.
             say(f"skipping existing frame {frame}")
             self._last = None
             return
@@ -140,6 +141,7 @@ class Sequence:
                 self._drawn(asked, f"exposing as frame {asked}")
             except IllustrateError as error:
                 raise IllustrateError(f"frame {asked}, of --expose-as: {error}") from error
+            # Drawn for its light alone: it may lie anywhere in the sequence.
             self._last = None
         elif self._chosen.skip_existing:
             others = (self._existing(other) for other in self._frames if other != frame)

@@ -65,6 +65,7 @@ class Progress:
 
     def _overall(self, fraction: float) -> None:
         percent = 100 * min((self._done + fraction) / self._frames, 1.0)
+        # The end is told even if it is less than a step away.
         if self._kind == "openjd" and percent >= min(self._percent + OPENJD_STEP, 100.0):
             self._percent = percent
             say(f"openjd_progress: {percent:.1f}")

@@ -12,6 +12,8 @@ from ..messages import IllustrateError, quoted
 from . import curves, grease_pencil_v2, grease_pencil_v3, pencil
 from .strokes import Sheet, stroke_groups
 
+# By the version: 4.2 is an extension with version 2, and bpy.data.grease_pencils is there in all
+# Blenders, for other data from one to the next.
 PENCIL_API = grease_pencil_v3 if bpy.app.version >= (4, 3, 0) else grease_pencil_v2
 TARGETS = ("GREASE_PENCIL", "CURVES")
 

@@ -106,6 +106,8 @@ def _fill(curve: Any, group: StrokeGroup) -> None:
     ):
         span = slice(end - size, end)
         spline = curve.splines.new("POLY")
+        # A new spline has one point already; the fourth coordinate is a weight, which has to be
+        # there.
         spline.points.add(size - 1)
         spline.points.foreach_set("co", np.c_[group.points[span], np.ones(size)].ravel())
         spline.points.foreach_set("radius", group.radii[span])

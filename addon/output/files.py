@@ -114,6 +114,7 @@ def _removed_at_the_end(path: str) -> Iterator[None]:
         signal.signal(number, before)
         os.kill(os.getpid(), number)
 
+    # None stands for a handler that Python has not set and cannot set again.
     before = signal.signal(signal.SIGTERM, end) or signal.SIG_DFL
     try:
         yield

@@ -39,6 +39,7 @@ def new_layer(data: Any, title: str) -> Any:
     """Adds a layer of the add-on's own."""
     layer = data.layers.new(title, set_active=False)
     data.layers.move(layer, "UP")
+    # On by default: lamps would shade the ink.
     layer.use_lights = False
     data[LAYERS] = "\n".join([*our_layers(data), layer.info])
     return layer
@@ -88,6 +89,7 @@ def append(data: Any, layer: Any, frame: Any, group: StrokeGroup, pen: int) -> N
         group.sizes.tolist(), ends.tolist(), group.closed.tolist(), strict=True
     ):
         stroke = frame.strokes.new()
+        # Without it points are places on the screen.
         stroke.display_mode = "3DSPACE"
         stroke.line_width, stroke.material_index, stroke.use_cyclic = LINE_WIDTH, pen, closed
         stroke.points.add(size, strength=1.0)

@@ -13,6 +13,7 @@ import numpy as np
 
 from .strokes import StrokeGroup
 
+# An attribute, since layers take no ID properties, in no version.
 OWNER = "illustrate_owner"
 KIND, OBJECT, INVISIBILITY = "illustrate_kind", "illustrate_object", "illustrate_invisibility"
 STROKE_ID, STROKE_START = "stroke_id", "stroke_start"
@@ -56,6 +57,7 @@ def new_layer(data: Any, title: str) -> Any:
     layer = data.layers.new(title)
     if group is not None:
         data.layers.move_to_layer_group(layer, group)
+    # On by default from 4.5 on: lamps would shade the ink.
     layer.use_lights = False
     owner = data.attributes.get(OWNER) or data.attributes.new(OWNER, "INT", "LAYER")
     owner.data[list(data.layers).index(layer)].value = 1
@@ -119,11 +121,13 @@ def append(_data: Any, _layer: Any, frame: Any, group: StrokeGroup, pen: int) ->
     _set_tail(drawing, INVISIBILITY, "INT", "CURVE", strokes, group.invisibility)
     _set_tail(drawing, STROKE_ID, "INT", "CURVE", strokes, group.ids)
     _set_tail(drawing, STROKE_START, "FLOAT", "CURVE", strokes, group.starts)
+    # Blender does not notice positions that are set as an attribute.
     drawing.tag_positions_changed()
 
 
 def _set_tail(drawing: Any, name: str, kind: str, domain: str, first: int, values: Any) -> None:
     """Sets an attribute of the elements from `first` on, and makes it where it is missing."""
+    # Asked for each time: when strokes are removed, 4.3 drops all attributes but the position.
     attribute = drawing.attributes.get(name) or drawing.attributes.new(name, kind, domain)
     field = "vector" if kind == "FLOAT_VECTOR" else "value"
     columns = values.shape[1] if values.ndim == 2 else 1

@@ -26,6 +26,7 @@ from .strokes import Sheet
 
 NAME = "Illustration"
 OBJECTS = "illustrate_objects"
+# Older Blenders know no GENERATED; JITTER is the type that artists have least use for.
 BAKED = "GENERATED" if bpy.app.version >= (4, 2, 0) else "JITTER"
 """The type of keyframes that a bake or nothing but the add-on made."""
 
@@ -136,6 +137,7 @@ def _write_sheet(api: Any, data: Any, sheet: Sheet, settings: Any, baking: bool)
         if frame is not None and baking:
             left.append(f'frame {sheet.frame} of layer "{group.title}"')
             continue
+        # `frames.new` raises where there is a keyframe already.
         if frame is None:
             frame = layer.frames.new(sheet.frame)
             frame.keyframe_type = BAKED if baking else "KEYFRAME"

@@ -72,6 +72,7 @@ def _evaluated_cages(
     stage = bpy.data.scenes.new("illustrate cages")
     copies: dict[Any, Any] = {}
     try:
+        # Not `frame_set`, which calls the artist's frame_change handlers.
         stage.frame_current = scene.frame_current
         for thing in objects:
             copies[thing] = copy = thing.copy()

@@ -70,6 +70,7 @@ def read_shown(scene: Any, depsgraph: Any, is_wanted: Callable[[Any], bool]) -> 
             style = {**style, "see_through": True}
         for kind in _without_surface(thing, instance.is_instance):
             shown.leave_out(kind, thing.name)
+        # A curve, surface, text or metaball comes twice: as itself, and as the mesh that counts.
         if thing.type == "MESH":
             place = (thing.name, style, surface, np.array(instance.matrix_world, float))
             mesh = reader.read(thing, surface)
@@ -110,6 +111,7 @@ def _rendered(depsgraph: Any) -> Iterator[tuple[Any, Any]]:
 
     An instance is valid until the next one is asked for.
     """
+    # The depsgraph is the viewport's, in the background too: it lists what a render hides.
     hidden = _hidden_with_collections(depsgraph.view_layer.layer_collection)
     for instance in depsgraph.object_instances:
         owner = (instance.parent if instance.is_instance else instance.object).original

@@ -128,30 +128,39 @@ def _mixed_shaders(node: Any) -> Look | None:
 
 def _mixed(a: Look | None, b: Look | None, share: float) -> Look | None:
     """Of two looks in the shares 1 - share and share; of textures the one that counts for more."""
+    if share in (0.0, 1.0):
+        return b if share else a
     if a is None or b is None:
-        found = a or b
-        return found and replace(found, is_whole=False)
+        return _part(a or b)
     if a.is_plain and b.is_plain:
         value = (1 - share) * a.value + share * b.value
         clear = (1 - share) * a.is_clear + share * b.is_clear >= HALF
         return Look(value, is_whole=a.is_whole and b.is_whole, is_clear=clear)
-    if share in (0.0, 1.0):
-        return b if share else a
-    return replace(b if share > 0.5 else a, is_whole=False)
+    return _part(b if share > 0.5 else a)
+
+
+def _part(look: Look | None) -> Look | None:
+    """The look as one that is not all there is."""
+    return look and replace(look, is_whole=False)
 
 
 def _multiplied(a: Look | None, b: Look | None, share: float) -> Look | None:
     if a is None or b is None:
-        return _mixed(a, b, share)
+        return _part(a or b)
+    whole = a.is_whole and b.is_whole
     if b.is_plain:
-        return replace(a, value=a.value * (1 - share + share * b.value))
-    if a.is_plain and share == 1.0:
-        return replace(b, value=a.value * b.value)
-    if a.image is None and b.attribute is None and share == 1.0:
-        return replace(b, value=a.value * b.value, attribute=a.attribute)
-    if b.image is None and a.attribute is None and share == 1.0:
-        return replace(a, value=a.value * b.value, attribute=b.attribute)
-    return replace(a, is_whole=False)
+        return replace(a, value=a.value * (1 - share + share * b.value), is_whole=whole)
+    if share < 1.0:
+        return _part(a)
+    # An attribute and an image can be had together, but no two of either.
+    with_both = replace(b, value=a.value * b.value, is_whole=whole)
+    if a.is_plain:
+        return with_both
+    if a.image is None and b.attribute is None:
+        return replace(with_both, attribute=a.attribute)
+    if b.image is None and a.attribute is None:
+        return replace(a, value=with_both.value, attribute=b.attribute, is_whole=whole)
+    return _part(a)
 
 
 def _constant(socket: Any, otherwise: float) -> float:
@@ -174,8 +183,7 @@ def _colour(socket: Any) -> Look | None:
     if node.type in ("MIX", "MIX_RGB"):
         return _mixed_colours(node)
     through = node.inputs.get("Color")
-    found = _colour(through) if through is not None else None
-    return found and replace(found, is_whole=False)
+    return _part(_colour(through) if through is not None else None)
 
 
 def _mixed_colours(node: Any) -> Look | None:
@@ -184,8 +192,7 @@ def _mixed_colours(node: Any) -> Look | None:
         return None
     looks = _colour(a), _colour(b)
     if factor.links:
-        found = looks[0] or looks[1]
-        return found and replace(found, is_whole=False)
+        return _part(looks[0] or looks[1])
     mix = _mixed if node.blend_type == "MIX" else _multiplied
     return mix(*looks, min(max(float(factor.default_value), 0.0), 1.0))
 
@@ -364,6 +371,7 @@ def read_image(image: Any) -> Any:
     image.pixels.foreach_get(pixels)
     pixels = _averaged(pixels.reshape(height, width, image.channels))
     colours = pixels[..., :3] if image.channels > 2 else pixels[..., :1]
+    # Pixels of bytes come as the file has them, floats are linear already.
     if image.colorspace_settings.name == "sRGB" and not image.is_float:
         colours = _linear(colours)
     weights = np.array(LUMINANCE if colours.shape[2] == 3 else (1.0,), np.float32)

@@ -129,6 +129,7 @@ def _face_materials(mesh: Any) -> Any:
 
 def _freestyle_marks(mesh: Any) -> Any:
     """(e,) bool."""
+    # The attribute exists before, but is not the mark; from 5.0 on it is, and nothing else.
     if bpy.app.version < (5, 0, 0):
         return _get(mesh.edges, "use_freestyle_mark", bool)
     return _attribute(mesh, "freestyle_edge", bool, len(mesh.edges))
@@ -156,6 +157,7 @@ def _corner_normals(mesh: Any) -> Any:
         return None
     if hasattr(mesh, "corner_normals"):  # from 4.1
         return _get(mesh.corner_normals, "vector", np.float32, 3)
+    # Before, the normals of loops are zero.
     mesh.calc_normals_split()
     try:
         return _get(mesh.loops, "normal", np.float32, 3)

@@ -145,7 +145,8 @@ def colour_of(scene: Any, name: str) -> tuple[float, ...]:
     material = next((slot.material for slot in thing.material_slots), None) if thing else None
     if material is None:
         return NO_COLOUR
-    for node in material.node_tree.nodes if material.node_tree else ():
+    tree = material.node_tree if material.use_nodes else None  # a tree out of use stays there
+    for node in tree.nodes if tree else ():
         if node.type == "BSDF_PRINCIPLED" and not node.inputs["Base Color"].is_linked:
             return tuple(node.inputs["Base Color"].default_value)
     return tuple(material.diffuse_color)
@@ -164,6 +165,7 @@ def camera_problem(scene: Any) -> str:
             f'"{camera.name}", the camera of scene "{scene.name}", is not a '
             "camera: choose one in the scene properties"
         )
+    # `calc_matrix_camera` would give them an ordinary perspective, without a word.
     if camera.data.type not in ("PERSP", "ORTHO"):
         kind = {"PANO": "panoramic"}.get(camera.data.type, camera.data.type.lower())
         return (
@@ -198,6 +200,7 @@ def read_camera(scene: Any, depsgraph: Any) -> CameraArrays:
         depsgraph, x=width, y=height, scale_x=render.pixel_aspect_x, scale_y=render.pixel_aspect_y
     )
     try:
+        # Normalized: Blender looks through a scaled camera as if it were not.
         view = evaluated.matrix_world.normalized().inverted()
     except ValueError as error:
         raise IllustrateError(

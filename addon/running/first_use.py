@@ -58,6 +58,8 @@ def _add_monkey(scene: Any, _layer: Any, _view: Any) -> None:
     """Suzanne, as a surface of subdivision."""
     import bmesh  # type: ignore[import-not-found]
 
+    # Not by the operator that adds one, which needs a window's context and changes what is
+    # selected.
     mesh = bpy.data.meshes.new("Suzanne")
     shape = bmesh.new()
     bmesh.ops.create_monkey(shape)

@@ -80,6 +80,7 @@ def reports(made: Illustration, seconds: float) -> list[tuple[str, str]]:
 
 def still_there(scene_name: str) -> Any:
     """The scene after a while in which anything may have happened."""
+    # By name: after an undo or a loaded file old references are of data that is gone.
     scene = bpy.data.scenes.get(scene_name)
     if scene is None:
         raise IllustrateError(f'Scene "{scene_name}" is gone: its illustration is not written')

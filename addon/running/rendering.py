@@ -98,6 +98,7 @@ def _set_back(owner: Any, name: str, value: Any) -> None:
 def _read(scene: Any, read: Callable[[Any], Any]) -> Any:
     """read(image) of the last render as it looks on the screen."""
     result = next((image for image in bpy.data.images if image.type == "RENDER_RESULT"), None)
+    # Python is not given the pixels of a render result: they go through a file.
     with tempfile.TemporaryDirectory() as folder, _as_png(scene):
         path = os.path.join(folder, f"{NAME}.png")
         try:

@@ -22,6 +22,7 @@ from . import native_options
 from .option_kinds import typed
 from .styles import crease_angle
 
+# A file keeps the number of a choice, the last of each entry here: numbers never change.
 SOURCES = [
     ("SCENE", "Scene", "Draw every mesh that can be seen", 0),
     ("SELECTION", "Selection", "Draw the selected objects only", 1),
@@ -50,6 +51,7 @@ PAPERS = [
 BLACK = (0.0, 0.0, 0.0, 1.0)
 
 
+# Blender registers an update function with exactly two positional arguments, and no other.
 def _restyle(settings: Any, _context: Any) -> None:
     restyle(settings.id_data)
 

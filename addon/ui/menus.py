@@ -20,6 +20,7 @@ class ILLUSTRATE_MT_main(bpy.types.Menu):
 
     def draw(self, _context: Any) -> None:
         """Shows the operators."""
+        # Else Blender calls `execute`, which waits for the drawing with the window frozen.
         self.layout.operator_context = "INVOKE_DEFAULT"
         self.layout.operator(ILLUSTRATE_OT_illustrate.bl_idname, icon="GREASEPENCIL")
         self.layout.operator(ILLUSTRATE_OT_bake.bl_idname, icon="RENDER_ANIMATION")

@@ -13,6 +13,7 @@ import gpu
 import numpy as np
 from gpu_extras.batch import batch_for_shader
 
+# Blender 4 took the prefix off the names of its shaders.
 PREFIX = "" if bpy.app.version >= (4, 0, 0) else "3D_"
 NEARER = 4e-3  # of the distance to the eye: lines on a surface are not swallowed by it
 

@@ -64,6 +64,7 @@ std::vector<int> integers(const py::object& value, const Shape& shape, const std
   require_shape(array, shape, name);
   const char kind = array.dtype().kind();
   const bool is_empty = array.size() == 0;
+  // True is no index, and an empty list has numpy's usual type, which is a float.
   if (!is_empty && kind != 'i' && kind != 'u') {
     throw InvalidInput(name + " must hold integers, but holds " + dtype_name(array));
   }

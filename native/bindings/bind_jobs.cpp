@@ -65,6 +65,7 @@ void bind_jobs(py::module_& m) {
       .def("wait", &wait_for, "seconds"_a, "Waits at most so long; True when it is done.")
       .def("result", &PythonJob::result, "What it made; raises what went wrong.");
   m.def("stop_jobs", &stop_jobs, "Cancels all jobs and waits for their ends.");
+  // Python's own atexit runs while the interpreter still stands; a destructor of C++ comes after.
   py::module_::import("atexit").attr("register")(py::cpp_function(&stop_jobs));
 }
 

@@ -53,6 +53,7 @@ py::array feature_kinds(const SurfaceHandle& handle) {
 }
 
 BasePlace checked_place(const LimitSurface& surface, int face, const Vec2& uv) {
+  // Callers compute places themselves, and round.
   constexpr double slack = 1e-9;
   if (face < 0 || face >= surface.ptex_faces()) {
     const std::string faces = std::to_string(surface.ptex_faces());

@@ -7,6 +7,7 @@ PYBIND11_MODULE(_core, m) {
   m.doc() = "Line illustrations of smooth surfaces: the native core.";
   py::register_exception<InvalidInput>(m, "InvalidInput", PyExc_ValueError);
   py::register_exception<Cancelled>(m, "Cancelled", PyExc_RuntimeError);
+  // Types before the functions that take them: pybind11 writes signatures when it binds.
   bindings::bind_jobs(m);
   bindings::bind_mesh(m);
   bindings::bind_options(m);

@@ -277,6 +277,8 @@ std::optional<SoundMesh> keep_to_mesh(const SoundMesh& mesh, Scheme scheme,
   const std::optional<FoldedMesh> folded = fold(mesh);
   Kept kept = keep(mesh, folded, scheme, weights);
   progress.report(.5);
+  // How far the surface misses the vertices is known only now. One more round and no other: each
+  // costs as much as the first.
   const std::optional<FoldedMesh> again = fold(mesh, kept.distances);
   const bool has_more =
       again && (!folded || again->soft.edge_sharpness != folded->soft.edge_sharpness);

@@ -78,11 +78,13 @@ class Masks {
     return sharp == 2 ? Rule::crease : Rule::smooth;
   }
 
+  // A crease is a cubic B-spline in both schemes.
   Vec3 crease_limit(std::size_t v) const { return (4 * points_[v] + sums_[v].sharp) / 6; }
 
   Vec3 smooth_limit(std::size_t v) const {
     const Sums& sums = sums_[v];
     const double k = sums.count;
+    // Quads: Halstead, Kass, DeRose 1993; triangles: Loop 1987.
     if (k == 0) return points_[v];
     if (quads_) return (k * k * points_[v] + 4 * sums.edges + sums.faces) / (k * (k + 5));
     const double c = 3. / 8 + std::cos(2 * pi / k) / 4, w = 3 * k / (8 * (5. / 8 - c * c));

@@ -8,6 +8,7 @@ namespace {
 // v, tangent at normal `from`, carried to normal `to` by the shortest rotation.
 Vec3 carried(const Vec3& v, const Vec3& from, const Vec3& to) {
   const double closeness = 1 + from.dot(to);
+  // Between opposite normals no rotation is the shortest.
   if (closeness < 1e-9) return v;
   return v - v.dot(to) / closeness * (from + to);
 }

@@ -205,6 +205,7 @@ void describe(const Surface& surface, const FieldProblem& p, const CrossNumbers&
   parallel_for(z.size(), threads, progress.part(0, 0.3), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const bool is_kept = field.reliable[i] != 0;
+      // arg(z) / 4 knows the cross, not which of its four directions the principal one is.
       field.theta[i] = is_kept ? std::arg(p.principal.directions[i]) : std::arg(z[i]) / 4;
       field.directions[i] = p.frames.direction(i, field.theta[i]);
     }
@@ -303,6 +304,8 @@ CrossField solve_cross_field(const Surface& surface, const Curvature& curvature,
     field.evaluations += found.minimise.evaluations;
   };
   field.converged = true;
+  // With the pulls of features first. The energy that counts is without them: where they have kept
+  // a part from less of it, once more without.
   improve(Pulls::all, is_settled, progress.part(0.2, 0.7));
   progress.report(0.7);
   if (options.alignment_weight > 0) {

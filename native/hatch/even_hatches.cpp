@@ -85,15 +85,15 @@ void finish_ends(StreamlineSet& set, const HatchView& view,
                  int threads, const Progress& progress) {
   progress.report(0);
   extend_tips(set, view, even_rules.tip_step_test, even_rules.tip_test);
-  merge_streamlines(set, view);
+  merge_streamlines(set, view, true);
   set.drop_shorter(even_rules.least_tip);
   fill_streamlines(set, view, seeds, even_rules.rests(), progress.part(0.3, 0.6));
   fill_streamlines(set, view, edge_seeds(set, view, strips), even_rules.strips(),
                    progress.part(0.6, 0.9));
-  merge_streamlines(set, view);
+  merge_streamlines(set, view, true);
   thin_streamlines(set, view, even_rules.last_thin);
   extend_tips(set, view, even_rules.tip_step_test, even_rules.tip_test);
-  merge_streamlines(set, view);
+  merge_streamlines(set, view, true);
   straighten_joined(set, view, 2, threads);
 }
 

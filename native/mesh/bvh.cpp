@@ -26,6 +26,8 @@ class ShearedRay {
     const Vec3 a = sheared(p), b = sheared(q), c = sheared(r);
     const int side = side_of_origin(b, c);
     if (side != side_of_origin(c, a) || side != side_of_origin(a, b)) return false;
+    // The exact signs have decided whether it is met. u, v, w only say how far along: their
+    // rounding loses no hit. A triangle seen along its plane has sum 0, and no distance.
     const double u = b.x() * c.y() - c.x() * b.y(), v = c.x() * a.y() - a.x() * c.y();
     const double w = a.x() * b.y() - b.x() * a.y(), sum = u + v + w;
     distance = (u / sum) * a.z() + (v / sum) * b.z() + (w / sum) * c.z();
@@ -58,6 +60,8 @@ class BoxTest {
       : origin_(origin), inverse_(direction.cwiseInverse()) {
     const double extent = std::max((root.min() - origin).cwiseAbs().maxCoeff(),
                                    (root.max() - origin).cwiseAbs().maxCoeff());
+    // A box let through in vain costs a few tests, one that is missed costs a hit: the roundings of
+    // `passes` come to three or four epsilon.
     margin_ = 16 * std::numeric_limits<double>::epsilon() * extent;
     const double largest = direction.cwiseAbs().maxCoeff();
     // A component this small moves the ray by less than the margin.
@@ -110,6 +114,7 @@ class Bvh::Pairs {
  private:
   void within(const Node& node) {
     if (node.count == 0) {
+      // The last one pushed comes first: left by itself, right by itself, then left with right.
       stack_.push_back({node.first, node.first + 1});
       stack_.push_back({node.first + 1, node.first + 1});
       stack_.push_back({node.first, node.first});
@@ -122,6 +127,8 @@ class Bvh::Pairs {
   void between(int a, int b) {
     const Node &first = tree_.nodes_[a], &second = tree_.nodes_[b];
     if (!are_near(first.box, second.box)) return;
+    // Of two inner nodes the larger box is opened: its halves are likelier to lie apart from the
+    // other.
     if (first.count != 0 && second.count != 0) {
       for (int i = first.first; i < first.first + first.count; ++i)
         for (int j = second.first; j < second.first + second.count; ++j) test(i, j);
@@ -170,6 +177,7 @@ bool Bvh::any_hit(const Vec3& origin, const Vec3& direction, double low, double 
       stack[depth++] = node.first + 1;
       stack[depth++] = node.first;
     }
+    // An inner node has count 0.
     for (int i = node.first; i < node.first + node.count; ++i) {
       const Triangle& t = (*triangles_)[order_[i]];
       double distance = 0;

@@ -105,9 +105,12 @@ int best_cut(const Bins& bins, int count) {
   box.setEmpty();
   sum = 0;
   for (std::size_t i = bin_count - 1; i > 0; --i) {
+    // Before an empty bin the cut is the same as after it.
     if (bins[i].count == 0) continue;
     sum += bins[i].count;
     const double cost = left_cost[i - 1] + Bvh::half_area(box.extend(bins[i].extent.box)) * sum;
+    // All on one side is no cut. Of equal costs the rightmost stays; what is not a number never
+    // wins.
     if (sum == count || !(cost < best)) continue;
     best = cost;
     cut = static_cast<int>(i) - 1;
@@ -164,6 +167,8 @@ class Bvh::Builder {
     if (items_.empty()) return;
     progress_.report(0.3);
     const int count = static_cast<int>(items_.size());
+    // One thread needs no branches. Its nodes stand in another order, which shows nowhere: a tree
+    // is walked by its links.
     const int grain = threads_ == 1 ? 0 : std::max(smallest_branch, count / branch_count);
     const Extent whole = extent_of(items_.data(), items_.data() + count);
     Nodes& nodes = tree_.nodes_;
@@ -186,6 +191,8 @@ class Bvh::Builder {
     Task task;  // its root's place in the upper part
     Nodes nodes;
   };
+  // Many more branches than cores, so that none waits long for the last one; none so small that
+  // handing it out costs more than building it.
   static constexpr int branch_count = 64, smallest_branch = 4096;
 
   void gather() {

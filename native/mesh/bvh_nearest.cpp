@@ -34,6 +34,7 @@ Vec2 nearest_on_sides(const std::array<Vec3, 3>& corners, const Vec3& p) {
 Vec2 nearest_in_triangle(const std::array<Vec3, 3>& corners, const Vec3& p) {
   const Vec3 u = corners[1] - corners[0], v = corners[2] - corners[0], d = p - corners[0];
   const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), determinant = uu * vv - uv * uv;
+  // Rounding may leave a sliver none: then its sides alone are asked.
   if (determinant > 0) {
     const double b1 = (vv * u.dot(d) - uv * v.dot(d)) / determinant;
     const double b2 = (uu * v.dot(d) - uv * u.dot(d)) / determinant;
@@ -57,8 +58,10 @@ SurfacePoint Bvh::nearest(const Vec3& p, double reach) const {
   while (depth > 0) {
     const int top = stack[--depth];
     const Node& node = nodes_[idx(top)];
+    // A box that is as near may hold a triangle of a lower number.
     if (!(squared_to(top) <= least)) continue;
     if (node.count == 0) {
+      // The nearer child comes first: what it finds mostly rules out the other.
       const bool left_first = squared_to(node.first) <= squared_to(node.first + 1);
       stack[depth++] = node.first + (left_first ? 1 : 0);
       stack[depth++] = node.first + (left_first ? 0 : 1);

@@ -128,6 +128,7 @@ std::vector<std::uint8_t> find_duplicates(const Faces& faces, std::size_t vertex
   std::vector<std::uint8_t> is_duplicate(faces.sources.size(), 0);
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const auto begin = order.begin() + starts[v], end = order.begin() + starts[v + 1];
+    // Stable: of equal faces the first of the input comes first, and stays.
     std::stable_sort(begin, end, [&](int a, int b) { return canonical.compare(a, b) < 0; });
     for (auto face = begin; face != end; ++face)
       if (face != begin && canonical.compare(face[-1], *face) == 0) is_duplicate[*face] = 1;
@@ -194,6 +195,7 @@ void rank_along(int axis, const Points& positions, double rounding,
   const auto at = [&](const PlacedVertex& v) { return positions[v.vertex][axis]; };
   std::sort(vertices.begin(), vertices.end(),
             [&](const PlacedVertex& a, const PlacedVertex& b) { return at(a) < at(b); });
+  // By gaps, not by a grid, whose lines could run between two that only rounding parts.
   for (std::size_t i = 1; i < vertices.size(); ++i) {
     const bool differs = at(vertices[i]) - at(vertices[i - 1]) > rounding;
     vertices[i].place[axis] = vertices[i - 1].place[axis] + (differs ? 1 : 0);
@@ -251,6 +253,7 @@ std::vector<int> weld_open_edges(Faces& faces, const Points& positions, Counts& 
   if (welded == 0) return numbers;
   report["welded_vertices"] += welded;
 
+  // Two corners of a face may now be one vertex, and two faces the same face.
   for (int& vertex : faces.corners) vertex = numbers[vertex];
   Faces cleaned;
   FaceCleaner cleaner(positions, report);

@@ -7,9 +7,15 @@ namespace illustrate {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
+// Where a crease fades out one edge differs, where two meet two do: three are a cone's. Not all of
+// a cone's edges need to differ, since its sides may be cut into triangles that agree.
 constexpr int fewest_edges_of_tip = 3;
 constexpr double share_of_edges_of_tip = 0.6;
+// A smooth cube's corner has 55.
 constexpr double tip_deg = 60;
+// The rim of an octagon turns by 45 and is taken for a circle, that of a hexagon by 60 and keeps
+// its corners; so does a plane's, by 90. As a crease a hexagon is round: the faces on both sides
+// say so.
 constexpr double boundary_corner_deg = 50;
 constexpr double crease_corner_deg = 80;
 
@@ -37,6 +43,8 @@ class CreaseFinder {
         report_(report) {}
 
   void run() {
+    // Each step leaves alone what the ones before have settled: the edges of a cone are no creases,
+    // corners lie between sharp edges, and a point is pointed only where nothing is sharp.
     creases_.sharp_vertices.assign(sound_.positions.size(), 0);
     find_split_tips();
     sharpen_edges();
@@ -149,6 +157,7 @@ class CreaseFinder {
 
   bool is_corner(std::size_t v) const {
     const SharpEdges& sharp = sharp_[v];
+    // Splitting opened that edge; the artist's surface goes on across it.
     if (sharp.is_seam) return false;
     if (is_touch(v)) return true;
     if (sharp.count != 2) return false;
@@ -173,7 +182,8 @@ class CreaseFinder {
     }
   }
 
-  // By the faces' normals, weighted by their corners' angles.
+  // By the faces' normals, weighted by their corners' angles: a side counts the same however it is
+  // cut into triangles.
   void find_pointed_tips() {
     Points means(sound_.positions.size(), Vec3::Zero());
     for (int c = 0; c < faces_.corner_count(); ++c) {

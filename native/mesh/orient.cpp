@@ -122,11 +122,14 @@ std::vector<std::uint8_t> orient(Faces& faces, FaceAdjacency& adjacency, const P
     auto flips = std::count_if(part.faces.begin(), part.faces.end(),
                                [&](int face) { return is_flipped[face] != 0; });
     const auto others = static_cast<std::ptrdiff_t>(part.faces.size()) - flips;
+    // On a tie the part's first face stays as it is.
     if (flips > others) {
       turn(part, is_flipped);
       flips = others;
     }
     report["flipped_faces"] += flips;
+    // Counted apart from flipped faces: in a part that is inside out as a whole none is flipped
+    // against the others.
     if (part.is_closed && relative_volume(part, faces, positions, is_flipped) < 0) {
       turn(part, is_flipped);
       ++report["turned_parts"];

@@ -29,6 +29,7 @@ std::vector<Triangle> split_quad(Span<const Vec3> p) {
     const double least = tolerance::straight_rad * normal.norm() * ab.norm() * ac.norm();
     return normal.dot(ab.cross(ac)) > least;
   };
+  // Of a dented quad one diagonal lies outside: then lengths do not matter.
   const bool first_inside = faces_front(0, 1, 2) && faces_front(0, 2, 3);
   const bool second_inside = faces_front(1, 2, 3) && faces_front(1, 3, 0);
   const bool first = first_inside == second_inside
@@ -105,6 +106,7 @@ class EarClipper {
     const Vec2 &a = point(previous(i)), &b = point(i), &c = point(next(i));
     return std::none_of(reflex_.begin(), reflex_.end(), [&](int r) {
       const Vec2& p = point(r);
+      // Where a bridge leads to a hole two corners are at one place: that touches the ear, no more.
       if (r == i || r == previous(i) || r == next(i) || p == a || p == b || p == c) return false;
       return cross(a, b, p) >= 0 && cross(b, c, p) >= 0 && cross(c, a, p) >= 0;
     });
@@ -113,6 +115,7 @@ class EarClipper {
   void clip(int i) {
     next(previous(i)) = next(i);
     previous(next(i)) = previous(i);
+    // Only the neighbours turn otherwise now, and an ear less never makes a corner reflex.
     const std::array<int, 3> settled{i, previous(i), next(i)};
     reflex_.erase(std::remove_if(reflex_.begin(), reflex_.end(),
                                  [&](int r) {
@@ -136,6 +139,7 @@ Vec3 unit_or_zero(const Vec3& v) {
 
 Vec3 any_tangent(const Vec3& v) {
   int smallest = 0;
+  // The axis that v is farthest from: the product is never small.
   v.cwiseAbs().minCoeff(&smallest);
   return v.cross(Vec3::Unit(smallest)).normalized();
 }
@@ -148,6 +152,7 @@ Vec3 tangent_towards(const Vec3& wanted, const Vec3& v) {
 }
 
 bool is_first_diagonal_shorter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  // A tie within rounding goes to the first: a square is split alike wherever it stands.
   return (c - a).squaredNorm() <= (1 + tolerance::same_length) * (d - b).squaredNorm();
 }
 
@@ -165,6 +170,7 @@ std::vector<Triangle> triangulate(Span<const Vec3> polygon) {
   const Vec3 normal = unit_or_zero(newell_normal(polygon));
   if (normal.isZero()) return fan(static_cast<int>(polygon.size()));
   EarClipper clipper(in_newell_plane(polygon, normal));
+  // A fan of a dented polygon overlaps itself, but has the same outline.
   if (!clipper.affordable()) return fan(static_cast<int>(polygon.size()));
   return clipper.triangles();
 }

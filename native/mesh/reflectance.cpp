@@ -41,6 +41,8 @@ Texture::Texture(int width, int height, std::vector<float> luminance, Wrap wrap)
     Level coarse{std::max(1, fine.width / 2), std::max(1, fine.height / 2), {}};
     for (int row = 0; row < coarse.height; ++row) {
       for (int column = 0; column < coarse.width; ++column) {
+        // A side of one texel counts twice, of an odd side the last texel is lost: neither shows in
+        // a mean over so many.
         const int right = std::min(2 * column + 1, fine.width - 1);
         const int above = std::min(2 * row + 1, fine.height - 1);
         const double sum = texel(fine, 2 * column, 2 * row) + texel(fine, right, 2 * row) +
@@ -76,6 +78,7 @@ double Texture::mean_at(const Vec2& uv, double texels) const {
   const auto fine = static_cast<std::size_t>(level);
   const double share = level - std::floor(level);
   const double value = at(levels_[fine], uv);
+  // On the highest level, which has none above it, share is 0.
   return share > 0 ? (1 - share) * value + share * at(levels_[fine + 1], uv) : value;
 }
 

@@ -91,6 +91,7 @@ SoundMesh sanitize(const PolygonMesh& mesh, Counts& report, const Progress& prog
   report["input_faces"] += static_cast<std::int64_t>(mesh.face_sizes.size());
   progress.report(0);
   Faces faces = clean_faces(mesh, report);
+  // Before faces are joined, so that what is welded is joined like any other edge.
   const std::vector<int> numbers = weld_open_edges(faces, mesh.positions, report);
   progress.report(0.25);
   FaceAdjacency adjacency = join_faces(faces, mesh.positions, report);
@@ -100,6 +101,7 @@ SoundMesh sanitize(const PolygonMesh& mesh, Counts& report, const Progress& prog
 
   progress.report(0.75);
   SoundMesh sound;
+  // Only now: fans can be walked round where windings agree, which the double cover sees to.
   set_vertices(mesh, split_vertices(faces, adjacency, mesh.positions.size()), sound);
   set_faces(mesh, faces, sound);
   set_twins(faces, std::move(twins), sound);
@@ -107,6 +109,8 @@ SoundMesh sanitize(const PolygonMesh& mesh, Counts& report, const Progress& prog
   report["split_vertices"] += count_split(sound);
   carry_edges(mesh, faces, adjacency.is_cut, numbers, sound, report);
   sound.cage = mesh.cage;
+  // The corners of what is no cage were found by their angles; OpenSubdiv is not to add those where
+  // a single face ends.
   sound.boundary = mesh.cage ? mesh.boundary : BoundaryRule::edges;
   sound.scheme = mesh.scheme;
   sound.level = mesh.level;

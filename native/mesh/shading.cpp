@@ -47,6 +47,8 @@ class SliverNormals {
     all_ = slivers_;
     if (slivers_.empty()) return;
     mates_ = half_edge_mates(faces, edges);
+    // Across its long sides a sliver lies along its neighbour; only where none of those is known
+    // does it take what it meets at its tips.
     resolve(long_side);
     resolve(0);
   }
@@ -101,6 +103,7 @@ class SliverNormals {
       const int other = faces_.corner_faces[mates_[h]];
       if (is_open_[other]) continue;
       const double length = edge_length(h);
+      // Of sides that are equally long the first.
       if (length < best || (found != none && length == best)) continue;
       best = length;
       found = other;
@@ -165,7 +168,8 @@ class SourceCorners {
   int last_ = 0;
 };
 
-// Whether most steps from corner to corner go backwards in the input.
+// Whether most steps from corner to corner go backwards in the input. Not all: where a face was
+// taken apart, or lost corners, a step may jump either way.
 bool runs_backwards(Span<const int> input_corners, int size) {
   int balance = 0;
   for (std::size_t k = 0; k < input_corners.size(); ++k) {

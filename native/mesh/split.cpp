@@ -159,6 +159,7 @@ FaceAdjacency join_faces(const Faces& faces, const Points& positions, Counts& re
     const auto edge = edges[e];
     if (edge.size() == 1) continue;
     const bool stays_open = is_crowded(edge[0]);
+    // Whatever their windings: those are made to agree along such edges afterwards.
     if (edge.size() == 2 && !stays_open) {
       join(edge[0], edge[1], adjacency);
       continue;
@@ -185,6 +186,7 @@ std::vector<int> split_vertices(Faces& faces, FaceAdjacency& adjacency, std::siz
     faces.corners = fans;
   };
   number();
+  // What is opened takes fans apart: all are numbered again, from the vertices.
   if (open_crowded_edges(faces, adjacency, vertices.size())) number();
   return vertices;
 }

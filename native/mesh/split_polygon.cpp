@@ -160,6 +160,8 @@ class PolygonSplitter {
     std::vector<std::pair<int, std::size_t>> visits;
     for (std::size_t k = 0; k < polygon.size(); ++k) visits.push_back({polygon[k], k});
     std::sort(visits.begin(), visits.end());
+    // Within the shortest way no vertex comes twice, or that way would be shorter: it is a sound
+    // loop.
     std::size_t shortest = 0, start = 0;
     for (std::size_t i = 1; i < visits.size(); ++i) {
       const std::size_t length = visits[i].second - visits[i - 1].second;

@@ -9,9 +9,11 @@
 namespace illustrate {
 namespace {
 
+// What is larger is seldom covered all over, and takes long to look at.
 constexpr int most_cells_across = 64;  // of a box that is looked at
 constexpr double least_gap_edges = 3;  // between a triangle and what it hides
-constexpr double largest_gap = 0.01;   // of everything's diagonal
+// Without it a floor of two triangles would hide nothing below it.
+constexpr double largest_gap = 0.01;  // of everything's diagonal
 
 // greatest[i] = max(greatest[i], values[i + shift]) wherever both are there.
 void take_greater(float* greatest, const float* values, std::ptrdiff_t count,

@@ -91,10 +91,13 @@ class RowPainter {
       for (int i = column; i < column_end; ++i) {
         const double x = i + 0.5, wa = row_bc(x), wb = row_ca(x), wc = row_ab(x);
         if (!(wa >= 0 && wb >= 0 && wc >= 0)) {
+          // A triangle is convex: after the first gap nothing of the row is inside.
           if (was_inside) break;
           continue;
         }
         was_inside = true;
+        // Seen along its plane a triangle's depth is rounding; it stays between those of the
+        // corners.
         const double depth = (wa * a.p + wb * b.p + wc * c.p) / (wa * a.q + wb * b.q + wc * c.q);
         draw_cell(triangle, std::clamp(depth, nearest, farthest), image_.index(i, j));
       }
@@ -176,7 +179,8 @@ VisibleImage render_visible(const Surface& surface, const Camera& camera, double
   parallel_for(vertices.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) vertices[i] = project(surface.positions[i]);
   });
-  // Shares of cells, each rounded to whole rows.
+  // Shares of cells, each rounded to whole rows. Each thread takes all triangles, in one order, and
+  // writes to its own rows: the image is the same for any number of threads.
   const auto row_of = [&](std::size_t cell) {
     return static_cast<int>((cell + image.width - 1) / image.width);
   };

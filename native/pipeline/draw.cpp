@@ -34,7 +34,7 @@ namespace {
 constexpr double units_across = 1024;
 constexpr double most_pixels = 4;  // of a unit
 
-// Of the tone map.
+// Of the tone map. So many cells take some 300 MB, depths and tones together.
 constexpr double most_cells = 16e6;
 constexpr double least_cell_px = 0.25;
 constexpr double cells_in_spacing = 8;

@@ -30,6 +30,7 @@ auto Prepared::timed(const char* stage, Make&& make) const {
     const Prepared& prepared;
     const char* stage;
     const Stopwatch watch{};
+    // Also where `make` throws: what was cancelled took its time too.
     ~Addition() {
       const std::lock_guard<std::mutex> lock(prepared.timings_mutex_);
       prepared.timings_[stage] += watch.seconds();
@@ -62,6 +63,7 @@ Prepared::Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions&
   }
   if (previous && previous->field_ != field_ && previous->field_->peek()) {
     const Geometry& last = *previous->geometry_;
+    // The families that stay follow the last ones only if those were ever asked for.
     last_field_ = {previous->shares_field() ? last.originals : last.surface, previous->field_,
                    previous->families_};
     if (previous->families_->peek()) last_families_ = last_field_;
@@ -87,6 +89,8 @@ bool Prepared::has_surface_of(const std::vector<MeshPointer>& meshes,
 }
 
 void Prepared::keep_first_areas(const Prepared& previous) {
+  // Seeds of hatches are dealt by area: with those of the first frame they stay where they are on a
+  // mesh that stretches.
   const SameObjects same(previous.surface(), surface());
   for (std::size_t t = 0; t < first_areas_.size(); ++t) {
     const int last = same.last_triangle(t);
@@ -95,6 +99,8 @@ void Prepared::keep_first_areas(const Prepared& previous) {
 }
 
 void Prepared::take_over(const Prepared& previous) {
+  // What follows depends on what precedes: curvature on the surface, the field on curvature,
+  // families and curves on the field.
   geometry_ = previous.geometry_;
   if (!is_same(options_.jet, previous.options_.jet)) return;
   curvature_ = previous.curvature_;
@@ -231,6 +237,7 @@ CrossField Prepared::solve_field(const Progress& progress) const {
     return solve_cross_field(is_shared ? *geometry_->originals : surface(), curvature,
                              options_.cross_field, aids, progress.part(0.2, 1, "field"));
   });
+  // Not needed again: the last frame's surface may go.
   last_field_ = {};
   return solved;
 }

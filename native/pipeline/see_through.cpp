@@ -5,6 +5,7 @@
 namespace illustrate {
 namespace {
 
+// The second drawing has no hatches, which take most of the time.
 constexpr double first_share = 0.75;  // of the progress
 
 DrawOptions without_glass(DrawOptions options) {

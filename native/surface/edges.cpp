@@ -52,6 +52,7 @@ Vec3 flat_normal(const Surface& surface, int t) {
     return surface.corner_sign(t, k) * surface.normals[idx(triangle[idx(k)])];
   };
   const auto turns = [&](int k) {
+    // Near one normal they differ by twice flat_rad at most; a third is room for rounding.
     return (own(k) - own(0)).squaredNorm() > 9 * tolerance::flat_rad * tolerance::flat_rad;
   };
   if (smooth && (turns(1) || turns(2))) return Vec3::Zero();  // no normal is near to all three
@@ -121,6 +122,7 @@ class FlatAreas {
         area_.push_back({n, turned});
       }
     }
+    // Two triangles are a single quad, which any smooth surface may have flat.
     if (area_.size() >= smallest_area) return true;
     for (const Member& member : area_) areas_[idx(member.triangle)] = candidate;
     return false;

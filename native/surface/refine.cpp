@@ -68,6 +68,8 @@ class Refiner {
     const bool all_patches =
         scheme == Scheme::loop || std::all_of(base.face_sizes.begin(), base.face_sizes.end(),
                                               [](int size) { return size == 4; });
+    // The masks of Catmull-Clark's limit are those of quads: where there are other faces the limit
+    // is taken one level down, where all are quads.
     const int limit_level = level == 0 && !all_patches ? 1 : level;
     const Subdivision subdivision(base, scheme, limit_level, options_.threads,
                                   progress.part(0, .55));

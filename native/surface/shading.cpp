@@ -9,6 +9,7 @@
 namespace illustrate {
 namespace {
 
+// 60 degrees: sheets that meet more steeply make an edge that one expects to see.
 constexpr double seam_smooth_cos = .5;
 
 // Angle-weighted normal of one corner of a polygon. A corner that does not turn the way its polygon

@@ -26,9 +26,11 @@ Vec4 viewpoint_of(const Mat4& clip, const Mat4& view) {
   Vec4 eye = common_point(clip.row(0), clip.row(1), clip.row(3));
   const double length = eye.head<3>().norm();
   if (!(eye.norm() > 0) || !eye.allFinite()) throw InvalidInput("camera.projection is singular");
+  // What only rounding keeps from infinity is there: an orthographic camera.
   if (std::abs(eye[3]) > 1e-12 * length * view.topLeftCorner<3, 3>().norm()) return eye / eye[3];
   eye /= length;
   eye[3] = 0;
+  // A direction at infinity may come with either sign: clip z grows away from the eye.
   const double towards_far = clip.row(2).head<3>().dot(eye.head<3>());
   return towards_far > 0 ? Vec4(-eye) : eye;
 }
@@ -76,6 +78,7 @@ double Camera::ray_end(const Vec3& p) const {
   const double slope = -plane.head<3>().dot(to_eye(p));
   const double end = near_distance(p) / slope;
   if (slope > 0) return end;
+  // The near plane is not met: in perspective the ray ends at the eye.
   return is_perspective() ? 1 : std::numeric_limits<double>::infinity();
 }
 

@@ -81,6 +81,8 @@ Alignment align_to_features(const Surface& surface, const TangentFrames& frames,
       }
     }
   }
+  // Copies of one edge side by side: two sides of a crease, or any number of fins at a seam, each
+  // coupled to the one before.
   std::stable_sort(sides.begin(), sides.end(),
                    [](const FeatureSide& a, const FeatureSide& b) { return a.places < b.places; });
   for (std::size_t s = 1; s < sides.size(); ++s) {

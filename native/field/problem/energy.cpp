@@ -88,6 +88,7 @@ double energy(const FieldGraph& graph, const double* u, double* gradient, int th
       if (gradient) gradient[i] = -against.imag();
     }
   });
+  // In the order of the vertices, not of the threads: the same bits for any number of them.
   double sum = 0;
   for (const double term : terms) sum += term;
   return sum;

@@ -7,6 +7,7 @@ namespace {
 
 // Any tangent will do, but it has to be well away from the normal.
 Vec3 some_tangent(const Vec3& normal) {
+  // A unit vector with |x| >= .6 has |y| <= .8.
   const Vec3 axis = std::abs(normal.x()) < 0.6 ? Vec3::UnitX() : Vec3::UnitY();
   return (axis - axis.dot(normal) * normal).normalized();
 }

@@ -35,6 +35,7 @@ Vec3 own_axis(const PlaneFace& strongest, const Vec3& normal) {
   const std::array<Vec3, 3> axes{strongest.direction, strongest.normal.cross(strongest.direction),
                                  strongest.normal};
   return *std::min_element(axes.begin(), axes.end(), [&](const Vec3& a, const Vec3& b) {
+    // Of axes that lie in the plane alike the first: rounding does not choose.
     return std::abs(a.dot(normal)) < std::abs(b.dot(normal)) - tolerance::flat_rad;
   });
 }

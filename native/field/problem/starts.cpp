@@ -77,6 +77,8 @@ PrincipalCrosses principal_crosses(const TangentFrames& frames, const Curvature&
                           std::vector<std::uint8_t>(frames.size(), 0)};
   parallel_for(frames.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
+      // By w2: where a form is quasi-parabolic that is its straight direction, and what is across
+      // runs round the form.
       const Vec3 across = curvature[i].w2.cross(frames.normals[i]);
       const CrossNumber w = direction_in_frame(frames, i, across, 0, 0.5);
       result.defined[i] = w != CrossNumber(0) && std::isfinite(curvature[i].k1) &&

@@ -125,6 +125,7 @@ void sweep(const FieldGraph& graph, int count, CrossNumbers& z, const Progress& 
   for (int k = 0; k < count; ++k) {
     progress.report(static_cast<double>(k) / count);
     for (std::size_t i = 0; i < graph.size(); ++i) {
+      // No over-relaxation: a factor of 1.8 converged faster, to worse minima.
       z[i] = normalized(graph.attraction(i, z), z[i]);
     }
   }

@@ -16,6 +16,7 @@ const Link* strongest_open_link(const FieldGraph& graph, std::size_t i,
   double best_strength = 0;
   for (const Link& link : graph.links[i]) {
     const double strength = std::norm(link.transport);
+    // Of links that are equally strong the first.
     if (gauges[idx(link.vertex)].aggregate != none || idx(link.vertex) == i ||
         strength <= best_strength) {
       continue;

@@ -12,6 +12,8 @@ namespace {
 // The coarsest graph: few enough vertices for many starts, enough for a singularity of every bump
 // of an organic mesh; aggregates of too many vertices mislead about the energy of their fields.
 constexpr std::size_t vertices_per_aggregate = 10;
+// A symmetric mesh with many bumps needs 8000; which size is best varies from mesh to mesh, so that
+// several starts do more than one large graph.
 constexpr std::size_t least_coarse_size = 300, most_coarse_size = 8000;
 
 // No more starts than touch so many crosses, more where the whole graph is large and all else takes

@@ -11,6 +11,7 @@ namespace {
 // In spacings.
 constexpr double most_along = 3;
 constexpr double most_across = 0.5;
+constexpr double most_across_ruled = 0.1;
 constexpr double bridge_clear = 0.45;
 constexpr double bridge_error = 0.25;  // how far from the other end a bridge may come out
 
@@ -43,9 +44,10 @@ struct Join {
 
 class Merger {
  public:
-  Merger(StreamlineSet& set, const HatchView& view)
+  Merger(StreamlineSet& set, const HatchView& view, bool ruled)
       : set_(set),
         view_(view),
+        ruled_(ruled && !view.walker.on_surface().surface().planes.empty()),
         joins_(2 * set.streamlines.size()),
         groups_(set.streamlines.size()) {
     std::iota(groups_.begin(), groups_.end(), 0);
@@ -102,12 +104,17 @@ class Merger {
     const double along = offset.dot(node.heading), across = std::abs(offset.dot(node.left()));
     const bool faces = node.heading.dot(other.heading) < -least_opposite &&
                        node.tangent.dot(other.tangent.cast<double>()) < -least_opposite;
-    if (!faces || along < 0 || along > most_along * spacing || across > most_across * spacing ||
+    const double most = ruled_ && is_flat(node) ? most_across_ruled : most_across;
+    if (!faces || along < 0 || along > most_along * spacing || across > most * spacing ||
         !HatchView::is_alike(node, other, spacing) ||
         view_.curves.separate(node.image, other.image)) {
       return -1;
     }
     return along + 3 * across;
+  }
+
+  bool is_flat(const StreamlineNode& node) const {
+    return view_.walker.on_surface().surface().triangle_planes[idx(node.on.triangle)] != none;
   }
 
   int group_of(int streamline) const {
@@ -224,6 +231,7 @@ class Merger {
 
   StreamlineSet& set_;
   const HatchView& view_;
+  bool ruled_;
   std::vector<Join> joins_;  // of each end
   std::vector<int> groups_;  // of each streamline, one of those it is joined with
 };
@@ -238,7 +246,9 @@ void orient(Nodes& nodes) {
 
 }  // namespace
 
-void merge_streamlines(StreamlineSet& set, const HatchView& view) { Merger(set, view).merge(); }
+void merge_streamlines(StreamlineSet& set, const HatchView& view, bool ruled) {
+  Merger(set, view, ruled).merge();
+}
 
 void resample(Streamline& streamline, const HatchView& view) {
   const Nodes old = std::move(streamline.nodes);

@@ -66,7 +66,10 @@ def make_strokes(
     labels: Any = None,
     subjects: tuple[Subject, ...] = (Subject("Line"),),
 ) -> Strokes:
-    """Strokes from a list of (n, 2) polylines; a single width or flag counts for all."""
+    """Strokes from a list of (n, 2) polylines; a single width or flag counts for all.
+
+    widths: else a list for each polyline, a width for each of its points.
+    """
     count = len(polylines)
     points = [np.asarray(line, float).reshape(-1, 2) for line in polylines]
     sizes = np.array([len(line) for line in points], np.intp)

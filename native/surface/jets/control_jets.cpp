@@ -125,6 +125,7 @@ std::vector<PrincipalCurvature> jets_at_nodes(const Surface& surface, const Cont
 Vec3 turned(const Vec3& w, const Vec3& from, const Vec3& to) {
   constexpr double opposite = 1e-6;
   const double scale = 1 + from.dot(to);
+  // Between opposite normals no way is the shortest.
   if (scale < opposite) return w;
   return w - w.dot(to) / scale * (from + to);
 }
@@ -138,6 +139,8 @@ PrincipalCurvature interpolate(const Surface& surface, const ControlNodes& nodes
   double xx = 0, xy = 0, yy = 0;
   for (const auto& [node, weight, sign] : place) {
     if (node == none) continue;
+    // Operators are added, not directions: where k1 and k2 are nearly equal those of two nodes may
+    // lie a quarter turn apart, and mean the same.
     const PrincipalCurvature& k = jets[idx(node)];
     const Vec3 from = sign * surface.normals[idx(nodes.vertices()[idx(node)])];
     const Vec3 w = turned(k.w1, from, normal);

@@ -29,6 +29,7 @@ struct Eigen2 {
 Eigen2 eigen(const Mat2& m) {
   const double mean = (m(0, 0) + m(1, 1)) / 2, half = (m(0, 0) - m(1, 1)) / 2;
   const double off = (m(0, 1) + m(1, 0)) / 2, radius = std::hypot(half, off);
+  // At an umbilic, where any direction will do, atan2(0, 0) gives 0.
   const double angle = std::atan2(off, half) / 2;  // of the larger eigenvalue
   if (mean >= 0) return {mean + radius, mean - radius, angle};
   return {mean - radius, mean + radius, angle + std::acos(0.)};

@@ -43,6 +43,7 @@ struct Neighbour {
 // The tangent t at normal n, turned with n into m by the shortest way.
 Vec3 turned(const Vec3& t, const Vec3& n, const Vec3& m) {
   const double cosine = n.dot(m);
+  // Between nearly opposite normals the way is none, or rounding.
   return cosine < -0.99 ? t : Vec3(t - t.dot(m) / (1 + cosine) * (n + m));
 }
 
@@ -105,6 +106,7 @@ class CubicFit {
   void add(const Vec2& step, const Form& change) {
     const double x = step.x(), y = step.y();
     add_row(Vec4d(x, y, 0, 0), change[0], 1);
+    // II(w1, w2) stands twice in the form.
     add_row(Vec4d(0, x, y, 0), change[1], 2);
     add_row(Vec4d(0, 0, x, y), change[2], 1);
   }
@@ -112,6 +114,7 @@ class CubicFit {
   CubicForm solve() const {
     const double trace = matrix_.trace();
     if (!(trace > 0) || !right_.allFinite()) return {};
+    // Neighbours on one line leave a part of C open: that becomes 0.
     const Eigen::Matrix4d regular = matrix_ + 1e-9 * trace * Eigen::Matrix4d::Identity();
     const Vec4d c = regular.ldlt().solve(right_);
     if (!c.allFinite()) return {};
@@ -161,6 +164,7 @@ double second_derivative(const Surface& surface, Span<const Neighbour> around,
 // as a line of its own.
 constexpr double smoothing = 0.009;
 // Where the mesh is much finer than in the middle less is smoothed, so that the work is bounded.
+// most_time is 128 passes over the mesh (see `diffuse`).
 constexpr double finest = 4;
 constexpr double most_time = 2000;
 

@@ -78,6 +78,7 @@ PrincipalCurvature JetFitter::fit(int vertex, Workspace& work) const {
   work.jet.take(surface_, work.found);
   // The normal of a limit surface is exact, that of a polygon mesh is worse than the fit's own.
   const bool exact_normal = surface_.object_is_smooth[idx(surface_.objects[idx(vertex)])] != 0;
+  // With points on one side only a higher degree swings.
   return work.jet.fit(at_border_[idx(vertex)] ? 2 : 4, exact_normal);
 }
 

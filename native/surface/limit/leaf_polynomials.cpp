@@ -70,6 +70,7 @@ LimitPoint LeafPolynomials::make_and_evaluate(int index, const Vec2& uv) const {
   const LimitPoint p = made->evaluate(uv);
   if (!room_.take(sizeof(Leaf))) return p;
   const Leaf* other = nullptr;
+  // Another thread may have been first: its leaf has the same bits, so either will do.
   if (leaves_[idx(index)].compare_exchange_strong(other, made.get())) {
     made.release();
   } else {

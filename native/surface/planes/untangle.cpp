@@ -14,6 +14,7 @@ namespace {
 constexpr int sweeps_per_ring = 8;  // until vertices one edge farther away take part
 constexpr int vain_sweeps = 24;     // after which nothing is to be hoped for
 constexpr int sweeps_to_even_out = 16;
+// Every triple of them is tried: 560 of 16.
 constexpr std::size_t most_round = 16;  // triangles of a vertex that is moved
 
 // Of a triangle at a vertex: twice its area, and how that grows as the vertex moves.

@@ -1,4 +1,4 @@
-"""The pages of docs/ name what is there: files, links, sections, targets of make."""
+"""Pages and workflows name what is there: files, links, sections, targets of make."""
 
 from __future__ import annotations
 
@@ -19,6 +19,8 @@ PAGES = sorted(
 )
 NAMES = [page.relative_to(ROOT).as_posix() for page in PAGES]
 
+WORKFLOWS = sorted((ROOT / ".github" / "workflows").glob("*.yml"))
+
 FENCE = re.compile(r"^```.*?^```", re.DOTALL | re.MULTILINE)
 CODE = re.compile(r"`([^`\n]+)`")
 LINK = re.compile(r"\]\(([^)\s]+)\)")
@@ -28,6 +30,11 @@ SUFFIXES = "h|cpp|py|pyi|sh|js|yaml|yml|toml|txt|json|md|in|map"
 FILE = re.compile(rf"^[\w./-]+\.(?:{SUFFIXES}|\{{h,cpp\}})$")
 # A number at its source, such as `repairs.cpp: twist_px`.
 CONSTANT = re.compile(r"`([\w./]+\.(?:h|cpp|py)): (\w+)`")
+# A work by an author and its year: "Woop et al. 2013", "Greene, Kass and Miller (1993)".
+CITED = re.compile(
+    r"\b([A-Z][\w-]+)(?: et al\.|(?:,? (?:and |& )?[A-Z][\w-]+)*),? \(?((?:19|20)\d\d)\b"
+)
+NO_AUTHORS = {"SIGGRAPH", "Gems", "Blender"}  # names that have years, too
 # Files that a page tells the reader to make, or that others keep.
 NOT_OURS = {"blender_manifest.toml", "drawing.json", "index.json", "config.json"}
 
@@ -101,12 +108,28 @@ def test_numbers_stand_where_the_page_says(page: Path) -> None:
         ), f"{file}: {name}"
 
 
+@cache
+def targets() -> set[str]:
+    """Of the Makefile."""
+    return set(re.findall(r"^([\w-]+):", (ROOT / "Makefile").read_text(), re.MULTILINE))
+
+
 @pytest.mark.parametrize("page", PAGES, ids=NAMES)
 def test_targets_of_make_are_there(page: Path) -> None:
-    known = set(re.findall(r"^([\w-]+):", (ROOT / "Makefile").read_text(), re.MULTILINE))
     text = page.read_text(encoding="utf-8")
     named = re.findall(r"`make ([\w-]+)`|^make ([\w-]+)", text, re.MULTILINE)
-    assert not {a or b for a, b in named} - known
+    assert not {a or b for a, b in named} - targets()
+
+
+@pytest.mark.parametrize("path", WORKFLOWS, ids=lambda path: path.stem)
+def test_workflows_install_make_and_call_its_targets(path: Path) -> None:
+    for job in re.split(r"^  (?=\w+:$)", path.read_text(encoding="utf-8"), flags=re.MULTILINE)[1:]:
+        rows = re.findall(r"^ +target: \[(.+)\]$", job, re.MULTILINE)
+        chosen = {name for row in rows for name in row.split(", ")}
+        called = set(re.findall(r"run: make ([\w-]+)$", job, re.MULTILINE)) | chosen
+        assert called <= targets()
+        # Bare images have none.
+        assert not called or re.search(r"install(?s:.)*? make ", job.partition("run: make")[0])
 
 
 def test_every_page_is_reached_from_the_first() -> None:
@@ -120,6 +143,28 @@ def test_every_page_is_reached_from_the_first() -> None:
         files = [(page.parent / t.partition("#")[0]).resolve() for t in targets if ":" not in t]
         waiting += [file for file in files if file.is_file()]
     assert not sorted(set((ROOT / "docs").glob("*.md")) - found)
+
+
+def works_cited(text: str) -> set[tuple[str, str]]:
+    """Authors and years of the works that a text cites."""
+    plain = re.sub(r"\s+(?://|#)?\s*", " ", text)
+    return {(name, year) for name, year in CITED.findall(plain) if name not in NO_AUTHORS}
+
+
+def test_every_work_cited_is_in_the_references() -> None:
+    page = ROOT / "docs" / "references.md"
+    rows = page.read_text(encoding="utf-8").splitlines()
+    texts = [*PAGES, *(ROOT / "native").rglob("*.h"), *(ROOT / "native").rglob("*.cpp")]
+    texts += (ROOT / "native" / "illustrate_native").rglob("*.py")
+    cited = {
+        work for path in texts if path != page for work in works_cited(path.read_text("utf-8"))
+    }
+    assert len(cited) > 15
+    assert not [
+        (name, year)
+        for name, year in sorted(cited)
+        if not any(name in row and f"({year})" in row for row in rows)
+    ]
 
 
 def test_every_picture_is_shown() -> None:
@@ -137,6 +182,8 @@ def test_what_is_wrong_is_found(tmp_path: Path) -> None:
     page.write_text("# A part\n[x](gone.md) [y](#a-part) [z](#b) ![](p.svg) [w](https://a.b)\n")
     assert list(broken_links(page, page.read_text())) == ["gone.md", "#b", "p.svg"]
     assert CONSTANT.findall("`a.cpp: b_px` `a: b`") == [("a.cpp", "b_px")]
+    cited = "(Woop et al. 2013), Greene, Kass\n// and Miller 1993; Loop 1987; SIGGRAPH 2000"
+    assert works_cited(cited) == {("Woop", "2013"), ("Greene", "1993"), ("Loop", "1987")}
     named = list(files_named("`gone.cpp` `a/b.{h,cpp}` `draw()` `*.md`\n```\n`no.py`\n```\n"))
     assert named == ["gone.cpp", "a/b.h", "a/b.cpp"]
     assert not is_there("gone.cpp") and is_there("visibility/evidence/evidence.h")

@@ -165,5 +165,6 @@ def test_a_picture_of_the_field_shows_its_near_side(ball: ill.Prepared) -> None:
     assert near <= shown <= 8 - far
     denser = field_svg.field_to_svg(ball.surface, ball.field, camera, spacing_px=5)
     assert denser.count("M") > 2 * arms
-    with pytest.raises(ValueError, match="spacing_px"):
-        field_svg.field_to_svg(ball.surface, ball.field, camera, spacing_px=0)
+    for wrong in ({"spacing_px": 0}, {"width_mm": 0}):
+        with pytest.raises(ValueError, match=next(iter(wrong))):
+            field_svg.field_to_svg(ball.surface, ball.field, camera, **wrong)

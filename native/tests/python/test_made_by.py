@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import struct
+import zlib
 from collections.abc import Callable
 from typing import Any
 from xml.etree import ElementTree
@@ -78,3 +80,22 @@ def test_the_svg_is_well_formed() -> None:
     root = ElementTree.fromstring(written(MADE_BY)["svg"])
     [told] = [child for child in root if child.tag.endswith("metadata")]
     assert "<Käse>" in (told.text or "").encode().decode("unicode_escape")
+
+
+def decoded(data: bytes) -> Any:
+    """(h, w, channels) of a PNG whose rows have no filter."""
+    width, height, depth, kind = struct.unpack(">IIBB", data[16:26])
+    assert depth == 8
+    begin = data.index(b"IDAT")
+    (size,) = struct.unpack(">I", data[begin - 4 : begin])
+    rows = np.frombuffer(zlib.decompress(data[begin + 4 : begin + 4 + size]), np.uint8)
+    rows = rows.reshape(height, 1 + width * {2: 3, 6: 4}[kind])
+    assert not rows[:, 0].any()
+    return rows[:, 1:].reshape(height, width, -1)
+
+
+def test_a_png_has_alpha_where_its_paper_is_seen_through() -> None:
+    solid, clear = (decoded(png.to_png(line(), 40, 30, paper=p)) for p in (png.WHITE, (0,) * 4))
+    assert (solid.shape, clear.shape) == ((30, 40, 3), (30, 40, 4))
+    assert solid[0, 0].tolist() == [255] * 3 and clear[0, 0].tolist() == [0] * 4
+    assert clear[15, 20, 3] == 255 - solid[15, 20, 0] > 128  # as much ink on either

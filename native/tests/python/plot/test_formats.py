@@ -25,7 +25,9 @@ from illustrate_native.plot import (
     plot_of,
     strokes_of,
 )
+from illustrate_native.plot.animation import animated_svg_of
 from illustrate_native.plot.dxf_file import dxf_of
+from illustrate_native.plot.formats import check, read_made_by
 from illustrate_native.plot.pdf_file import POINTS_PER_MM, pdf_of
 from plot_drawings import HEIGHT_PX, WIDTH_PX, torus_drawing
 
@@ -189,6 +191,36 @@ def test_tapered_pens_are_areas_in_a_dxf() -> None:
         assert len(ezdxf.read(io.StringIO(text)).modelspace().query(kind)) == 1
 
 
+def test_closed_tapered_strokes_are_rings_in_a_dxf() -> None:
+    square = [[10, 10], [70, 10], [70, 70], [10, 70]]
+    strokes = make_strokes([square], [[2.0] * 4], closed=True)
+    pen = Pen("Brush", 0.3, is_tapered=True)
+    plot = plot_of(strokes, 80, 80, PlotOptions(pens=(pen,), fit="scale", scale=1.0))
+    for version, kind in (("R12", "POLYLINE"), ("R2000", "HATCH")):
+        document = ezdxf.read(io.StringIO(dxf_of(plot, version).decode("cp1252")))
+        found = document.modelspace().query(kind)
+        paths = found[0].paths.paths if kind == "HATCH" else found
+        corners = [[getattr(v, "dxf", v) for v in path_.vertices] for path_ in paths]
+        xs = [[getattr(v, "location", v)[0] for v in ring] for ring in corners]
+        inner, outer = sorted(np.ptp(ring) for ring in xs)
+        assert [inner, outer] == pytest.approx([58, 62], abs=2e-3)  # its corners are mitred
+
+
+@pytest.mark.parametrize("extension", ["svg", "pdf", "dxf"])
+def test_files_say_how_they_were_made(extension: str) -> None:
+    said = {"frame": 3, "by": "Ä \n %%EOF --> ]]>"}
+    data = file_of(extension, [line_plot()], said)
+    assert read_made_by(extension, data) == said
+    for damaged in (file_of(extension, [line_plot()]), data[: len(data) // 2], b""):
+        with pytest.raises(ValueError, match="made"):
+            read_made_by(extension, damaged)
+
+
+def test_a_dxf_is_of_a_version_that_is_known() -> None:
+    with pytest.raises(PlotError, match="'R13', not one of R12, R2000"):
+        dxf_of(line_plot(), "R13")
+
+
 def shown_at(root: Any, time: float) -> list[str]:
     """Ids of the frames that are shown at a share of the round."""
     found = []
@@ -216,6 +248,13 @@ def test_an_animation_shows_one_frame_after_another() -> None:
     assert still == [None, "none", "none"]  # of programs that do not animate
 
 
+def test_an_animation_of_one_frame_stands_still() -> None:
+    root = ElementTree.fromstring(animated_svg_of([line_plot()], 24.0))
+    [frame] = [g for g in root if g.get("id") == "frame-1"]
+    assert frame.get("display") is None
+    assert not [e for e in root.iter() if e.tag.endswith("animate")]
+
+
 def test_sequences_need_pages_of_one_size_and_a_format_for_them() -> None:
     with pytest.raises(PlotError, match="one size"):
         file_of("svg", [line_plot(), line_plot(paper="A3")])
@@ -236,3 +275,10 @@ def test_a_missing_library_is_named_with_the_way_to_it(
         PlotError, match=f"{library}, which is not there: install it with .* -m pip"
     ):
         file_of(extension, [line_plot()])
+
+
+def test_regions_need_shapely_before_anything_is_drawn(monkeypatch: Any) -> None:
+    monkeypatch.setitem(sys.modules, "shapely", None)
+    check("svg")
+    with pytest.raises(PlotError, match="Filling regions needs the Python package shapely"):
+        check("svg", has_regions=True)

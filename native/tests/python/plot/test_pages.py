@@ -12,6 +12,7 @@ from illustrate_native.plot.errors import PlotError
 from illustrate_native.plot.pages import (
     FORMATS,
     Box,
+    box_of,
     cropped,
     make_page,
     place,
@@ -120,6 +121,13 @@ def test_at_scale_a_pixel_is_what_it_is_said_to_be() -> None:
     strokes = placed(make_strokes([[[0, 0], [400, 300]]], 2.0), placing)
     assert strokes.points == pytest.approx(np.array([[8.5, 0], [288.5, 210]]))
     assert strokes.widths == pytest.approx(1.4)
+
+
+def test_without_lines_the_frame_is_what_is_placed() -> None:
+    page = make_page((120, 120), "auto", 10.0)
+    nothing = box_of(make_strokes([]))
+    assert nothing is None
+    assert place(page, FRAME, "lines", nothing) == place(page, FRAME)
 
 
 @pytest.mark.parametrize(("fit", "scale"), [("scale", 0.0), ("scale", math.nan), ("stretch", 1.0)])

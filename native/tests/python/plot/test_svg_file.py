@@ -15,7 +15,7 @@ from illustrate_native.plot import Pen, Plot, PlotOptions, pens_by_line, plot_of
 from illustrate_native.plot.errors import PlotError
 from illustrate_native.plot.order import ordered, pen_up_ways
 from illustrate_native.plot.plans import Thing
-from illustrate_native.plot.strokes import Strokes, lengths, make_strokes
+from illustrate_native.plot.strokes import Strokes, Subject, lengths, make_strokes
 from illustrate_native.svg import read_made_by, to_svg
 from plot_drawings import HEIGHT_PX, WIDTH_PX, drawing_of_every_kind, torus_drawing
 
@@ -241,6 +241,29 @@ def test_nothing_shorter_than_a_dot_is_left() -> None:
 def test_what_cannot_be_plotted_is_said_once(options: dict[str, Any], words: str) -> None:
     with pytest.raises(PlotError, match=words):
         torus_plot(**options)
+
+
+def test_lines_that_all_lie_outside_of_the_page_cannot_be_plotted() -> None:
+    options = PlotOptions(pens=ISO_PENS, paper="A4", fit="scale", scale=1.0)
+    outside = make_strokes([[[900, 0], [950, 9]]], subjects=(Subject("Outline"),))
+    with pytest.raises(PlotError, match="nothing to plot"):
+        plot_of(outside, 100, 100, options)
+
+
+def test_the_pen_travels_from_and_to_its_home_for_each_layer_that_is_plotted() -> None:
+    strokes = make_strokes(
+        [[[0, 0], [50, 0]], [[50, 9], [0, 9]]],
+        labels=[0, 1],
+        subjects=(Subject("Outline"), Subject("Hatch")),
+    )
+    lines = Pen("Lines", 0.3, kinds=("Outline",))
+    for is_plotted in (True, False):
+        hatches = Pen("Hatches", 0.3, kinds=("Hatch",), is_plotted=is_plotted)
+        plot = plot_of(strokes, 100, 100, PlotOptions(pens=(lines, hatches)))
+        layers = [layer.strokes.points for layer in plot.layers if layer.pen.is_plotted]
+        assert len(layers) == 1 + is_plotted
+        for ways, points in zip(plot.travel(), layers, strict=True):
+            assert ways.tolist() == [[[0, 0], [*points[0]]], [[*points[-1]], [0, 0]]]
 
 
 def test_two_thousand_strokes_take_seconds() -> None:
