@@ -11,7 +11,7 @@ namespace {
 // In spacings.
 constexpr double most_along = 3;
 constexpr double most_across = 0.5;
-constexpr double most_across_ruled = 0.1;
+constexpr double most_across_ruled = 0.2;
 constexpr double bridge_clear = 0.45;
 constexpr double bridge_error = 0.25;  // how far from the other end a bridge may come out
 

@@ -9,7 +9,7 @@ namespace illustrate {
 // along and .5 across, where the bridge stays on the surface, is seen and wanted, crosses no
 // critical curve and is .45 spacings clear of other streamlines; the nearest pairs first. Both give
 // up nodes until the bridge is not crooked. ruled: on flat faces, where any bridge would show that
-// relaxing does not straighten, .1 spacings across are the most.
+// relaxing does not straighten, .2 spacings across are the most.
 // Streamlines that were joined get evenly spaced nodes.
 void merge_streamlines(StreamlineSet& set, const HatchView& view, bool ruled = false);
 

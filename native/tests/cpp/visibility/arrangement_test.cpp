@@ -7,7 +7,7 @@
 namespace illustrate {
 namespace {
 
-const Camera one_px = cameras::orthographic(Vec3(0, 0, 1), 500);  // a world unit is a pixel
+using cameras::one_px;
 
 // Two closed contours that cross twice, the first one in front, and an open path of two strands
 // with a cusp between them, far from both.

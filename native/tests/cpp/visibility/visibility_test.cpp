@@ -105,10 +105,9 @@ CurveNetwork cusp_near_an_end(double reach_px) {
 }
 
 TEST(Swallowtails, CuspsAtTheEndOfAnOpenPathAreDropped) {
-  const Camera one_px = cameras::orthographic(Vec3(0, 0, 1), 500);  // a world unit is a pixel
   for (const double reach_px : {0.01, 0.5}) {
     const CurveNetwork network = cusp_near_an_end(reach_px);
-    Arrangement arrangement = arrange(network, one_px);
+    Arrangement arrangement = arrange(network, cameras::one_px);
     ASSERT_EQ(arrangement.paths()[0].jumps, (std::vector<int>{0, 1}));
     double moved_px = 0;
     const bool at_end = reach_px < 0.1;
