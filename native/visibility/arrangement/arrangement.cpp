@@ -31,8 +31,8 @@ class PathFinder {
 
   std::vector<Path> run() {
     std::vector<Path> paths;
-    // Open ones first, from where they start: what nobody has used then is cyclic, and starts at
-    // its first strand.
+    // First those that start at a strand which follows none: open ones, and single closed strands.
+    // What nobody has used then are rings of strands, which start at their first.
     for (const bool from_start : {true, false}) {
       for (std::size_t s = 0; s < network_.strands.size(); ++s) {
         if (!used_[s] && (!from_start || previous_[s] == none))
