@@ -11,7 +11,9 @@ namespace {
 // In spacings.
 constexpr double most_along = 3;
 constexpr double most_across = 0.5;
+// On flat faces any bridge shows in a line that is long enough to be seen as straight.
 constexpr double most_across_ruled = 0.2;
+constexpr double least_straight = 4;
 constexpr double bridge_clear = 0.45;
 constexpr double bridge_error = 0.25;  // how far from the other end a bridge may come out
 
@@ -49,6 +51,7 @@ class Merger {
         view_(view),
         ruled_(ruled && !view.walker.on_surface().surface().planes.empty()),
         joins_(2 * set.streamlines.size()),
+        yields_(set.streamlines.size(), 0),
         groups_(set.streamlines.size()) {
     std::iota(groups_.begin(), groups_.end(), 0);
   }
@@ -79,19 +82,26 @@ class Merger {
     return node;
   }
 
-  std::vector<EndPair> facing_pairs() const {
+  std::vector<EndPair> facing_pairs() {
     StreamlineGrid ends = view_.empty_grid();
     const int count = static_cast<int>(joins_.size());
     for (int end = 0; end < count; ++end) ends.add(outward(end), 0, end / 2, end);
     std::vector<EndPair> pairs;
     for (int end = 0; end < count; ++end) {
       const StreamlineNode node = outward(end);
+      const bool ruled = is_ruled(end);
       const double spacing = set_.streamlines[idx(end / 2)].spacing;
       const double reach = most_along * spacing;
       ends.any_in_box(node.image, Vec2(reach, reach), [&](const GridNode& other) {
         if (other.streamline <= end / 2) return false;
         const double cost = cost_of(node, other, spacing);
-        if (cost >= 0) pairs.push_back({cost, end, other.index});
+        if (cost < 0) return false;
+        const bool is_crooked = across(node, other) > most_across_ruled * spacing;
+        if (is_crooked && ruled != is_ruled(other.index)) {
+          yields_[idx(ruled ? other.streamline : end / 2)] = 1;
+        } else if (!is_crooked || !ruled) {
+          pairs.push_back({cost, end, other.index});
+        }
         return false;
       });
     }
@@ -99,22 +109,28 @@ class Merger {
   }
 
   // Negative where the two ends do not face each other.
+  static double across(const StreamlineNode& node, const GridNode& other) {
+    return std::abs((other.image - node.image).dot(node.left()));
+  }
+
   double cost_of(const StreamlineNode& node, const GridNode& other, double spacing) const {
     const Vec2 offset = other.image - node.image;
-    const double along = offset.dot(node.heading), across = std::abs(offset.dot(node.left()));
+    const double along = offset.dot(node.heading), aside = across(node, other);
     const bool faces = node.heading.dot(other.heading) < -least_opposite &&
                        node.tangent.dot(other.tangent.cast<double>()) < -least_opposite;
-    const double most = ruled_ && is_flat(node) ? most_across_ruled : most_across;
-    if (!faces || along < 0 || along > most_along * spacing || across > most * spacing ||
+    if (!faces || along < 0 || along > most_along * spacing || aside > most_across * spacing ||
         !HatchView::is_alike(node, other, spacing) ||
         view_.curves.separate(node.image, other.image)) {
       return -1;
     }
-    return along + 3 * across;
+    return along + 3 * aside;
   }
 
-  bool is_flat(const StreamlineNode& node) const {
-    return view_.walker.on_surface().surface().triangle_planes[idx(node.on.triangle)] != none;
+  // Whether an end is on a flat face and its streamline is seen as straight.
+  bool is_ruled(int end) const {
+    const std::vector<int>& planes = view_.walker.on_surface().surface().triangle_planes;
+    return ruled_ && planes[idx(node_from(end, 0).on.triangle)] != none &&
+           length_of(nodes_of(end)) > least_straight * spacing_of(end);
   }
 
   int group_of(int streamline) const {
@@ -198,8 +214,13 @@ class Merger {
            });
   }
 
-  // All streamlines, those that are joined as one; the others are taken away.
+  // All streamlines, those that are joined as one; the others, and those that yield, are taken
+  // away.
   Streamlines chained() {
+    for (std::size_t s = 0; s < yields_.size(); ++s) {
+      const bool is_joined = joins_[2 * s].mate != none || joins_[2 * s + 1].mate != none;
+      if (yields_[s] && !is_joined) set_.streamlines[s].nodes.clear();
+    }
     Streamlines result;
     std::vector<std::uint8_t> done(set_.streamlines.size(), 0);
     for (int end = 0; end < static_cast<int>(joins_.size()); ++end) {
@@ -233,6 +254,8 @@ class Merger {
   const HatchView& view_;
   bool ruled_;
   std::vector<Join> joins_;  // of each end
+  // Of each streamline: whether it goes where a long one beside its line will go on.
+  std::vector<std::uint8_t> yields_;
   std::vector<int> groups_;  // of each streamline, one of those it is joined with
 };
 
