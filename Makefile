@@ -15,7 +15,7 @@ build:
 demo:
 	tools/demo.sh
 
-## every test: C++, Python, the packages in three Blenders
+## every test: C++, Python, the packages in two Blenders
 test:
 	tools/test.sh
 

@@ -1,8 +1,8 @@
 """Runs every test suite, whatever the others do, and adds up their results.
 
 The suites: C++ (GoogleTest), the Python module, the job templates for farms, and the built packages
-in some of the Blenders of the matrix: the oldest, one with Grease Pencil 2 and extensions, the
-newest. The last line is the total.
+in the oldest and the newest Blender of the matrix: one with Grease Pencil 2, one with extensions and
+Grease Pencil 3. The last line is the total.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import run_matrix
 import suites
 from suites import ROOT, Suite
 
-VERSIONS = ("3.4.1", "4.2.23", "5.2.3")
+VERSIONS = ("3.4.1", "5.2.3")
 SIDE_BY_SIDE = 2  # most of a suite keeps one core busy
 
 
