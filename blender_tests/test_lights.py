@@ -218,3 +218,22 @@ def test_chosen_lights_have_lines(scene: Any) -> None:
         assert bpy.ops.illustrate.illustrate() == {"FINISHED"}
         layers = tools.read_pencil(bpy.data.objects["Illustration"])
         assert bool(layers.get("Shadow Outline")) == is_chosen
+
+
+def test_what_the_camera_does_not_see_has_shadow_lines(scene: Any) -> None:
+    tools.add_camera(scene, (0, -9, 9))
+    box = tools.add_cube(place=(0, 0, 3))
+    tools.add_mesh("Floor", [(-9, -9, 0), (9, -9, 0), (9, 9, 0), (-9, 9, 0)], [(0, 1, 2, 3)])
+    add_light(scene, "SUN", (0, 0, 5), 2)  # from straight above
+    scene.illustrate.lighting = "SCENE"
+    scene.illustrate.shadow_outlines = True
+    scene.illustrate.hatching = False
+    box.visible_camera = False
+    assert bpy.ops.illustrate.illustrate() == {"FINISHED"}
+    layers = tools.read_pencil(bpy.data.objects["Illustration"])
+    points = np.concatenate([stroke["points"] for stroke in layers["Shadow Outline"]])
+    assert points.min(axis=0) == pytest.approx([-1, -1, 0], abs=1e-4)
+    assert points.max(axis=0) == pytest.approx([1, 1, 0], abs=1e-4)
+    assert not any(
+        (np.asarray(stroke["points"])[:, 2] > 0.1).any() for layer in layers.values() for stroke in layer
+    )
