@@ -235,5 +235,7 @@ def test_what_the_camera_does_not_see_has_shadow_lines(scene: Any) -> None:
     assert points.min(axis=0) == pytest.approx([-1, -1, 0], abs=1e-4)
     assert points.max(axis=0) == pytest.approx([1, 1, 0], abs=1e-4)
     assert not any(
-        (np.asarray(stroke["points"])[:, 2] > 0.1).any() for layer in layers.values() for stroke in layer
+        (np.asarray(stroke["points"])[:, 2] > 0.1).any()
+        for layer in layers.values()
+        for stroke in layer
     )
