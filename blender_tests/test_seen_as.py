@@ -103,11 +103,14 @@ def test_a_material_on_some_faces_is_told_apart(scene: Any, boxes: Any) -> None:
     plain, paint = materials(boxes, 2)
     paint.illustrate_material.use_own = True
     paint.illustrate_material.hatching = False
+    paint.illustrate_material.spacing_scale = 2
     style = read_styles(scene)["Other"]
-    assert style["materials"] == [
-        {"lines": True, "hatching": True, "width_scale": 1.0},
-        {"lines": True, "hatching": False, "width_scale": 1.0},
-    ]
+    default = {
+        "lines": True, "hatching": True, "spacing_scale": 1.0, "width_scale": 1.0, "pen": 0,
+    }  # fmt: skip
+    assert style["materials"] == [default, {**default, "hatching": False, "spacing_scale": 2.0}]
+    paint.illustrate_material.own_pen = True
+    assert [m["pen"] for m in read_styles(scene)["Other"]["materials"]] == [0, 2]
     assert bpy.ops.illustrate.illustrate() == {"FINISHED"}
     plain.illustrate_material.use_own = True
     plain.illustrate_material.ignore = True

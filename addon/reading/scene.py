@@ -5,6 +5,7 @@ code that reads scene data.
 """
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -14,7 +15,7 @@ from ..messages import IllustrateError, quoted
 from ..ownership import is_ours
 from .guide_arrays import GuideArrays, read_guides
 from .instances import Placed, read_shown
-from .light_arrays import LightArrays, read_light, read_world
+from .light_arrays import LightArrays, read_light, read_world, strength_problem
 from .mesh_arrays import MeshArrays
 
 # Of refined surfaces, where the object is nearest to the camera, in units of paper: pixels of an
@@ -77,6 +78,7 @@ class SceneArrays:
     left_out: dict[str, list[str]] = field(default_factory=dict)  # by kind: what is not drawn
     partly_read: list[str] = field(default_factory=list)  # materials
     unread_images: dict[str, str] = field(default_factory=dict)  # what is wrong, by name
+    unusable_lights: dict[str, str] = field(default_factory=dict)  # the same
 
 
 def read_scene(
@@ -117,6 +119,7 @@ def read_scene(
         arrays.guides = read_guides(guides, scene.frame_current)
     if use_lights:
         arrays.lights = read_lights(scene, depsgraph)
+        arrays.unusable_lights = unusable_lights(depsgraph)
     return arrays
 
 
@@ -215,13 +218,25 @@ def read_camera(scene: Any, depsgraph: Any) -> CameraArrays:
 def read_lights(scene: Any, depsgraph: Any) -> list[LightArrays]:
     """Lights of the render, as strong as its exposure makes them, and the light of the world."""
     lights = read_world(scene.world)
-    for instance in depsgraph.object_instances:
-        lamp = instance.object
-        if lamp.type == "LIGHT" and instance.show_self and not lamp.original.hide_render:
-            lights.append(read_light(lamp.data, np.array(instance.matrix_world, float)))
+    for lamp, matrix in _lamps(depsgraph):
+        lights.append(read_light(lamp.data, matrix))
     for light in lights:
         light.strength *= 2.0**scene.view_settings.exposure
     return [light for light in lights if light.strength > 0 and math.isfinite(light.strength)]
+
+
+def unusable_lights(depsgraph: Any) -> dict[str, str]:
+    """What is wrong with lights that cannot be drawn with, by their names."""
+    problems = {lamp.name: strength_problem(lamp.data) for lamp, _ in _lamps(depsgraph)}
+    return {name: problem for name, problem in problems.items() if problem}
+
+
+def _lamps(depsgraph: Any) -> Iterator[tuple[Any, Any]]:
+    """Lights of the render with their places; each is valid until the next is asked for."""
+    for instance in depsgraph.object_instances:
+        lamp = instance.object
+        if lamp.type == "LIGHT" and instance.show_self and not lamp.original.hide_render:
+            yield lamp, np.array(instance.matrix_world, float)
 
 
 def _finite(points: Any) -> Any:

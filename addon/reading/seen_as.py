@@ -48,25 +48,24 @@ def with_materials(
         return {**style, "ignore": True}, geometry
     if ignored.any():
         geometry = replace(geometry, hole_faces=np.flatnonzero(ignored).astype(np.int32))
-    told = {i: _told(own[i]) for i in np.unique(numbers[~ignored]).tolist()}
+    told = {i: _told(own[i], i) for i in np.unique(numbers[~ignored]).tolist()}
     first = next(iter(told.values()))
     if all(each == first for each in told.values()):
         return _joined(style, first), geometry
-    kept = [told.get(i, _told(None)) for i in range(len(own))]
-    for each in kept:
-        each.pop("spacing_scale")
+    kept = [told.get(i, _told(None, i)) for i in range(len(own))]
     return {**style, "materials": kept}, geometry
 
 
-def _told(own: Any) -> Style:
-    """Arguments of `illustrate_native.MaterialStyle`, and the scale of the spacing."""
+def _told(own: Any, number: int) -> Style:
+    """Arguments of `illustrate_native.MaterialStyle` for the material of a number."""
     if own is None:
-        return {"lines": True, "hatching": True, "width_scale": 1.0, "spacing_scale": 1.0}
+        return {"lines": True, "hatching": True, "width_scale": 1.0, "spacing_scale": 1.0, "pen": 0}
     return {
         "lines": own.lines,
         "hatching": own.hatching,
         "width_scale": own.width_scale,
         "spacing_scale": own.spacing_scale,
+        "pen": number + 1 if own.own_pen else 0,
     }
 
 

@@ -17,7 +17,7 @@ from .. import native
 from ..messages import IllustrateError, counted, quoted
 from ..reading.light_arrays import LightArrays
 from ..reading.mesh_arrays import MeshArrays
-from ..reading.scene import CameraArrays, SceneArrays, read_lights, read_scene
+from ..reading.scene import CameraArrays, SceneArrays, read_lights, read_scene, unusable_lights
 from ..reading.tone_images import read_tone
 from ..settings import scene_settings as settings
 from .cache import CACHE, Cache, digest, split_widths
@@ -152,6 +152,8 @@ def read_arrays(scene: Any, depsgraph: Any, camera: CameraArrays | None = None) 
         camera=camera,
     )
     arrays.lights = lights_of(scene, depsgraph)
+    if chosen.lighting == "SCENE":
+        arrays.unusable_lights = unusable_lights(depsgraph)
     return arrays
 
 
@@ -359,6 +361,8 @@ def _warnings(arrays: SceneArrays, reports: list[dict[str, Any]]) -> list[str]:
         )
     for name, problem in arrays.unread_images.items():
         warnings.append(f'Image "{name}" counts as white: {problem}')
+    for name, problem in arrays.unusable_lights.items():
+        warnings.append(f'Light "{name}" gives no light: {problem}')
     if arrays.left_out:
         warnings.append(f"Left out {', '.join(map(_named, arrays.left_out.items()))}")
     return warnings

@@ -141,7 +141,7 @@ HATCHING = (
            1.0, 10_000.0, 40.0),
     paper("hatch_width_px", "hatching", "Width", 1.0, "Width of hatches where shadow begins",
            0.05, 100.0, 10.0),
-    share("hatch_width_by_light", "hatching", "By Light", 0.4,
+    share("hatch_width_by_light", "hatching", "By Light", 0.5,
            "Share by which hatches swell towards the dark and thin towards highlights"),
     paper("undercut_spacing_px", "hatching", "Undercuts", 5.0,
            "Distance between neighbouring hatches in undercuts", 1.0, 10_000.0, 40.0),
@@ -166,9 +166,9 @@ HATCHING = (
 )  # fmt: skip
 
 LIGHT = (
-    share("highlight_threshold", "light", "Highlight", 0.8,
+    share("highlight_threshold", "light", "Highlight", 0.85,
            "Where it is brighter there are no hatches"),
-    share("shadow_threshold", "light", "Shadow", 0.4,
+    share("shadow_threshold", "light", "Shadow", 0.45,
            "Where it is not brighter there are two directions of hatches"),
     real("smallest_tone", "light", "Patches", 2.5,
          "Patches of one tone smaller than so many spacings across join their neighbour; at 0 all "
@@ -214,6 +214,7 @@ STYLE_DEFAULTS = {
     "loose_edges": False,
     "spacing_scale": 1.0,
     "width_scale": 1.0,
+    "pen": 0,
     "shadow_only": False,
     "shadow_catcher": False,
     "materials": [],
@@ -224,6 +225,7 @@ STYLES_FROM_ELSEWHERE = {
     "shadow_only": "what the camera does not see: the object's visibility, and indirect only",
     "shadow_catcher": "the object's visibility",
     "materials": "the styles of materials",
+    "pen": "nowhere: plots tell objects apart without it",
 }
 """Of these, what no style of an object or collection holds, and where it comes from instead."""
 

@@ -35,18 +35,6 @@ def _ignore(what: str) -> Any:
     )
 
 
-def _spacing_scale(where: str = "") -> Any:
-    return FloatProperty(
-        name="Spacing",
-        default=1.0,
-        min=0.01,
-        max=100.0,
-        soft_min=0.1,
-        soft_max=10.0,
-        description=f"Its hatches are so many times as far apart as those of the scene{where}",
-    )
-
-
 def _use_own(what: str) -> Any:
     return BoolProperty(
         name="Own Style",
@@ -75,7 +63,15 @@ OPTIONS: dict[str, Any] = {
         default=False,
         description="Draw its edges that belong to no face, also where the scene's are not drawn",
     ),
-    "spacing_scale": _spacing_scale(),
+    "spacing_scale": FloatProperty(
+        name="Spacing",
+        default=1.0,
+        min=0.01,
+        max=100.0,
+        soft_min=0.1,
+        soft_max=10.0,
+        description="Its hatches are so many times as far apart as those of the scene",
+    ),
     "width_scale": FloatProperty(
         name="Width",
         default=1.0,
@@ -161,8 +157,13 @@ class ILLUSTRATE_PG_material_style(bpy.types.PropertyGroup):
     __annotations__ = {
         "use_own": _use_own("faces of this material"),
         "ignore": _ignore("its faces"),
-        **{name: OPTIONS[name] for name in ("lines", "hatching", "width_scale")},
-        "spacing_scale": _spacing_scale(", where all of an object has this style"),
+        **{name: OPTIONS[name] for name in ("lines", "hatching", "width_scale", "spacing_scale")},
+        "own_pen": BoolProperty(
+            name="Own Pen",
+            default=False,
+            description="Its strokes end at its borders, where those of other materials begin, so "
+            "that a pen of a plot can draw them",
+        ),
     }
 
 

@@ -75,7 +75,7 @@ class ILLUSTRATE_PT_material_style(_StylePanel, bpy.types.Panel):
 
     bl_idname = "ILLUSTRATE_PT_material_style"
     bl_context = "material"
-    fields = ("ignore", "lines", "hatching", "spacing_scale", "width_scale")
+    fields = ("ignore", "lines", "hatching", "spacing_scale", "width_scale", "own_pen")
 
     @staticmethod
     def style(context: Any) -> Any:

@@ -104,6 +104,7 @@ void bind_drawing(py::module_& m) {
   stroke("offsets", &Drawing::offsets);
   stroke("objects", &Drawing::objects);
   stroke("invisibility", &Drawing::invisibility);
+  stroke("pens", &Drawing::pens);
   const auto own = array_attributes<DrawingHandle>(
       bound, [](const DrawingArrays& d) -> const DrawingArrays& { return d; });
   const auto track = array_attributes<DrawingHandle>(

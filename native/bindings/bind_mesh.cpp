@@ -236,7 +236,8 @@ void require(const py::object& argument, const char* name, LightKind kind) {
 // What a light of any kind may have besides its place, strength and direction.
 struct LightDetails {
   py::object blend, falloff_distance, edges;
-  bool ellipse, casts_shadows, contours;
+  bool ellipse, casts_shadows, contours, cosine;
+  double spread_rad, radius;
 };
 
 void read_details(Light& light, const LightDetails& details) {
@@ -246,6 +247,9 @@ void read_details(Light& light, const LightDetails& details) {
   light.ellipse = details.ellipse;
   light.casts_shadows = details.casts_shadows;
   light.contours = details.contours;
+  light.cosine = details.cosine;
+  light.spread_rad = details.spread_rad;
+  light.radius = details.radius;
   if (details.edges.is_none()) return;
   const Points edges = read_points(details.edges, "light.edges");
   if (edges.size() != 2) throw InvalidInput("light.edges must be (2, 3), the sides of an area");
@@ -285,13 +289,16 @@ void bind_light(py::module_& m) {
       .def(py::init([](const std::string& kind, const py::object& vector, double strength,
                        const py::object& direction, const py::object& angle_rad,
                        const py::object& blend, const py::object& falloff_distance,
-                       const py::object& edges, bool ellipse, bool casts_shadows, bool contours) {
+                       const py::object& edges, bool ellipse, bool casts_shadows, bool contours,
+                       bool cosine, double spread_rad, double radius) {
              return make_light(kind, vector, strength, direction, angle_rad,
-                               {blend, falloff_distance, edges, ellipse, casts_shadows, contours});
+                               {blend, falloff_distance, edges, ellipse, casts_shadows, contours,
+                                cosine, spread_rad, radius});
            }),
            "kind"_a, "vector"_a = none, "strength"_a = 1.0, "direction"_a = none,
            "angle_rad"_a = none, "blend"_a = 0.0, "falloff_distance"_a = 0.0, "edges"_a = none,
-           "ellipse"_a = false, "casts_shadows"_a = true, "contours"_a = true)
+           "ellipse"_a = false, "casts_shadows"_a = true, "contours"_a = true, "cosine"_a = true,
+           "spread_rad"_a = Light{}.spread_rad, "radius"_a = 0.0)
       .def_property_readonly("kind", [](const Light& light) { return light_name(light.kind); })
       .def_property_readonly("vector",
                              [=](const Light& light) { return vector_array(light.vector); })
@@ -307,7 +314,10 @@ void bind_light(py::module_& m) {
                              })
       .def_readonly("ellipse", &Light::ellipse)
       .def_readonly("casts_shadows", &Light::casts_shadows)
-      .def_readonly("contours", &Light::contours);
+      .def_readonly("contours", &Light::contours)
+      .def_readonly("cosine", &Light::cosine)
+      .def_readonly("spread_rad", &Light::spread_rad)
+      .def_readonly("radius", &Light::radius);
 }
 
 }  // namespace

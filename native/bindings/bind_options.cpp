@@ -139,7 +139,9 @@ void bind_material_style(py::module_& m) {
   bound.def(py::init(&from_keywords<MaterialStyle>));
   OPTION("lines", lines, "Whether lines on it are drawn");
   OPTION("hatching", hatching, "Whether it is hatched");
+  OPTION("spacing_scale", spacing_scale, "Of the hatches on it");
   OPTION("width_scale", width_scale, "Of all strokes on it");
+  OPTION("pen", pen, "Of all strokes on it, which end where it changes; 0: the object's");
 }
 
 void bind_object_style(py::module_& m) {
@@ -157,6 +159,7 @@ void bind_object_style(py::module_& m) {
   OPTION("loose_edges", loose_edges, "Its edges of no face are drawn in any case");
   OPTION("spacing_scale", spacing_scale, "Of its hatches");
   OPTION("width_scale", width_scale, "Of all its strokes");
+  OPTION("pen", pen, "Of all its strokes, as Drawing.pens has it");
   OPTION("materials", materials,
          "A MaterialStyle for each number in face_materials; those beyond are as the object");
 }

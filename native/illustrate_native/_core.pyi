@@ -236,6 +236,9 @@ class Light:
         ellipse: bool = False,
         casts_shadows: bool = True,
         contours: bool = True,
+        cosine: bool = True,
+        spread_rad: float = ...,
+        radius: float = 0.0,
     ) -> None:
         """Copies its arguments.
 
@@ -256,6 +259,11 @@ class Light:
             ellipse: the ellipse that touches the rectangle's sides instead.
             casts_shadows: where DrawOptions.cast_shadows asks for them.
             contours: whether DrawOptions.terminators and shadow_outlines are about this light.
+            cosine: a spot is weaker by the cosine from its axis; else by its `blend` only.
+            spread_rad: the angle that an area's light stays within, as between slats, in (0, pi];
+                there is as much light in all as without.
+            radius: of the ball or disk that a point or spot is, world: strength falls with the sum
+                of the squares of distance and radius. Shadows stay sharp.
 
         Raises:
             InvalidInput: an unknown kind, or what that kind needs is missing.
@@ -293,6 +301,15 @@ class Light:
         """As given."""
     @property
     def contours(self) -> bool:
+        """As given."""
+    @property
+    def cosine(self) -> bool:
+        """As given."""
+    @property
+    def spread_rad(self) -> float:
+        """As given; pi where none was given."""
+    @property
+    def radius(self) -> float:
         """As given."""
 
 class Guide:
@@ -385,8 +402,12 @@ class MaterialStyle:
 
     lines: bool
     hatching: bool
+    spacing_scale: float
+    """Of the hatches on it, times the object's, above 0."""
     width_scale: float
     """Of all strokes on it, at least 0."""
+    pen: int
+    """Of all strokes on it, which end where it changes, at least 0; 0: the object's."""
 
     def __init__(self, **options: object) -> None:
         """Defaults, and the attributes given by keyword. Raises TypeError for other keywords."""
@@ -412,6 +433,8 @@ class ObjectStyle:
     """Of its hatches, above 0."""
     width_scale: float
     """Of all its strokes, at least 0."""
+    pen: int
+    """Of all its strokes, as Drawing.pens has it; at least 0."""
     materials: list[MaterialStyle]
     """By the numbers in PolygonMesh's face_materials; those beyond are drawn as the object.
 
@@ -854,6 +877,9 @@ class Drawing:
     @property
     def invisibility(self) -> _Indices:
         """(s,) layers of surface in front; 0 is visible."""
+    @property
+    def pens(self) -> _Indices:
+        """(s,) as the styles of objects and materials have it; 0 where they have none."""
     @property
     def frame(self) -> int:
         """How many drawings came before in the sequence; 0 without a previous one."""

@@ -12,13 +12,14 @@
 #include "hatch/reduce_hatches.h"
 #include "occlusion/visible_image.h"
 #include "pipeline/casters.h"
+#include "pipeline/hatch_passes.h"
+#include "pipeline/last_drawing.h"
 #include "pipeline/material_styles.h"
 #include "pipeline/see_through.h"
 #include "pipeline/seen_scene.h"
 #include "pipeline/stopwatch.h"
 #include "pipeline/style_masks.h"
 #include "stroke/tracks.h"
-#include "surface/same_objects.h"
 #include "tone/light_contours.h"
 #include "visibility/label_network.h"
 #include "visibility/loose_labels.h"
@@ -54,46 +55,6 @@ double cell_size(const Camera& camera, const DrawOptions& options) {
   return std::max({cell, least_cell_px, std::sqrt(area / most_cells)});
 }
 
-// The hatches that a drawing was made of, but not those in undercuts, which go with the view. The
-// paper's seeding leaves those that were drawn.
-Ragged<SurfacePoint> placed_of(const Drawing& drawing) {
-  if (!drawing.placed.empty()) return drawing.placed;
-  Ragged<SurfacePoint> hatches;
-  for (std::size_t s = 0; s < drawing.kinds.size(); ++s) {
-    if (drawing.kinds[s] != Kind::hatch && drawing.kinds[s] != Kind::cross_hatch) continue;
-    for (int i = drawing.offsets[s]; i < drawing.offsets[s + 1]; ++i) {
-      hatches.push(drawing.on[idx(i)]);
-    }
-    hatches.close_list();
-  }
-  return hatches;
-}
-
-// Lines of the last surface on this one, as far as their objects are the same.
-Ragged<SurfacePoint> moved_lines(const Ragged<SurfacePoint>& lines, const SameObjects& same) {
-  Ragged<SurfacePoint> moved;
-  for (std::size_t c = 0; c < lines.size(); ++c) {
-    if (lines[c].empty() || !same.has(lines[c][0])) continue;
-    for (const SurfacePoint& on : lines[c]) moved.push(same.point(on));
-    moved.close_list();
-  }
-  return moved;
-}
-
-// The hatches of a drawing, where they are now.
-Ragged<Vec3> drawn_hatches(const Drawing& drawing, const SameObjects& same) {
-  Ragged<Vec3> strokes;
-  for (std::size_t s = 0; s < drawing.kinds.size(); ++s) {
-    if (drawing.kinds[s] != Kind::hatch && drawing.kinds[s] != Kind::cross_hatch) continue;
-    if (!same.has(drawing.on[idx(drawing.offsets[s])])) continue;
-    for (int i = drawing.offsets[s]; i < drawing.offsets[s + 1]; ++i) {
-      strokes.push(same.position(drawing.on[idx(i)]));
-    }
-    strokes.close_list();
-  }
-  return strokes;
-}
-
 // Pixels of the unit in which lines are decided.
 double line_unit(const Camera& camera) {
   return std::min(std::max(camera.width_px(), camera.height_px()) / units_across, most_pixels);
@@ -110,8 +71,11 @@ void to_pixels(LabelledGraph& graph, double unit) {
 // The stages of one view, each with its time.
 class View {
  public:
-  View(const SeenScene& scene, const Camera& camera, const DrawOptions& options)
+  // casters: what keeps the light from the scene.
+  View(const SeenScene& scene, const SeenScene& casters, const Camera& camera,
+       const DrawOptions& options)
       : scene_(scene),
+        casters_(casters),
         camera_(camera),
         options_(options),
         materials_(material_marks(scene.surface(), scene.meshes(), options.styles)) {
@@ -130,19 +94,14 @@ class View {
     const double unit = line_unit(camera_);
     const Camera on_paper = camera_.in_units_of(unit);
     const Progress search = progress.part(0, 0.2, "contour");
-    ContourScene contour_scene{scene_.surface(),
-                               scene_.limit_surface(),
-                               scene_.features(),
-                               scene_.intersections(),
-                               options_.scan_silhouettes ? nullptr : &scene_.dual_surface(search),
-                               options_.curvature_curves.any()
-                                   ? &scene_.curvature_derivative(progress.part(0.2, 0.3))
-                                   : nullptr};
+    ContourScene contour_scene = contour_scene_of(scene_, search);
+    if (options_.curvature_curves.any()) {
+      contour_scene.derivative = &scene_.curvature_derivative(progress.part(0.2, 0.3));
+    }
     const CurveNetwork network = timed(result_.timings["contour"], [&] {
       FreeLines of_light;
       if (options_.light_contours.any()) {
-        of_light = light_contours(contour_scene, scene_.bvh(), lights, camera_,
-                                  options_.light_contours, options_.threads, search);
+        of_light = lines_of_light(contour_scene, lights, search);
         contour_scene.light_contours = &of_light;
       }
       return build_network(contour_scene, on_paper, network_options, result_.counts,
@@ -180,8 +139,7 @@ class View {
     }
   }
 
-  void hatch(const CrossField& field, const std::vector<Light>& lights, const Bvh& casters,
-             const Progress& progress) {
+  void hatch(const CrossField& field, const std::vector<Light>& lights, const Progress& progress) {
     const Surface& surface = scene_.surface();
     const Families& families = scene_.families(progress.part(0, 0.1, "field"));
     const Progress tone_progress = progress.part(0.1, 0.3, "tone");
@@ -195,9 +153,9 @@ class View {
     const Mask unhatched = unhatched_objects(options_.styles);
     const Lightness lightness(surface, scene_.meshes());
     result_.tone = timed(result_.timings["tone"], [&] {
-      ToneMap tone =
-          tone_regions(surface, visible, result_.graph, camera_, lights, tone_options, &casters,
-                       unhatched, &lightness, tone_progress, shadow_catchers(options_.styles));
+      ToneMap tone = tone_regions(surface, visible, result_.graph, camera_, lights, tone_options,
+                                  &casters_.bvh(), unhatched, &lightness, tone_progress,
+                                  shadow_catchers(options_.styles));
       blank_unhatched(visible, materials_, tone);
       return tone;
     });
@@ -205,44 +163,34 @@ class View {
     const CriticalCurves curves = timed(result_.timings["hatch"], [&] {
       return CriticalCurves(result_.graph, camera_.width_px(), camera_.height_px());
     });
-    const HatchScene hatch_scene{surface,
-                                 field,
-                                 families,
-                                 camera_,
-                                 visible,
-                                 result_.tone,
-                                 result_.graph,
-                                 curves,
-                                 spacing_scale,
-                                 unhatched,
-                                 last_ ? &*last_ : nullptr};
-    const Progress hatch_progress = progress.part(0.4, 1, "hatch");
-    if (options_.hatch.seeding == HatchSeeding::surface_curves) {
-      curves_ = scene_.hatch_curves(wanted_radii(hatch_scene, options_.hatch), follows_,
-                                    progress.part(0.3, 0.4));
-    }
-    hatches_ = timed(result_.timings["hatch"], [&] {
-      const bool has_extra = options_.tone.extra_levels > 0;
-      Hatches made =
-          reduced(place(hatch_scene, hatch_progress.part(0, has_extra ? 0.6 : 1)), hatch_scene);
-      if (has_extra) add_extra(made, hatch_scene, hatch_progress.part(0.6, 1));
-      return made;
-    });
+    const HatchScene whole{surface,
+                           field,
+                           families,
+                           camera_,
+                           visible,
+                           result_.tone,
+                           result_.graph,
+                           curves,
+                           spacing_scale,
+                           unhatched,
+                           last_ ? &*last_ : nullptr};
+    hatch_in_passes(whole, progress.part(0.3, 1));
   }
 
   DrawResult strokes(const std::vector<Light>& lights, const Progress& progress) && {
     progress.report(0);
     const LineWeightOptions& weight = options_.stroke.line_weight;
     result_.drawing = timed(result_.timings["stroke"], [&] {
-      StrokeWidths widths{{}, materials_.hatch_widths};
+      StrokeStyles places{
+          {}, materials_.hatch_widths, pens_of(scene_.surface(), scene_.meshes(), options_.styles)};
       if (weight.any()) {
-        widths.lines =
+        places.line_widths =
             line_weights(result_.graph, scene_.surface(), scene_.bvh(), camera_, lights, weight);
       }
-      weigh_by_material(result_.graph, materials_, widths.lines);
+      weigh_by_material(result_.graph, materials_, places.line_widths);
       return make_strokes(result_.graph, hatches_, result_.tone, camera_,
                           width_scales(options_.styles), undrawn_objects(options_.styles),
-                          options_.stroke, widths);
+                          options_.stroke, places);
     });
     result_.counts["strokes"] = static_cast<std::int64_t>(result_.drawing.kinds.size());
     scene_.restore_triangles(result_.drawing.on);
@@ -253,14 +201,63 @@ class View {
   }
 
  private:
+  ContourScene contour_scene_of(const SeenScene& scene, const Progress& progress) const {
+    return {scene.surface(), scene.limit_surface(), scene.features(), scene.intersections(),
+            options_.scan_silhouettes ? nullptr : &scene.dual_surface(progress)};
+  }
+
+  FreeLines lines_of_light(const ContourScene& seen, const std::vector<Light>& lights,
+                           const Progress& progress) const {
+    const auto lines = [&](const LightCasters& casters) {
+      return light_contours(seen, casters, lights, camera_, options_.light_contours,
+                            options_.threads, progress);
+    };
+    if (&casters_ == &scene_) return lines({seen, scene_.bvh()});
+    const ContourScene casting = contour_scene_of(casters_, progress);
+    return lines({casting, casters_.bvh(), casters_.triangles_in(scene_)});
+  }
+
+  // Once, or for each group of faces that is hatched by itself.
+  void hatch_in_passes(const HatchScene& whole, const Progress& progress) {
+    const std::vector<HatchPass> passes = hatch_passes(whole, materials_);
+    std::vector<HatchScene> scenes;
+    for (const HatchPass& pass : passes) scenes.push_back(scene_of(pass, whole));
+    if (passes.empty()) scenes.push_back(whole);
+    if (options_.hatch.seeding == HatchSeeding::surface_curves) {
+      curves_ = scene_.hatch_curves(finest_radii(scenes, options_.hatch), follows_,
+                                    progress.part(0, 0.15));
+    }
+    const Progress hatching = progress.part(0.15, 1, "hatch");
+    const auto count = static_cast<double>(scenes.size());
+    hatches_ = timed(result_.timings["hatch"], [&] {
+      Hatches all;
+      for (std::size_t i = 0; i < scenes.size(); ++i) {
+        const auto done = static_cast<double>(i);
+        append(all,
+               hatched(scenes[i], passes.empty() ? previous_ : lines_of_pass(previous_, passes[i]),
+                       hatching.part(done / count, (done + 1) / count)));
+      }
+      return all;
+    });
+  }
+
+  Hatches hatched(const HatchScene& scene, const Ragged<SurfacePoint>& previous,
+                  const Progress& progress) {
+    const bool has_extra = options_.tone.extra_levels > 0;
+    Hatches made = reduced(place(scene, previous, progress.part(0, has_extra ? 0.6 : 1)), scene);
+    if (has_extra) add_extra(made, scene, progress.part(0.6, 1));
+    return made;
+  }
+
   // Hatches of the cross.
-  Hatches place(const HatchScene& scene, const Progress& progress) {
+  Hatches place(const HatchScene& scene, const Ragged<SurfacePoint>& previous,
+                const Progress& progress) {
     if (options_.hatch.seeding == HatchSeeding::critical_curves) {
       return place_hatches(scene, options_.hatch, result_.counts, progress);
     }
-    Hatches hatches = even_hatches(scene, curves_, previous_, options_.hatch, options_.threads,
-                                   result_.counts, progress);
-    placed_ = std::move(hatches.placed);
+    const Hatches hatches = even_hatches(scene, curves_, previous, options_.hatch, options_.threads,
+                                         result_.counts, progress);
+    for (std::size_t c = 0; c < hatches.placed.size(); ++c) placed_.add(hatches.placed[c]);
     return hatches;
   }
 
@@ -287,6 +284,7 @@ class View {
   }
 
   const SeenScene& scene_;
+  const SeenScene& casters_;
   const Camera& camera_;
   const DrawOptions& options_;
   const MaterialMarks materials_;
@@ -300,17 +298,15 @@ class View {
 
 // `casters`: null: all that is seen.
 DrawResult draw_seen(const Prepared& prepared, const Camera& camera, const DrawOptions& options,
-                     const std::vector<Light>& lights, const Bvh* casters, const Progress& progress,
-                     const Drawing* previous) {
+                     const std::vector<Light>& lights, const SeenScene* casters,
+                     const Progress& progress, const Drawing* previous) {
   const bool hatching = anything_is_hatched(options);
   const SeenScene scene(prepared, options.styles, options.threads, progress.part(0, 0.1));
   const CrossField* field = hatching ? &prepared.field(progress.part(0.1, 0.3)) : nullptr;
-  View view(scene, camera, options);
+  View view(scene, casters ? *casters : scene, camera, options);
   if (hatching && previous) view.follow(*previous, prepared.surface());
   view.label_curves(lights, progress.part(0.3, hatching ? 0.5 : 0.95));
-  if (hatching) {
-    view.hatch(*field, lights, casters ? *casters : scene.bvh(), progress.part(0.5, 0.95));
-  }
+  if (hatching) view.hatch(*field, lights, progress.part(0.5, 0.95));
   view.add_loose_edges();
   return std::move(view).strokes(lights, progress.part(0.95, 1, "stroke"));
 }
@@ -325,9 +321,9 @@ DrawResult draw_styled(const Prepared& prepared, const Camera& camera, const Dra
   if (!any_is_shadow_only(options.styles)) {
     return draw_seen(prepared, camera, options, lights, nullptr, progress, previous);
   }
-  const auto casters = casters_of(prepared.surface(), options.styles, options.threads);
-  return draw_seen(prepared, camera, without_unseen(options), lights, &casters->bvh, progress,
-                   previous);
+  const SeenScene casters(prepared, options.styles, options.threads, progress.part(0, 0.1));
+  return draw_seen(prepared, camera, without_unseen(options), lights, &casters,
+                   progress.part(0.1, 1), previous);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "pipeline/material_styles.h"
 
 #include <algorithm>
+#include <map>
 
 namespace illustrate {
 namespace {
@@ -11,6 +12,42 @@ const MaterialStyle* style_of(const PolygonMesh& mesh, const ObjectStyle& style,
   const int material = mesh.face_materials[idx(face)];
   const bool is_listed = material >= 0 && idx(material) < style.materials.size();
   return is_listed ? &style.materials[idx(material)] : nullptr;
+}
+
+// Calls visit(triangle, its material's style or null).
+template <class Visit>
+void each_triangle(const Surface& surface,
+                   const std::vector<std::shared_ptr<const PolygonMesh>>& meshes,
+                   const std::vector<ObjectStyle>& styles, const Visit& visit) {
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto object = idx(surface.triangle_objects[t]);
+    visit(t, style_of(*meshes[object], styles[object], surface.triangle_faces[t]));
+  }
+}
+
+// Numbers for what is hatched alike. A single group at the objects' own spacing is none.
+class Groups {
+ public:
+  int number(const MaterialStyle* style) {
+    const std::pair<double, int> key =
+        style ? std::pair(style->spacing_scale, style->pen) : std::pair(1.0, 0);
+    return numbers_.try_emplace(key, static_cast<int>(numbers_.size())).first->second;
+  }
+
+  std::vector<double> spacings() const {
+    std::vector<double> spacings(numbers_.size());
+    for (const auto& [key, number] : numbers_) spacings[idx(number)] = key.first;
+    return spacings;
+  }
+
+ private:
+  std::map<std::pair<double, int>, int> numbers_;
+};
+
+void blank(std::size_t cell, ToneMap& tone) {
+  tone.level[cell] = Tone::highlight;
+  tone.band[cell] = Band::nothing;
+  if (!tone.extra.empty()) tone.extra[cell] = 0;
 }
 
 }  // namespace
@@ -26,27 +63,52 @@ MaterialMarks material_marks(const Surface& surface,
   marks.line_widths.assign(count, 1);
   marks.hatch_widths.assign(count, 1);
   marks.unhatched.assign(count, 0);
-  for (std::size_t t = 0; t < count; ++t) {
-    const auto object = idx(surface.triangle_objects[t]);
-    const MaterialStyle* style =
-        style_of(*meshes[object], styles[object], surface.triangle_faces[t]);
-    if (!style) continue;
+  marks.groups.assign(count, 0);
+  Groups groups;
+  each_triangle(surface, meshes, styles, [&](std::size_t t, const MaterialStyle* style) {
+    marks.groups[t] = groups.number(style);
+    if (!style) return;
     marks.line_widths[t] = style->lines ? style->width_scale : 0;
     marks.hatch_widths[t] = style->width_scale;
     marks.unhatched[t] = !style->hatching;
-  }
+  });
+  marks.group_spacings = groups.spacings();
+  if (marks.group_spacings == std::vector<double>{1}) marks.groups.clear();
   return marks;
+}
+
+std::vector<int> pens_of(const Surface& surface,
+                         const std::vector<std::shared_ptr<const PolygonMesh>>& meshes,
+                         const std::vector<ObjectStyle>& styles) {
+  const auto has_pen = [](const auto& style) { return style.pen != 0; };
+  const bool any = std::any_of(styles.begin(), styles.end(), [&](const ObjectStyle& s) {
+    return has_pen(s) || std::any_of(s.materials.begin(), s.materials.end(), has_pen);
+  });
+  std::vector<int> pens;
+  if (!any) return pens;
+  pens.resize(surface.triangles.size());
+  each_triangle(surface, meshes, styles, [&](std::size_t t, const MaterialStyle* style) {
+    const int own = style ? style->pen : 0;
+    pens[t] = own != 0 ? own : styles[idx(surface.triangle_objects[t])].pen;
+  });
+  return pens;
 }
 
 void blank_unhatched(const VisibleImage& visible, const MaterialMarks& marks, ToneMap& tone) {
   if (marks.empty()) return;
   for (std::size_t cell = 0; cell < tone.level.size(); ++cell) {
     const int triangle = visible.triangle[cell];
-    if (triangle == none || !marks.unhatched[idx(triangle)]) continue;
-    tone.level[cell] = Tone::highlight;
-    tone.band[cell] = Band::nothing;
-    if (!tone.extra.empty()) tone.extra[cell] = 0;
+    if (triangle != none && marks.unhatched[idx(triangle)]) blank(cell, tone);
   }
+}
+
+ToneMap tones_of_group(const VisibleImage& visible, const MaterialMarks& marks, int group,
+                       ToneMap tone) {
+  for (std::size_t cell = 0; cell < tone.level.size(); ++cell) {
+    const int triangle = visible.triangle[cell];
+    if (triangle != none && marks.groups[idx(triangle)] != group) blank(cell, tone);
+  }
+  return tone;
 }
 
 void weigh_by_material(const LabelledGraph& graph, const MaterialMarks& marks,

@@ -11,16 +11,21 @@ void require(bool holds, const std::string& message) {
   if (!holds) throw InvalidInput(message);
 }
 
-void validate(const ObjectStyle& style, std::size_t index) {
-  const std::string name = "styles[" + std::to_string(index) + "].";
+// What styles of objects and of materials have in common.
+template <class Style>
+void validate_scales(const Style& style, const std::string& name) {
   require(style.spacing_scale > 0 && std::isfinite(style.spacing_scale),
           name + "spacing_scale must be above 0 and finite");
   require(style.width_scale >= 0 && std::isfinite(style.width_scale),
           name + "width_scale must be at least 0 and finite");
+  require(style.pen >= 0, name + "pen must be at least 0");
+}
+
+void validate(const ObjectStyle& style, std::size_t index) {
+  const std::string name = "styles[" + std::to_string(index) + "].";
+  validate_scales(style, name);
   for (std::size_t i = 0; i < style.materials.size(); ++i) {
-    const double scale = style.materials[i].width_scale;
-    require(scale >= 0 && std::isfinite(scale), name + "materials[" + std::to_string(i) +
-                                                    "].width_scale must be at least 0 and finite");
+    validate_scales(style.materials[i], name + "materials[" + std::to_string(i) + "].");
   }
 }
 

@@ -32,7 +32,9 @@ void validate(const PrepareOptions& options);  // throws InvalidInput naming the
 struct MaterialStyle {
   bool lines = true;
   bool hatching = true;
-  double width_scale = 1;  // of all strokes
+  double spacing_scale = 1;  // of the hatches
+  double width_scale = 1;    // of all strokes
+  int pen = 0;               // of all strokes, which end where it changes; 0: the object's
 };
 
 // What is drawn of one mesh.
@@ -47,6 +49,7 @@ struct ObjectStyle {
   bool loose_edges = false;              // drawn too, whatever the options say
   double spacing_scale = 1;              // of the hatches
   double width_scale = 1;                // of all its strokes
+  int pen = 0;                           // of all its strokes (Drawing::pens)
   std::vector<MaterialStyle> materials;  // by PolygonMesh::face_materials; beyond: as the object
 };
 

@@ -43,6 +43,7 @@ void append(Drawing& drawing, const Drawing& more) {
   append(drawing.closed, more.closed);
   append(drawing.objects, more.objects);
   append(drawing.invisibility, more.invisibility);
+  append(drawing.pens, more.pens);
 }
 
 }  // namespace

@@ -146,6 +146,15 @@ Ragged<SurfacePoint> SeenScene::seen_parts(const Ragged<SurfacePoint>& curves) c
   return parts;
 }
 
+std::vector<int> SeenScene::triangles_in(const SeenScene& other) const {
+  std::vector<int> numbers(surface().triangles.size());
+  for (std::size_t t = 0; t < numbers.size(); ++t) {
+    const int whole = part_ ? part_->sources[t] : static_cast<int>(t);
+    numbers[t] = other.part_ ? other.part_->numbers[idx(whole)] : whole;
+  }
+  return numbers;
+}
+
 void SeenScene::restore_triangles(std::vector<SurfacePoint>& points) const {
   if (!part_) return;
   for (SurfacePoint& p : points) {

@@ -44,6 +44,9 @@ class SeenScene {
                                const std::vector<std::uint8_t>& seeds_only,
                                const Progress& progress) const;
 
+  // (t) what the triangles of this scene are in another one of the same, none: not there.
+  std::vector<int> triangles_in(const SeenScene& other) const;
+
   // From triangles of this scene to those of `prepared`.
   void restore_triangles(std::vector<SurfacePoint>& points) const;
 

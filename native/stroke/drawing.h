@@ -32,6 +32,7 @@ struct Drawing {
   std::vector<std::uint8_t> closed;  // (s)
   std::vector<int> objects;          // (s)
   std::vector<int> invisibility;     // (s) 0 = visible, else the number of layers in front
+  std::vector<int> pens;             // (s) as the styles of objects and materials have it
   StrokeTracks tracks;
 
   // What the next frame starts from: the surface that `on` is of, and its hatches before they were

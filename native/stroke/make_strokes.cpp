@@ -8,6 +8,7 @@
 #include "stroke/chains.h"
 #include "stroke/continued_ends.h"
 #include "stroke/even_widths.h"
+#include "stroke/pen_parts.h"
 #include "stroke/specks.h"
 #include "stroke/stroke_path.h"
 
@@ -20,6 +21,7 @@ struct Stroke {
   Kind kind;
   int object;
   int invisibility;
+  int pen = 0;
 };
 
 // Length over which a line that goes on grows from one weight to another.
@@ -166,6 +168,18 @@ std::vector<Stroke> hatch_strokes(const Hatches& hatches, const ToneMap& tone,
   return strokes;
 }
 
+std::vector<Stroke> with_one_pen_each(std::vector<Stroke> strokes, const std::vector<int>& pens,
+                                      double speck_px) {
+  if (pens.empty()) return strokes;
+  std::vector<Stroke> parts;
+  for (const Stroke& s : strokes) {
+    for (PenPart& part : parts_by_pen(s.path, pens, speck_px)) {
+      parts.push_back({std::move(part.path), s.kind, s.object, s.invisibility, part.pen});
+    }
+  }
+  return parts;
+}
+
 void append(Drawing& drawing, const StrokePath& path, const Stroke& stroke) {
   for (const StrokePoint& p : path.points) {
     drawing.points.push_back(p.position);
@@ -178,6 +192,7 @@ void append(Drawing& drawing, const StrokePath& path, const Stroke& stroke) {
   drawing.closed.push_back(path.closed ? 1 : 0);
   drawing.objects.push_back(stroke.object);
   drawing.invisibility.push_back(stroke.invisibility);
+  drawing.pens.push_back(stroke.pen);
 }
 
 void require(bool holds, const char* message) {
@@ -215,12 +230,13 @@ void validate(const StrokeOptions& options) {
 Drawing make_strokes(const LabelledGraph& graph, const Hatches& hatches, const ToneMap& tone,
                      const Camera& camera, const std::vector<double>& width_scale,
                      const std::vector<std::uint8_t>& undrawn, const StrokeOptions& options,
-                     const StrokeWidths& widths) {
+                     const StrokeStyles& places) {
   validate(options);
   std::vector<Stroke> strokes =
-      line_strokes(graph, widths.lines, width_scale, undrawn, camera, options);
-  for (Stroke& s : hatch_strokes(hatches, tone, width_scale, widths.hatches, options))
+      line_strokes(graph, places.line_widths, width_scale, undrawn, camera, options);
+  for (Stroke& s : hatch_strokes(hatches, tone, width_scale, places.hatch_widths, options))
     strokes.push_back(std::move(s));
+  strokes = with_one_pen_each(std::move(strokes), places.pens, options.speck_px);
   std::stable_sort(strokes.begin(), strokes.end(),
                    [](const Stroke& a, const Stroke& b) { return a.kind < b.kind; });
   Drawing drawing;

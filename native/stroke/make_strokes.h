@@ -23,7 +23,7 @@ struct StrokeOptions {
   double feature_width_px = 1.4;  // all other lines
   double hatch_width_px = 1.0;    // at the border of shadow and midtone
   double hatch_width_by_light =
-      0.4;  // share by which hatches swell towards the dark and thin towards highlights
+      0.5;  // share by which hatches swell towards the dark and thin towards highlights
   LineWeightOptions line_weight;  // what makes lines wider here and thinner there
   double hidden_width_scale = 0.5;
   double taper_px =
@@ -38,10 +38,12 @@ struct StrokeOptions {
 };
 void validate(const StrokeOptions& options);  // throws InvalidInput naming the field
 
-// Factors of widths from place to place; empty: 1.
-struct StrokeWidths {
-  Ragged<double> lines;         // at the points of the graph (line_weights.h); 0: not drawn there
-  std::vector<double> hatches;  // (t) of the surface's triangles
+// What strokes are drawn with from place to place. Factors of widths, empty: 1; pens, where strokes
+// end if they change, empty: 0.
+struct StrokeStyles {
+  Ragged<double> line_widths;  // at the points of the graph (line_weights.h); 0: not drawn there
+  std::vector<double> hatch_widths;  // (t) of the surface's triangles
+  std::vector<int> pens;             // (t)
 };
 
 // `width_scale`: one factor per object, empty: 1; `undrawn`: objects whose lines are not drawn,
@@ -49,6 +51,6 @@ struct StrokeWidths {
 Drawing make_strokes(const LabelledGraph& graph, const Hatches& hatches, const ToneMap& tone,
                      const Camera& camera, const std::vector<double>& width_scale,
                      const std::vector<std::uint8_t>& undrawn, const StrokeOptions& options,
-                     const StrokeWidths& widths = {});
+                     const StrokeStyles& places = {});
 
 }  // namespace illustrate

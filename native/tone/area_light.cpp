@@ -8,6 +8,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr int ellipse_sides = 24;
+constexpr int spread_samples = 6;  // along each side of an area
 
 // A convex polygon, seen from the point that is lit; clipping adds at most one corner.
 struct Polygon {
@@ -80,6 +81,34 @@ Vec2 on_disk(double x, double y) {
 double mean_form_factor(const Light& light, const Vec3& position, const Vec3& normal) {
   if (light.direction.dot(position - light.vector) <= 0) return 0;
   return lambert_sum(above_horizon(outline(light, position), normal), normal) / area_of(light);
+}
+
+double spread_share(const Light& light, double cosine) {
+  const double half = light.spread_rad / 2, slats = std::tan(half);
+  if (half >= pi / 2 || slats <= 0) return 1;
+  const double tangent = std::sqrt(std::max(0.0, 1 - cosine * cosine)) / std::max(cosine, 1e-12);
+  // Where tan x - x would lose all digits, its series.
+  const double left = half < 1e-3 ? half * half * half / 3 : slats - half;
+  return std::max(0.0, slats - tangent) / left;
+}
+
+double mean_spread_share(const Light& light, const Vec3& position, const Vec3& normal) {
+  if (light.spread_rad >= pi) return 1;
+  const Vec3 axis = light.direction.normalized();
+  double sent = 0, all = 0;
+  for (int i = 0; i < spread_samples; ++i) {
+    for (int j = 0; j < spread_samples; ++j) {
+      const Vec3 ray =
+          position - point_on(light, (i + 0.5) / spread_samples, (j + 0.5) / spread_samples);
+      const double square = ray.squaredNorm(), cosine = ray.dot(axis) / std::sqrt(square);
+      const double weight =
+          std::max(0.0, -ray.dot(normal)) * std::max(0.0, cosine) / (square * std::sqrt(square));
+      if (!(weight > 0)) continue;
+      all += weight;
+      sent += weight * spread_share(light, cosine);
+    }
+  }
+  return all > 0 ? sent / all : 0;
 }
 
 Vec3 point_on(const Light& light, double u, double v) {

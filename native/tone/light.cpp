@@ -21,14 +21,14 @@ bool has_place(LightKind kind) {
   return kind == LightKind::point || kind == LightKind::spot || kind == LightKind::area;
 }
 
-// What of its light a spot sends at a cosine from its axis: the cosine itself, which fades smoothly
-// towards the edge of the cone.
+// What of its light a spot sends at a cosine from its axis: it fades smoothly towards the edge of
+// the cone.
 double spot_lobe(const Light& light, double cosine) {
   const double edge = std::cos(light.angle_rad);
   if (!(cosine >= edge)) return 0;
   const double fade = (1 - edge) * light.blend;
   const double t = fade > 0 ? std::min(1.0, (cosine - edge) / fade) : 1;
-  return std::max(0.0, cosine) * t * t * (3 - 2 * t);
+  return (light.cosine ? std::max(0.0, cosine) : 1) * t * t * (3 - 2 * t);
 }
 
 // What of its light a lamp sends along `ray`, a unit vector away from the lamp.
@@ -38,7 +38,7 @@ double lobe(const Light& light, const Vec3& ray) {
     case LightKind::spot:
       return spot_lobe(light, cosine);
     case LightKind::area:
-      return std::max(0.0, cosine);
+      return std::max(0.0, cosine) * spread_share(light, cosine);
     default:
       return 1;
   }
@@ -52,10 +52,12 @@ double from_lamp(const Light& light, const Vec3& position, const Vec3& normal) {
   const double distance = to_lamp.stableNorm(), full = light.falloff_distance;
   if (light.kind == LightKind::area && light.has_extent()) {
     const double scale = full > 0 ? full : distance;
-    return light.strength * scale * scale * mean_form_factor(light, position, normal);
+    return light.strength * scale * scale * mean_form_factor(light, position, normal) *
+           mean_spread_share(light, position, normal);
   }
   const Vec3 towards = unit(to_lamp);
-  const double share = full > 0 ? full / std::max(distance, least_distance * full) : 1;
+  const double nearest = std::max(distance, least_distance * full);
+  const double share = full > 0 ? full / std::hypot(nearest, light.radius) : 1;
   return light.strength * share * share * std::max(0.0, normal.dot(towards)) *
          lobe(light, -towards);
 }
@@ -72,6 +74,9 @@ void validate_lobe(const Light& light, const std::string& name) {
 }
 
 void validate_extent(const Light& light, const std::string& name) {
+  if (!(light.spread_rad > 0 && light.spread_rad <= 3.2)) {
+    throw InvalidInput(name + "spread_rad must be an angle in (0, pi]");
+  }
   if (!light.edge_u.allFinite() || !light.edge_v.allFinite()) {
     throw InvalidInput(name + "edges must be finite");
   }
@@ -95,6 +100,9 @@ void validate(const Light& light, std::size_t index) {
   }
   if (!(light.falloff_distance >= 0) || !std::isfinite(light.falloff_distance)) {
     throw InvalidInput(name + "falloff_distance must be finite and at least 0");
+  }
+  if (!(light.radius >= 0) || !std::isfinite(light.radius)) {
+    throw InvalidInput(name + "radius must be finite and at least 0");
   }
   const bool is_directed = light.kind == LightKind::sun || light.kind == LightKind::side;
   if (is_directed && light.vector.isZero(0)) {

@@ -17,8 +17,13 @@ struct Light {
   Vec3 direction = -Vec3::UnitZ();  // spot, area: where it shines
   double angle_rad = 0;             // spot: half angle of its cone
   double blend = 0;                 // spot: share of the cone over which it fades, [0, 1]
-  // point, spot, area: the distance at which it is as strong as `strength`, which falls with the
-  // square of the distance; 0: as strong everywhere.
+  bool cosine = true;  // spot: weaker by the cosine from its axis; else by `blend` only
+  // area: its light stays within this angle from where it shines to, as between slats, pi: all
+  // before it; as much light in all, in (0, pi].
+  double spread_rad = 3.14159265358979323846;
+  double radius = 0;  // point, spot: of what shines; it softens the fall-off, not the shadows
+  // point, spot, area: the distance at which it is as strong as `strength` (with a radius: at which
+  // a point would be), which falls with the square of the distance; 0: as strong everywhere.
   double falloff_distance = 0;
   Vec3 edge_u = Vec3::Zero();  // area: sides of its rectangle, centred at its position; both zero:
   Vec3 edge_v = Vec3::Zero();  // no larger than a point
@@ -33,9 +38,8 @@ struct Light {
 void validate(const Light& light, std::size_t index);
 
 // What one light gives to a point, unless something is between them: strength * max(0, n . l), of
-// ambient light its strength, of
-// spots and areas times the cosine at the lamp; of areas with an extent summed over it, exactly.
-// `normal`: unit, turned to the eye.
+// ambient light its strength, of spots and areas times what the lamp sends that way; of areas with
+// an extent summed over it, exactly without a spread. `normal`: unit, turned to the eye.
 double received(const Light& light, const Camera& camera, const Vec3& position, const Vec3& normal);
 
 // min(1, sum of what is received), `normal` of either side. No lights: one headlight.

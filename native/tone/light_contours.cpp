@@ -118,12 +118,12 @@ Eigen::AlignedBox3d box_of(const Surface& surface) {
 
 }  // namespace
 
-FreeLines light_contours(const ContourScene& scene, const Bvh& bvh,
+FreeLines light_contours(const ContourScene& scene, const LightCasters& casters,
                          const std::vector<Light>& lights, const Camera& camera,
                          const LightContourOptions& options, int threads,
                          const Progress& progress) {
   FreeLines result;
-  const Eigen::AlignedBox3d box = box_of(scene.surface);
+  const Eigen::AlignedBox3d box = box_of(casters.scene.surface);
   std::vector<std::uint8_t> backs;
   if (options.terminators) backs = shows_back(scene.surface, scene.intersections, camera);
   for (std::size_t i = 0; i < lights.size(); ++i) {
@@ -134,10 +134,12 @@ FreeLines light_contours(const ContourScene& scene, const Bvh& bvh,
     mine.report(0);
     const std::vector<Camera> views = light_views(light, camera, box);
     if (views.empty() || !light.contours || !(light.strength > 0)) continue;
-    if (options.terminators) Terminators(scene, bvh, light, camera, backs, result).add(views[0]);
+    if (options.terminators) {
+      Terminators(scene, casters.bvh, light, camera, backs, result).add(views[0]);
+    }
     if (!options.shadow_outlines || !light.casts_shadows) continue;
     for (const Camera& view : views) {
-      add_shadow_outlines(scene, bvh, light, view, camera, threads, mine, result);
+      add_shadow_outlines(scene.surface, casters, light, view, camera, threads, mine, result);
     }
   }
   return result;

@@ -18,11 +18,22 @@ struct LightContourOptions {
   bool any() const { return terminators || shadow_outlines; }
 };
 
+// What keeps the light from a scene that is seen: this scene, or one with more than is seen. The
+// vertices of both surfaces are the same.
+struct LightCasters {
+  const ContourScene& scene;
+  const Bvh& bvh;  // of its surface
+  // (t) what its triangles are in the scene that is seen, none: not seen; empty: the same ones
+  std::vector<int> seen = {};
+
+  int seen_triangle(int triangle) const { return seen.empty() ? triangle : seen[idx(triangle)]; }
+};
+
 // Of the lights with `contours`; of areas with an extent from their middle. Terminators are left
 // out where something else keeps the light away, and shadow outlines of lights that cast none. What
 // is on backs that cannot be seen, or on the side that the viewer does not see, says so
-// (ZeroPoint::unseen). bvh: of the scene's surface.
-FreeLines light_contours(const ContourScene& scene, const Bvh& bvh,
+// (ZeroPoint::unseen).
+FreeLines light_contours(const ContourScene& scene, const LightCasters& casters,
                          const std::vector<Light>& lights, const Camera& camera,
                          const LightContourOptions& options, int threads,
                          const Progress& progress = {});

@@ -125,10 +125,10 @@ class OutlineChains {
 // The shadow of one outline.
 class OutlineShadow {
  public:
-  OutlineShadow(const Surface& surface, const Bvh& bvh, const Light& light, const Camera& view,
-                const Camera& viewer, const Outline& outline, FreeLines& result)
+  OutlineShadow(const Surface& surface, const LightCasters& casters, const Light& light,
+                const Camera& view, const Camera& viewer, const Outline& outline, FreeLines& result)
       : surface_(surface),
-        bvh_(bvh),
+        casters_(casters),
         light_(light),
         view_(view),
         viewer_(viewer),
@@ -189,10 +189,11 @@ class OutlineShadow {
     const Vec3 aside = beside(segment, middle), away = -view_.to_eye(aside);
     const double length = away.norm(), blind = blind_px * view_.pixel_size(middle) / length;
     const std::optional<RayHit> hit = first_hit(aside, away, blind);
-    if (!hit) return {};
+    const int triangle = hit ? casters_.seen_triangle(hit->triangle) : none;
+    if (triangle == none) return {};
     ZeroPoint at;
     at.position = aside + hit->distance * away;
-    at.on = locate(surface_, hit->triangle, at.position);
+    at.on = locate(surface_, triangle, at.position);
     std::vector<ZeroSegment> way;
     if (!step(aside, middle, at, way)) return {};
     return at;
@@ -202,7 +203,7 @@ class OutlineShadow {
   // before.
   std::optional<RayHit> first_hit(const Vec3& origin, const Vec3& away, double blind) const {
     std::vector<RayHit> hits;
-    bvh_.hits(origin, away, 0, std::numeric_limits<double>::infinity(), hits);
+    casters_.bvh.hits(origin, away, 0, std::numeric_limits<double>::infinity(), hits);
     std::sort(hits.begin(), hits.end(),
               [](const RayHit& a, const RayHit& b) { return a.distance < b.distance; });
     const auto beyond = std::find_if(hits.begin(), hits.end(),
@@ -247,8 +248,8 @@ class OutlineShadow {
            (normal.dot(viewer_.to_eye(p.position)) < 0);
   }
 
-  const Surface& surface_;
-  const Bvh& bvh_;
+  const Surface& surface_;  // that is seen
+  const LightCasters& casters_;
   const Light& light_;
   const Camera& view_;    // of the light
   const Camera& viewer_;  // who looks at its shadows
@@ -258,21 +259,22 @@ class OutlineShadow {
 
 }  // namespace
 
-void add_shadow_outlines(const ContourScene& scene, const Bvh& bvh, const Light& light,
+void add_shadow_outlines(const Surface& seen, const LightCasters& casters, const Light& light,
                          const Camera& view, const Camera& viewer, int threads,
                          const Progress& progress, FreeLines& result) {
   NetworkOptions options;
   options.threads = threads;
   Counts counts;
+  const ContourScene& scene = casters.scene;
   const ContourScene plain{scene.surface,       scene.limit, scene.features,
                            scene.intersections, scene.dual,  nullptr};
   const CurveNetwork network = build_network(plain, view, options, counts, progress.part(0, 0.4));
   const LabelledGraph graph =
-      label_network(network, scene.surface, bvh, view, counts, progress.part(0.4, 0.8), threads,
-                    scene.intersections.insets);
+      label_network(network, scene.surface, casters.bvh, view, counts, progress.part(0.4, 0.8),
+                    threads, scene.intersections.insets);
   const Vec3 shift = scene.surface.diagonal * off_the_edges;
   for (const Outline& outline : OutlineChains(graph, shift).run()) {
-    OutlineShadow(scene.surface, bvh, light, view, viewer, outline, result).add();
+    OutlineShadow(seen, casters, light, view, viewer, outline, result).add();
   }
 }
 

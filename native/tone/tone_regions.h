@@ -18,8 +18,8 @@
 namespace illustrate {
 
 struct ToneOptions {
-  double highlight_threshold = 0.8;  // brightness above: highlight, no hatching
-  double shadow_threshold = 0.4;     // at or below: shadow, two directions; else midtone, one
+  double highlight_threshold = 0.85;  // brightness above: highlight, no hatching
+  double shadow_threshold = 0.45;     // at or below: shadow, two directions; else midtone, one
   // In place of a threshold: the share of the visible area that is to be highlight, or shadow; in
   // [0, 1], together at most 1.
   std::optional<double> highlight_share, shadow_share;
@@ -57,8 +57,8 @@ struct ToneMap {
   std::vector<float> brightness;    // 0 where nothing is seen
   std::vector<std::uint8_t> extra;  // 1 to extra_levels in the deeper shadows; empty without them
   // What divides the levels, as used.
-  double highlight_threshold = 0.8;
-  double shadow_threshold = 0.4;
+  double highlight_threshold = 0.85;
+  double shadow_threshold = 0.45;
   double exposure = 1;  // what the light was multiplied by
 
   // Cell of an image point, none outside the frame.

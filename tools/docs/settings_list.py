@@ -116,8 +116,8 @@ NATIVE: dict[str, Effect | str] = {
     "max_turn_deg": drawn("ring", "max_turn_deg", 150.0, 20.0),
     "step_px": drawn("ring", "step_px", 0.5, 4.0, hatch_seeding="critical-curves", spacing_px=16.0),
     # Light
-    "highlight_threshold": drawn("ring", "highlight_threshold", 0.6, 0.8, 1.0),
-    "shadow_threshold": drawn("ring", "shadow_threshold", 0.1, 0.4, 0.7),
+    "highlight_threshold": drawn("ring", "highlight_threshold", 0.6, 0.85, 1.0),
+    "shadow_threshold": drawn("ring", "shadow_threshold", 0.1, 0.45, 0.7),
     "smallest_tone": drawn("floor", "smallest_tone", 0.0, 6.0, cast_shadows=True, spacing_px=10.0),
     "extra_levels": drawn("floor", "extra_levels", 0, 1, 3, cast_shadows=True),
     "reflectance": drawn("floor", "reflectance", 0.0, 1.0),

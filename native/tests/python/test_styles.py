@@ -109,7 +109,74 @@ def test_a_material_may_have_its_own_width() -> None:
     assert wide.widths[wide.points[:, 2] < -0.3] == pytest.approx(2)
 
 
-def test_wrong_widths_of_materials_are_named() -> None:
-    style = ill.ObjectStyle(materials=[ill.MaterialStyle(width_scale=-1)])
-    with pytest.raises(ill.InvalidInput, match=r"styles\[0\]\.materials\[0\]\.width_scale"):
+def hatch_length(drawing: ill.Drawing, is_upper: bool) -> float:
+    """In pixels, of the upper or lower half of the ball."""
+    length = 0.0
+    for s in np.flatnonzero(is_hatch(drawing)):
+        span = slice(drawing.offsets[s], drawing.offsets[s + 1])
+        steps = np.linalg.norm(np.diff(drawing.image[span], axis=0), axis=1)
+        middles = drawing.points[span, 2][:-1]
+        length += float(steps[(middles > 0) == is_upper].sum())
+    return length
+
+
+@pytest.mark.parametrize("seeding", ["surface-curves", "critical-curves"])
+def test_a_material_may_have_its_own_spacing(seeding: str) -> None:
+    """Half as many hatches where they are twice as far apart, and no others anywhere else."""
+    ball, beside = checked_ball(), look_at((0.4, -1.0, 0.1), radius=1.0, size_px=2 * SIZE_PX)
+
+    def hatched(scale: float) -> ill.Drawing:
+        style = upper(ill.MaterialStyle(spacing_scale=scale))
+        options = ill.DrawOptions(styles=[style], shadow_threshold=1.0, hatch_seeding=seeding)
+        return ill.draw(ball, beside, options)
+
+    plain, wide = hatched(1), hatched(2)
+    assert hatch_length(wide, True) / hatch_length(plain, True) == pytest.approx(0.5, abs=0.1)
+    assert hatch_length(wide, False) / hatch_length(plain, False) == pytest.approx(1, abs=0.1)
+    for s in np.flatnonzero(is_hatch(wide)):  # each ends where its material does
+        heights = wide.points[wide.offsets[s] : wide.offsets[s + 1], 2]
+        assert min(heights.max(), -heights.min()) < 0.08
+
+
+def test_one_spacing_for_all_materials_is_the_objects() -> None:
+    ball, values = checked_ball(), {"shadow_threshold": 1.0}
+    style = ill.MaterialStyle(spacing_scale=2)
+    of_materials = drawn(ball, ill.ObjectStyle(materials=[style, style]), **values)
+    of_object = drawn(ball, ill.ObjectStyle(spacing_scale=2), **values)
+    assert np.array_equal(of_materials.image, of_object.image)
+
+
+def test_the_next_frame_keeps_hatches_of_all_spacings() -> None:
+    ball, beside = checked_ball(), look_at((0.4, -1.0, 0.1), radius=1.0, size_px=2 * SIZE_PX)
+    style = upper(ill.MaterialStyle(spacing_scale=2))
+    options = ill.DrawOptions(styles=[style], shadow_threshold=1.0)
+    first = ill.draw(ball, beside, options)
+    again = ill.draw(ball, beside, options, previous=first)
+    assert is_hatch(again).sum() == pytest.approx(is_hatch(first).sum(), rel=0.1)
+    for is_upper in (True, False):
+        length = hatch_length(first, is_upper)
+        assert hatch_length(again, is_upper) == pytest.approx(length, rel=0.05)
+    old = again.stroke_births[is_hatch(again)] < again.frame
+    assert old.mean() > 0.8
+
+
+def test_strokes_end_where_the_pen_changes() -> None:
+    style = ill.ObjectStyle(pen=4, materials=[ill.MaterialStyle(), ill.MaterialStyle(pen=7)])
+    drawing = drawn(checked_ball(), style, taper_px=0)
+    assert set(drawing.pens) == {4, 7}
+    heights = [
+        drawing.points[a:b, 2]
+        for a, b in zip(drawing.offsets[:-1], drawing.offsets[1:], strict=True)
+    ]
+    reach = 0.08  # of the last point before the border
+    for pen, z in zip(drawing.pens, heights, strict=True):
+        assert z.min() > -reach if pen == 7 else z.max() < reach
+    plain = drawn(checked_ball(), PLAIN)
+    assert set(plain.pens) == {0} and len(plain.kinds) < len(drawing.kinds)
+
+
+@pytest.mark.parametrize("name, value", [("width_scale", -1), ("spacing_scale", 0), ("pen", -1)])
+def test_wrong_values_of_materials_are_named(name: str, value: float) -> None:
+    style = ill.ObjectStyle(materials=[ill.MaterialStyle(**{name: value})])
+    with pytest.raises(ill.InvalidInput, match=rf"styles\[0\]\.materials\[0\]\.{name}"):
         drawn(checked_ball(), style)

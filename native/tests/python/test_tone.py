@@ -127,7 +127,7 @@ def test_shares_divide_what_is_seen(balls: ill.Prepared) -> None:
     options.highlight_share = None
     assert options.highlight_share is None
     again = ill.draw(balls, CAMERA, options)
-    assert again.tone.highlight_threshold == 0.8
+    assert again.tone.highlight_threshold == 0.85
     assert again.tone.shadow_threshold == tone.shadow_threshold
 
 

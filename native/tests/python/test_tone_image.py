@@ -1,13 +1,15 @@
-"""An image as tone: ink as dark as the image, and what bad images get."""
+"""Ink as dark as the light that is asked for, of an image and of lights; what bad images get."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import illustrate_native as ill
 import numpy as np
 import pytest
 from illustrate_native import png
 from numpy.typing import NDArray
-from shapes import Shape, look_at, plate, sphere
+from shapes import Shape, look_at, plate, sphere, torus
 
 SIZE_PX = 640
 SPACING_PX = 5
@@ -33,18 +35,17 @@ def windows(values: NDArray[np.float64]) -> NDArray[np.float64]:
     return means
 
 
-def likeness(shape: Shape, image: NDArray[np.float64], options: ill.DrawOptions) -> float:
+def likeness(shape: Shape, options: ill.DrawOptions, lights: Sequence[ill.Light] = ()) -> float:
     """The correlation of paper left white and light asked for, over windows within the shape."""
-    prepared = ill.prepare([shape.mesh()])
-    options.tone_image = image
-    drawing = ill.draw(prepared, CAMERA, options)
+    drawing = ill.draw(ill.prepare([shape.mesh()]), CAMERA, options, lights=lights)
     pixels = png.to_pixels(drawing, SIZE_PX, SIZE_PX, {}, png.WHITE)
     white = windows(pixels[..., 0] / 255.0)
     cells = ((np.arange(SIZE_PX) + 0.5) / drawing.tone.cell_px).astype(int)
+    light = np.minimum(drawing.tone.brightness, 1)[np.ix_(cells, cells)].astype(float)
     seen = drawing.tone.level[np.ix_(cells, cells)] != 255
     inside = windows(seen.astype(float)) == 1
     assert inside.sum() > 200
-    return float(np.corrcoef(white[inside], windows(image)[inside])[0, 1])
+    return float(np.corrcoef(white[inside], windows(light)[inside])[0, 1])
 
 
 def fine_lines(**values: object) -> ill.DrawOptions:
@@ -62,12 +63,27 @@ def photograph(**values: object) -> ill.DrawOptions:
 @pytest.mark.parametrize("extra_levels", [0, 2])
 @pytest.mark.parametrize("shape", [sphere(), plate(40)], ids=["ball", "plate"])
 def test_hatches_are_as_dark_as_the_image(shape: Shape, extra_levels: int) -> None:
-    options = photograph(extra_levels=extra_levels)
-    assert likeness(shape, portrait(), options) >= 0.95
+    options = photograph(extra_levels=extra_levels, tone_image=portrait())
+    assert likeness(shape, options) >= 0.96
 
 
-def test_tones_of_the_paper_are_nearly_so() -> None:
-    assert likeness(sphere(), portrait(), fine_lines()) >= 0.93
+@pytest.mark.parametrize("shape", [sphere(), plate(40)], ids=["ball", "plate"])
+def test_so_they_are_with_the_default_tones(shape: Shape) -> None:
+    assert likeness(shape, fine_lines(tone_image=portrait())) >= 0.95
+
+
+LIGHTS = {
+    "at the eye": ill.Light("head"),
+    "beside it": ill.Light("side", (-1.0, 0.8, 0.7)),
+    "a lamp": ill.Light("point", (1.0, 1.5, 1.5), 3.0, falloff_distance=1.0),
+}
+
+
+@pytest.mark.parametrize("light", LIGHTS)
+@pytest.mark.parametrize("shape", [sphere(), torus()], ids=["ball", "torus"])
+def test_hatches_are_as_dark_as_the_light(shape: Shape, light: str) -> None:
+    options = fine_lines(auto_exposure=True, line_width_px=0, feature_width_px=0)
+    assert likeness(shape, options, [LIGHTS[light]]) >= 0.95
 
 
 def test_the_image_is_read_as_it_is_when_drawn() -> None:

@@ -279,6 +279,49 @@ TEST(Control, CopiesAlongASeamShareTheirPlaces) {
 }
 
 // A box in single precision, turned, whose top is cut into needles: its top is one flat area.
+// Walls with a window, as a Boolean modifier cuts it: two faces round the hole, amid quads.
+PolygonMesh wall_with_window() {
+  PolygonMesh mesh;
+  for (const double y : {-0.1, 0.1}) {
+    for (const Vec2& p : {Vec2(-3, -2), Vec2(3, -2), Vec2(3, 2), Vec2(-3, 2), Vec2(-1, -1),
+                          Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)}) {
+      mesh.positions.emplace_back(p.x(), y, p.y());
+    }
+  }
+  shapes::add_face(mesh, {0, 4, 7, 3});
+  shapes::add_face(mesh, {0, 1, 2, 3, 7, 6, 5, 4});
+  shapes::add_face(mesh, {8, 11, 15, 12});
+  shapes::add_face(mesh, {8, 12, 13, 14, 15, 11, 10, 9});
+  for (int k = 0; k < 4; ++k) {
+    const int next = (k + 1) % 4;
+    shapes::add_face(mesh, {k, 8 + k, 8 + next, next});
+    shapes::add_face(mesh, {4 + k, 4 + next, 12 + next, 12 + k});
+  }
+  mesh.crease_angle_deg = 30;
+  return mesh;
+}
+
+TEST(Control, AWallDoesNotCloseItsWindow) {
+  const SoundMesh wall = sound(wall_with_window());
+  EXPECT_EQ(choose_scheme(wall, Scheme::automatic), Scheme::loop);
+  EXPECT_EQ(choose_scheme(sound(wall_with_window(), true), Scheme::automatic),
+            Scheme::catmull_clark)
+      << "a cage is subdivided as its modifier does it";
+  Counts report;
+  SoundMesh fine = wall;
+  fine.level = 3;
+  const Surface surface = refine({fine}, {}, report);
+  double area = 0;
+  for (const Triangle& t : surface.triangles) {
+    const Vec3& a = surface.positions[idx(t[0])];
+    const Vec3 twice = (surface.positions[idx(t[1])] - a).cross(surface.positions[idx(t[2])] - a);
+    area += twice.norm() / 2;
+    const Vec3 middle = (a + surface.positions[idx(t[1])] + surface.positions[idx(t[2])]) / 3;
+    EXPECT_FALSE(std::abs(middle.x()) < 1 - 1e-9 && std::abs(middle.z()) < 1 - 1e-9);
+  }
+  EXPECT_NEAR(area, 2 * (24 - 4) + 0.2 * (20 + 8), 1e-6) << "nothing lies twice";
+}
+
 TEST(Control, AFaceOfNeedlesIsFlat) {
   PolygonMesh mesh = shapes::polygon_mesh({{0, 0, 0},
                                            {1.5, 0, 0},

@@ -132,7 +132,7 @@ TEST(LineWeights, DoNotJumpWhereALineRunsOn) {
   weights.add(std::vector<double>{1, 1});
   weights.add(std::vector<double>{0.5, 0.5});
   const Drawing drawing =
-      make_strokes(b.graph, {}, {}, flat_camera(), {}, {}, options, {weights, {}});
+      make_strokes(b.graph, {}, {}, flat_camera(), {}, {}, options, {weights, {}, {}});
   ASSERT_EQ(count_of(drawing), 1U);
   EXPECT_NEAR(static_cast<double>(drawing.widths.front()), 2, 1e-6);
   EXPECT_NEAR(static_cast<double>(drawing.widths.back()), 1, 1e-6);

@@ -193,7 +193,7 @@ TEST(MakeStrokes, HatchesSwellInTheDarkAndThinOut) {
   for (std::size_t i = 0; i < drawing.image.size(); ++i) {
     const double x = drawing.image[i].x();
     if (x < 16 || x > 84) continue;
-    EXPECT_NEAR(drawing.widths[i], x < 50 ? 1.4 : 0.6, 1e-6);
+    EXPECT_NEAR(drawing.widths[i], x < 50 ? 1.5 : 0.5, 1e-6);
   }
   EXPECT_LT(drawing.widths.front(), 0.3F);
   EXPECT_LT(drawing.widths.back(), 0.3F);
@@ -227,7 +227,7 @@ TEST(MakeStrokes, WidthFollowsTheLightWithinEachLevel) {
     const double swelling = light <= 0.25   ? 1 - light / 0.25
                             : light <= 0.75 ? -(light - 0.25) / 0.5
                                             : -1.0;
-    EXPECT_NEAR(drawing.widths[i], 1 + 0.4 * swelling, 1e-5) << light;
+    EXPECT_NEAR(drawing.widths[i], 1 + 0.5 * swelling, 1e-5) << light;
   }
 }
 

@@ -39,10 +39,11 @@ struct Lines {
 // Those of one kind, each point's distance from where it ought to be by `off`.
 template <class Off>
 Lines lines_of(const Prepared& scene, const Camera& camera, const Light& light, Kind kind,
-               const Off& off) {
+               const Off& off, const std::vector<ObjectStyle>& styles = {}) {
   DrawOptions options;
   options.hatching = false;
   options.light_contours = {true, true};
+  options.styles = styles;
   const DrawResult result = draw(scene, camera, options, {light});
   check_graph(result.graph);
   Lines lines;
@@ -179,6 +180,30 @@ TEST(ShadowOutline, RunsOverCreasesOfWhatReceivesIt) {
   EXPECT_EQ(lines.closed, 1);
   EXPECT_LT(lines.off, 1e-9);
   EXPECT_GT(lines.length, 2);
+}
+
+TEST(ShadowOutline, IsThereOfWhatOnlyCastsShadows) {
+  ObjectStyle unseen, gone;
+  unseen.shadow_only = gone.ignore = true;
+  const ObjectStyle plain;
+  const auto scene = ball_over_floor(4);  // the ball is object 0, the floor is object 1
+  const Vec3 towards = Vec3(1, -.5, 2).normalized();
+  const double radius = radius_of(*scene);
+  const auto shadow = [&](const std::vector<ObjectStyle>& styles) {
+    return lines_of(
+        *scene, cameras::orthographic(Vec3(0, -.2, 1), 6), sun(towards), Kind::shadow_outline,
+        [&](const Vec3& p) { return std::abs((p - p.dot(towards) * towards).norm() - radius); },
+        styles);
+  };
+  const Lines alone = shadow({unseen, plain}), beside = shadow({plain, plain});
+  const double a = radius / towards.z(), b = radius;  // Ramanujan's length of an ellipse
+  const double around = pi * (3 * (a + b) - std::sqrt((3 * a + b) * (a + 3 * b)));
+  EXPECT_EQ(alone.closed, 1);
+  EXPECT_LT(alone.off, .02);
+  EXPECT_NEAR(alone.length, around, .02 * around);
+  EXPECT_GT(alone.length, beside.length) << "the ball hides a part of it";
+  EXPECT_EQ(shadow({gone, plain}).count, 0);
+  EXPECT_EQ(shadow({plain, unseen}).count, 0) << "what receives it is not seen";
 }
 
 TEST(LightContours, AreOfTheLightsThatAskForThem) {

@@ -124,6 +124,71 @@ TEST(Lights, NothingBlowsUpInTheLamp) {
   }
 }
 
+TEST(Lights, ASpotWithoutACosineIsAPointWithinItsCone) {
+  Light spot = lamp(LightKind::spot, 2, 3), point = lamp(LightKind::point, 2, 3);
+  spot.angle_rad = pi / 4;
+  for (const double x : {0.0, 1.0, 1.9}) {
+    const double cosine = 2 / std::hypot(2, x);
+    EXPECT_NEAR(floor_light(spot, x), cosine * floor_light(point, x), 1e-12);
+    spot.cosine = false;
+    EXPECT_NEAR(floor_light(spot, x), floor_light(point, x), 1e-12);
+    spot.cosine = true;
+  }
+  spot.cosine = false;
+  EXPECT_EQ(floor_light(spot, 2.1), 0);
+}
+
+TEST(Lights, ALargeLampIsWeakerNearIt) {
+  Light light = lamp(LightKind::point, 2, 8);
+  light.radius = 2;
+  EXPECT_NEAR(floor_light(light, 0), 1, 1e-12) << "8 / (2^2 + 2^2)";
+  light.vector.z() = 200;
+  EXPECT_NEAR(floor_light(light, 0), 8.0 / (200 * 200), 1e-7);
+}
+
+// What passes through a plane: the light of rings of a floor, all round below the lamp.
+double flux(const Light& light, double reach) {
+  const int steps = 4000;
+  double sum = 0;
+  for (int i = 0; i < steps; ++i) {
+    const double x = (i + 0.5) / steps * reach;
+    sum += floor_light(light, x) * 2 * pi * x * reach / steps;
+  }
+  return sum;
+}
+
+TEST(Lights, ASpreadKeepsTheLightOfAnArea) {
+  Light light = lamp(LightKind::area, 1, 1);
+  const double all = flux(light, 100);
+  for (const double spread : {2.5, 1.5, 0.5, 0.01}) {
+    light.spread_rad = spread;
+    const double reach = std::tan(spread / 2);
+    EXPECT_NEAR(flux(light, reach), all, 2e-3 * all) << spread;
+    EXPECT_EQ(floor_light(light, 1.001 * reach), 0) << spread;
+    EXPECT_GT(floor_light(light, 0.9 * reach), 0) << spread;
+  }
+}
+
+TEST(Lights, AreasWithASpreadAreTheSumOfTheirParts) {
+  const int across = 3;
+  Light whole = area_lamp(2, 9, 1.5, 0.9);
+  whole.spread_rad = 1.2;
+  for (const double x : {0.0, 0.7, 1.4, 2.5}) {
+    double sum = 0;
+    for (int i = 0; i < across; ++i) {
+      for (int j = 0; j < across; ++j) {
+        Light part = whole;
+        part.strength = whole.strength / (across * across);
+        part.edge_u /= across;
+        part.edge_v /= across;
+        part.vector = point_on(whole, (i + 0.5) / across, (j + 0.5) / across);
+        sum += floor_light(part, x);
+      }
+    }
+    EXPECT_NEAR(floor_light(whole, x), sum, 0.01 * sum + 0.001) << x;
+  }
+}
+
 TEST(Lights, SideLightTurnsWithTheViewer) {
   Light side;
   side.kind = LightKind::side;
@@ -158,7 +223,13 @@ TEST(Lights, BadDetailsAreNamed) {
   light.angle_rad = 1;
   light.blend = 1.5;
   EXPECT_NE(complaint(light).find("lights[2].blend"), std::string::npos);
+  light = area_lamp(1, 1, 1, 1);
+  light.spread_rad = 0;
+  EXPECT_NE(complaint(light).find("lights[2].spread_rad"), std::string::npos);
   light = lamp(LightKind::point, 1, 1);
+  light.radius = -1;
+  EXPECT_NE(complaint(light).find("lights[2].radius"), std::string::npos);
+  light.radius = 0;
   light.falloff_distance = -1;
   EXPECT_NE(complaint(light).find("lights[2].falloff_distance"), std::string::npos);
   light.kind = LightKind::side;

@@ -43,8 +43,8 @@ TEST(Levels, SphereUnderOneSun) {
     ToneOptions options;
     options.cast_shadows = shadows;
     const ToneMap tone = scene.tone({sun(Vec3(3, 0, 0))}, options);  // brightness is x
-    EXPECT_NEAR(share_of(tone, Tone::highlight), segment_share(0.8), 0.002);
-    EXPECT_NEAR(share_of(tone, Tone::midtone), segment_share(0.4) - segment_share(0.8), 0.002);
+    EXPECT_NEAR(share_of(tone, Tone::highlight), segment_share(0.85), 0.002);
+    EXPECT_NEAR(share_of(tone, Tone::midtone), segment_share(0.45) - segment_share(0.85), 0.002);
     const auto lit = std::count_if(tone.brightness.begin(), tone.brightness.end(),
                                    [](float b) { return b > 0; });
     EXPECT_NEAR(double(lit), pi / 2 * 160 * 160, 170) << "up to the terminator, x = 0";
@@ -140,7 +140,7 @@ TEST(Levels, SharesAtTheirLimits) {
   options.shadow_share.reset();  // the other threshold stays as it is
   options.highlight_share = 0.1;
   EXPECT_NEAR(share_of(scene.tone({}, options), Tone::highlight), 0.1, 1e-3);
-  EXPECT_EQ(scene.tone({}, options).shadow_threshold, 0.4);
+  EXPECT_EQ(scene.tone({}, options).shadow_threshold, 0.45);
 }
 
 TEST(Levels, EqualLightIsNotTornApart) {
@@ -180,6 +180,7 @@ TEST(Levels, ExtraLevelsDivideTheShadows) {
   const Scene scene = ball();
   ToneOptions options;
   options.extra_levels = 3;
+  options.shadow_threshold = 0.4;
   const ToneMap tone = scene.tone({}, options);
   const double area = pi * 160 * 160;
   for (int extra = 1; extra <= 3; ++extra) {

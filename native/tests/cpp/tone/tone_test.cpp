@@ -215,9 +215,10 @@ TEST(ToneRegions, LevelsOfASphereUnderAHeadlight) {
   const auto share = [&](Tone level) {
     return double(std::count(tone.level.begin(), tone.level.end(), level)) / area;
   };
-  EXPECT_NEAR(share(Tone::highlight), 1 - 0.64, 0.005);  // brightness^2 = 1 - r^2
-  EXPECT_NEAR(share(Tone::midtone), 0.64 - 0.16, 0.005);
-  EXPECT_NEAR(share(Tone::shadow), 0.16, 0.01);
+  const double high = 0.85 * 0.85, low = 0.45 * 0.45;
+  EXPECT_NEAR(share(Tone::highlight), 1 - high, 0.005);  // brightness^2 = 1 - r^2
+  EXPECT_NEAR(share(Tone::midtone), high - low, 0.005);
+  EXPECT_NEAR(share(Tone::shadow), low, 0.01);
   EXPECT_EQ(tone.level[0], Tone::nothing);
   EXPECT_EQ(tone.brightness[0], 0);
   EXPECT_EQ(tone.cell_of(Vec2(399.5, 1.5)), 799);
