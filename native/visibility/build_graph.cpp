@@ -8,14 +8,14 @@ namespace {
 class GraphBuilder {
  public:
   GraphBuilder(const Arrangement& arrangement, const Surface& surface)
-      : arrangement_(arrangement), network_(*arrangement.network), surface_(surface) {}
+      : arrangement_(arrangement), network_(arrangement.network()), surface_(surface) {}
 
   LabelledGraph run(const std::vector<LabelledPath>& paths) {
     add_network_nodes();
     add_crossing_nodes();
     ends_.resize(network_.strands.size(), {none, none});
     for (const LabelledPath& path : paths) add_path(path);
-    for (const Path& path : arrangement_.paths) join_cusps(path);
+    for (const Path& path : arrangement_.paths()) join_cusps(path);
     return std::move(graph_);
   }
 
@@ -35,20 +35,19 @@ class GraphBuilder {
   }
 
   void add_crossing_nodes() {
-    crossing_nodes_.resize(arrangement_.crossings.size(), none);
-    for (std::size_t c = 0; c < arrangement_.crossings.size(); ++c) {
-      if (arrangement_.states[c] == CrossingState::dropped) continue;
-      const bool live = arrangement_.states[c] == CrossingState::live;
+    crossing_nodes_.resize(arrangement_.crossings().size(), none);
+    for (std::size_t c = 0; c < arrangement_.crossings().size(); ++c) {
+      const CrossingState state = arrangement_.state(static_cast<int>(c));
+      if (state == CrossingState::dropped) continue;
+      const bool live = state == CrossingState::live;
       crossing_nodes_[c] = static_cast<int>(graph_.nodes.size());
       graph_.nodes.push_back({live ? NodeKind::crossing : NodeKind::joint,
-                              arrangement_.crossings[c].image,
+                              arrangement_.crossings()[c].image,
                               {none, none, none, none}});
     }
   }
 
-  const Vec2& image(int strand, int point) const {
-    return arrangement_.image.image[arrangement_.point(strand, point)];
-  }
+  const Vec2& image(int strand, int point) const { return arrangement_.image_of(strand, point); }
 
   void add_path(const LabelledPath& path) {
     for (std::size_t i = 0; i < path.arcs.size(); ++i) {
@@ -66,17 +65,18 @@ class GraphBuilder {
 
   StrandPlace begin_place(const PathArc& arc) const {
     if (arc.begin == none) return {arc.strand, 0, 0};
-    return arrangement_.visits[idx(arc.strand)][idx(arc.begin)].place;
+    return arrangement_.visits(arc.strand)[idx(arc.begin)].place;
   }
   // Past the strand's last point where the arc runs on round a closed strand.
   StrandPlace end_place(const PathArc& arc) const {
     const int count = arrangement_.point_count(arc.strand);
     if (arc.end == none) return {arc.strand, count - 1, 0};
-    StrandPlace place = arrangement_.visits[idx(arc.strand)][idx(arc.end)].place;
+    StrandPlace place = arrangement_.visits(arc.strand)[idx(arc.end)].place;
     if (wraps(arc)) place.segment += count;
     return place;
   }
 
+  // The arc that is being built; its points are the open lists of both Ragged.
   GraphArc& current() { return graph_.arcs.back(); }
   int current_index() const { return static_cast<int>(graph_.arcs.size()) - 1; }
 
@@ -109,7 +109,7 @@ class GraphBuilder {
 
   // Enters the current arc at its crossing; side 0 where it ends there, 1 where it starts.
   int attach(const PathArc& arc, int visit_index, std::size_t side) {
-    const Visit& visit = arrangement_.visits[idx(arc.strand)][idx(visit_index)];
+    const Visit& visit = arrangement_.visits(arc.strand)[idx(visit_index)];
     const int node = crossing_nodes_[idx(visit.crossing)];
     if (arrangement_.is_live(visit.crossing)) {
       graph_.nodes[idx(node)].arcs[(visit.front ? 0 : 2) + side] = current_index();

@@ -13,7 +13,7 @@ namespace illustrate {
 namespace {
 
 std::int64_t count_unbalanced(const Arrangement& arrangement) {
-  return std::count_if(arrangement.paths.begin(), arrangement.paths.end(),
+  return std::count_if(arrangement.paths().begin(), arrangement.paths().end(),
                        [&](const Path& path) { return imbalance(arrangement, path) != 0; });
 }
 
@@ -46,6 +46,9 @@ LabelledGraph label_network(const CurveNetwork& network, const Surface& surface,
   Arrangement& arrangement = *settled;
   progress.report(0.3);
   double moved_px = 0;
+  // In this order. A touch is a crossing that is none for certain, whatever else is near; twists
+  // and lenses are told by what balances their paths, which touches would spoil; swallowtails are
+  // looked for only where a path does still not balance.
   const int touches = drop_touches(arrangement, moved_px);
   counts["dropped_touches"] += touches;
   const std::vector<int> touching = dropped_crossings(arrangement);

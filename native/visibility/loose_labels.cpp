@@ -6,13 +6,10 @@
 #include "contour/network/near_clip.h"
 #include "visibility/arrangement/image_strands.h"
 #include "visibility/arrangement/segment_pairs.h"
+#include "visibility/reaches.h"
 
 namespace illustrate {
 namespace {
-
-constexpr double blind_units = 1;    // hits nearer than this do not hide
-constexpr double least_units = 0.5;  // shorter pieces go with the one before
-constexpr double farthest_px = 5e8;  // boxes are clamped to it
 
 // Of a curve: behind its point `segment`, `fraction` of the way in the world to the next.
 struct Place {
@@ -33,9 +30,7 @@ struct ImageSegment {
   }
 };
 
-std::int64_t clamped(double px) {
-  return static_cast<std::int64_t>(std::clamp(px, -farthest_px, farthest_px));
-}
+std::int64_t clamped(double px) { return static_cast<std::int64_t>(within_reach(px)); }
 
 SegmentBox box_of(const ImageSegment& s) {
   const Vec2 low = s.a.cwiseMin(s.b), high = s.a.cwiseMax(s.b);
@@ -176,8 +171,9 @@ class LooseLabeller {
     places.push_back({segments_of(strand) - 1, 1});
     std::vector<Piece> pieces;
     for (std::size_t i = 1; i < places.size(); ++i) {
-      const bool is_whole = places.size() == 2;
-      if (!is_whole && length_px(strand, places[i - 1], places[i]) < least_units * graph_.unit_px)
+      const bool is_whole = places.size() == 2;  // asked, however short
+      if (!is_whole &&
+          length_px(strand, places[i - 1], places[i]) < reaches.least_loose * graph_.unit_px)
         continue;
       const int label = label_between(strand, places[i - 1], places[i]);
       if (pieces.empty() || pieces.back().label != label)
@@ -218,7 +214,8 @@ class LooseLabeller {
 
   int layers_before(const Vec3& p) {
     const Vec3 towards = camera_.to_eye(p);
-    const double blind = blind_units * graph_.unit_px * camera_.pixel_size(p) / towards.norm();
+    const double blind =
+        reaches.loose_blind * graph_.unit_px * camera_.pixel_size(p) / towards.norm();
     hits_.clear();
     bvh_.hits(p, towards, blind, camera_.ray_end(p), hits_);
     return static_cast<int>(hits_.size());

@@ -121,20 +121,21 @@ class Voter {
 
  private:
   bool is_hidden(const PathArc& arc) {
-    const Strand& strand = arrangement_.network->strands[idx(arc.strand)];
+    const Strand& strand = arrangement_.strand(arc.strand);
     const int votes = strand.kind == Kind::silhouette ? majority(arc) : 0;
+    // As many for as against: nobody is right, and a ray is asked.
     return votes != 0 ? votes < 0 : rays_.count(arrangement_, arc.samples[1]).layers > 0;
   }
 
   // Visible edges near the arc less hidden ones, each once.
   int majority(const PathArc& arc) {
     std::vector<EdgeOfTriangle> near;
-    const std::vector<CurvePoint>& points = arrangement_.network->points.values;
+    const std::vector<CurvePoint>& points = arrangement_.network().points.values;
     const int count = arrangement_.point_count(arc.strand);
-    const auto& visits = arrangement_.visits[idx(arc.strand)];
+    const auto& visits = arrangement_.visits(arc.strand);
     const int first = arc.begin == none ? 0 : visits[idx(arc.begin)].place.segment;
     int last = arc.end == none ? count - 1 : visits[idx(arc.end)].place.segment;
-    const bool closed = arrangement_.network->strands[idx(arc.strand)].closed();
+    const bool closed = arrangement_.strand(arc.strand).closed();
     if (closed && arc.begin != none && arc.end <= arc.begin) last += count;
     int before = none;
     for (int i = first; i <= last; ++i) {
@@ -171,9 +172,9 @@ LabelledGraph vote_network(const CurveNetwork& network, const Surface& surface, 
   LayerRays rays(surface, bvh, camera, no_insets);
   Voter voter(arrangement, edges, rays);
   std::vector<LabelledPath> labels;
-  for (const Path& path : arrangement.paths) {
+  for (const Path& path : arrangement.paths()) {
     progress.report(static_cast<double>(labels.size()) /
-                    static_cast<double>(arrangement.paths.size()));
+                    static_cast<double>(arrangement.paths().size()));
     labels.push_back(voter.label(path));
   }
   counts["crossings"] += arrangement.live_crossings();

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <tuple>
 
+#include "core/sort_unique.h"
 #include "visibility/evidence/outline.h"
 
 namespace illustrate {
 namespace {
 
+// Of visits at one place that of the earlier crossing, and of a crossing of a strand with itself
+// the visit behind: some order, the same whatever the sort.
 bool runs_before(const Visit& a, const Visit& b) {
   return std::tie(a.place.segment, a.place.fraction, a.crossing, a.front) <
          std::tie(b.place.segment, b.place.fraction, b.crossing, b.front);
@@ -28,9 +31,11 @@ class PathFinder {
 
   std::vector<Path> run() {
     std::vector<Path> paths;
-    for (const bool open : {true, false}) {
+    // First those that start at a strand which follows none: open ones, and single closed strands.
+    // What nobody has used then are rings of strands, which start at their first.
+    for (const bool from_start : {true, false}) {
       for (std::size_t s = 0; s < network_.strands.size(); ++s) {
-        if (!used_[s] && (!open || previous_[s] == none))
+        if (!used_[s] && (!from_start || previous_[s] == none))
           paths.push_back(follow(static_cast<int>(s)));
       }
     }
@@ -63,12 +68,15 @@ class PathFinder {
   std::vector<std::uint8_t> used_;
 };
 
-std::vector<std::vector<Visit>> sorted_visits(const Arrangement& arrangement) {
-  std::vector<std::vector<Visit>> visits(arrangement.network->strands.size());
-  for (std::size_t c = 0; c < arrangement.crossings.size(); ++c) {
-    const Crossing& x = arrangement.crossings[c];
-    visits[idx(x.front.strand)].push_back({static_cast<int>(c), true, x.front});
-    visits[idx(x.back.strand)].push_back({static_cast<int>(c), false, x.back});
+std::vector<std::vector<Visit>> sorted_visits(const std::vector<Crossing>& crossings,
+                                              std::size_t strands) {
+  std::vector<std::vector<Visit>> visits(strands);
+  for (std::size_t c = 0; c < crossings.size(); ++c) {
+    const auto enter = [&](const StrandPlace& place, bool is_front) {
+      visits[idx(place.strand)].push_back({static_cast<int>(c), is_front, place});
+    };
+    enter(crossings[c].front, /*is_front=*/true);
+    enter(crossings[c].back, /*is_front=*/false);
   }
   for (std::vector<Visit>& list : visits) std::sort(list.begin(), list.end(), runs_before);
   return visits;
@@ -76,62 +84,92 @@ std::vector<std::vector<Visit>> sorted_visits(const Arrangement& arrangement) {
 
 }  // namespace
 
-void Arrangement::forget_visits() {
+void Arrangement::drop(const std::vector<int>& crossings) {
+  for (const int c : crossings) states_[idx(c)] = CrossingState::dropped;
+  forget_visits(crossings);
+}
+
+void Arrangement::demote(const std::vector<int>& crossings) {
+  for (const int c : crossings) states_[idx(c)] = CrossingState::demoted;
+  forget_visits(crossings);
+}
+
+// Those of what is dropped, and of the front strand of what is demoted.
+void Arrangement::forget_visits(const std::vector<int>& crossings) {
   const auto is_gone = [&](const Visit& visit) {
-    const CrossingState state = states[idx(visit.crossing)];
-    return state == CrossingState::dropped || (state == CrossingState::demoted && visit.front);
+    const CrossingState now = state(visit.crossing);
+    return now == CrossingState::dropped || (now == CrossingState::demoted && visit.front);
   };
-  for (std::vector<Visit>& list : visits) {
-    list.erase(std::remove_if(list.begin(), list.end(), is_gone), list.end());
+  std::vector<int> strands;
+  for (const int c : crossings) {
+    strands.insert(strands.end(), {crossing(c).front.strand, crossing(c).back.strand});
+  }
+  sort_unique(strands, visits_.size());
+  for (const int s : strands) {
+    std::vector<Visit>& visits = visits_[idx(s)];
+    visits.erase(std::remove_if(visits.begin(), visits.end(), is_gone), visits.end());
   }
 }
 
+void Arrangement::drop_jump(int path, int step) { paths_[idx(path)].jumps[idx(step)] = 0; }
+
+void Arrangement::turn_jump(int path, int step) {
+  int& jump = paths_[idx(path)].jumps[idx(step)];
+  jump = -jump;
+}
+
+void Arrangement::make_joint(int path, int step) { paths_[idx(path)].is_joint[idx(step)] = 1; }
+
+void Arrangement::move_point(int strand, int i, const Vec2& image) {
+  image_.image[point(strand, i)] = image;
+}
+
 std::int64_t Arrangement::live_crossings() const {
-  return std::count(states.begin(), states.end(), CrossingState::live);
+  return std::count(states_.begin(), states_.end(), CrossingState::live);
 }
 
 std::int64_t Arrangement::loops() const {
-  return std::count_if(paths.begin(), paths.end(), [](const Path& path) { return path.cyclic; });
+  return std::count_if(paths_.begin(), paths_.end(), [](const Path& path) { return path.cyclic; });
 }
 
 int Arrangement::point_count(int strand) const {
-  return network->points.offsets[idx(strand) + 1] - network->points.offsets[idx(strand)];
+  return network_->points.offsets[idx(strand) + 1] - network_->points.offsets[idx(strand)];
 }
 
 std::size_t Arrangement::point(int strand, int i) const {
-  return idx(network->points.offsets[idx(strand)] + i % point_count(strand));
+  return idx(network_->points.offsets[idx(strand)] + i % point_count(strand));
 }
 
 double Arrangement::reach_px(int strand) const {
-  const Vec2& start = image.image[point(strand, 0)];
+  const Vec2& start = image_of(strand, 0);
   double reach = 0;
   for (int i = 1; i < point_count(strand); ++i) {
-    reach = std::max(reach, (image.image[point(strand, i)] - start).norm());
+    reach = std::max(reach, (image_of(strand, i) - start).norm());
   }
   return reach;
 }
 
 Vec2 Arrangement::image_at(const StrandPlace& place) const {
-  const Vec2& a = image.image[point(place.strand, place.segment)];
-  const Vec2& b = image.image[point(place.strand, place.segment + 1)];
+  const Vec2& a = image_of(place.strand, place.segment);
+  const Vec2& b = image_of(place.strand, place.segment + 1);
   return a + place.fraction * (b - a);
 }
 
 Vec3 Arrangement::decided_at(const StrandPlace& place) const {
-  if (image.decided.empty()) return world_at(place);
+  if (image_.decided.empty()) return world_at(place);
   const std::size_t i = point(place.strand, place.segment);
   const std::size_t j = point(place.strand, place.segment + 1);
   const double f =
-      world_fraction(place.fraction, image.depth[i], image.depth[j], image.perspective);
-  return image.decided[i] + f * (image.decided[j] - image.decided[i]);
+      world_fraction(place.fraction, image_.depth[i], image_.depth[j], image_.perspective);
+  return image_.decided[i] + f * (image_.decided[j] - image_.decided[i]);
 }
 
 Vec3 Arrangement::world_at(const StrandPlace& place) const {
   const std::size_t i = point(place.strand, place.segment);
   const std::size_t j = point(place.strand, place.segment + 1);
-  const Vec3 &a = network->points.values[i].position, &b = network->points.values[j].position;
+  const Vec3 &a = network_->points.values[i].position, &b = network_->points.values[j].position;
   const double f =
-      world_fraction(place.fraction, image.depth[i], image.depth[j], image.perspective);
+      world_fraction(place.fraction, image_.depth[i], image_.depth[j], image_.perspective);
   return a + f * (b - a);
 }
 
@@ -141,34 +179,34 @@ Arrangement arrange(const CurveNetwork& network, const Camera& camera) {
 
 std::optional<Arrangement> arrange(const CurveNetwork& network, const Camera& camera,
                                    std::size_t most, Points decided) {
-  Arrangement result;
-  result.network = &network;
-  result.image = project_strands(network, camera, std::move(decided));
-  std::optional<std::vector<Crossing>> crossings = find_crossings(network, result.image, most);
+  Arrangement result(network);
+  result.image_ = project_strands(network, camera, std::move(decided));
+  std::optional<std::vector<Crossing>> crossings = find_crossings(network, result.image_, most);
   if (!crossings) return {};
-  result.crossings = std::move(*crossings);
-  result.states.assign(result.crossings.size(), CrossingState::live);
-  result.paths = PathFinder(network).run();
-  result.outline = outline_places(network, result.image);
-  result.visits = sorted_visits(result);
+  result.crossings_ = std::move(*crossings);
+  result.states_.assign(result.crossings_.size(), CrossingState::live);
+  result.paths_ = PathFinder(network).run();
+  result.outline_ = outline_places(network, result.image_);
+  result.visits_ = sorted_visits(result.crossings_, network.strands.size());
   return result;
 }
 
 Arrangement arrange_apart(const CurveNetwork& network, const Camera& camera) {
-  Arrangement result;
-  result.network = &network;
-  result.image = project_strands(network, camera);
+  Arrangement result(network);
+  result.image_ = project_strands(network, camera);
   for (int s = 0; s < static_cast<int>(network.strands.size()); ++s) {
-    result.paths.push_back({{s}, {0}, network.strands[idx(s)].closed(), {0}});
+    result.paths_.push_back({{s}, {0}, network.strands[idx(s)].closed(), {0}});
   }
-  result.visits.resize(network.strands.size());
+  result.outline_.resize(network.strands.size());
+  result.visits_.resize(network.strands.size());
   return result;
 }
 
 std::vector<int> paths_of_strands(const Arrangement& arrangement) {
-  std::vector<int> paths(arrangement.visits.size(), none);
-  for (std::size_t p = 0; p < arrangement.paths.size(); ++p) {
-    for (const int strand : arrangement.paths[p].strands) paths[idx(strand)] = static_cast<int>(p);
+  std::vector<int> paths(arrangement.network().strands.size(), none);
+  for (std::size_t p = 0; p < arrangement.paths().size(); ++p) {
+    for (const int strand : arrangement.paths()[p].strands)
+      paths[idx(strand)] = static_cast<int>(p);
   }
   return paths;
 }
@@ -183,7 +221,7 @@ std::vector<std::uint8_t> nodes_under_cover(const CurveNetwork& network) {
 }
 
 int back_change(const Arrangement& arrangement, const Crossing& crossing) {
-  const Strand& front = arrangement.network->strands[idx(crossing.front.strand)];
+  const Strand& front = arrangement.strand(crossing.front.strand);
   const int to_left = front.left_layers - front.right_layers;
   return crossing.enters_left ? to_left : -to_left;
 }

@@ -2,6 +2,7 @@
 // potential.
 #pragma once
 
+#include "core/direction.h"
 #include "visibility/arrangement/crossings.h"
 
 namespace illustrate {
@@ -26,31 +27,63 @@ struct Path {
   std::vector<std::uint8_t> is_joint;  // 1: no cusp any more at the start of strands[i]
 };
 
-struct Arrangement {
-  const CurveNetwork* network = nullptr;
-  ImageStrands image;
-  std::vector<Crossing> crossings;
-  std::vector<CrossingState> states;  // (crossings)
-  std::vector<Path> paths;
-  std::vector<std::vector<StrandPlace>> outline;  // per strand: outline.h
-  std::vector<std::vector<Visit>> visits;         // per strand, in order, of what is left
-
-  // Must be called after `states` have changed: takes away the visits of what is dropped, and of
-  // the front strand of what is demoted.
-  void forget_visits();
+// Made by `arrange`. What repairs and labels take back later is taken back everywhere at once:
+// whoever holds a visit's number must not do so between.
+class Arrangement {
+ public:
+  const CurveNetwork& network() const { return *network_; }
+  const ImageStrands& image() const { return image_; }
+  const std::vector<Crossing>& crossings() const { return crossings_; }
+  const std::vector<Path>& paths() const { return paths_; }
+  const Strand& strand(int strand) const { return network_->strands[idx(strand)]; }
+  const Crossing& crossing(int crossing) const { return crossings_[idx(crossing)]; }
+  CrossingState state(int crossing) const { return states_[idx(crossing)]; }
+  bool is_live(int crossing) const { return state(crossing) == CrossingState::live; }
+  // Of a strand, in order, of what is left.
+  const std::vector<Visit>& visits(int strand) const { return visits_[idx(strand)]; }
+  // Of a strand: outline.h.
+  const std::vector<StrandPlace>& outline(int strand) const { return outline_[idx(strand)]; }
 
   // Image and world points of a strand's place.
   Vec2 image_at(const StrandPlace& place) const;
   Vec3 world_at(const StrandPlace& place) const;
   Vec3 decided_at(const StrandPlace& place) const;  // of ImageStrands::decided
-  // Index into network->points.values of point i of a strand, cyclic for closed ones.
+  // Index into network().points.values of point i of a strand, cyclic for closed ones.
   std::size_t point(int strand, int i) const;
   int point_count(int strand) const;
+  const Vec2& image_of(int strand, int i) const { return image_.image[point(strand, i)]; }
   // How far in the image a strand gets from where it starts.
   double reach_px(int strand) const;
   std::int64_t live_crossings() const;
   std::int64_t loops() const;  // closed paths
-  bool is_live(int crossing) const { return states[idx(crossing)] == CrossingState::live; }
+
+  // Crossings that are none: their visits go.
+  void drop(const std::vector<int>& crossings);
+  // Crossings that become joints of their back strands: the visits of the front strands go.
+  void demote(const std::vector<int>& crossings);
+  // At the start of a path's strand: nothing changes there any more; the contrary does; no cusp is
+  // there any more.
+  void drop_jump(int path, int step);
+  void turn_jump(int path, int step);
+  void make_joint(int path, int step);
+  // Draws point i of a strand elsewhere; what is decided stays decided.
+  void move_point(int strand, int i, const Vec2& image);
+
+ private:
+  explicit Arrangement(const CurveNetwork& network) : network_(&network) {}
+  friend Arrangement arrange_apart(const CurveNetwork& network, const Camera& camera);
+  friend std::optional<Arrangement> arrange(const CurveNetwork& network, const Camera& camera,
+                                            std::size_t most, Points decided);
+
+  void forget_visits(const std::vector<int>& crossings);
+
+  const CurveNetwork* network_;
+  ImageStrands image_;
+  std::vector<Crossing> crossings_;
+  std::vector<CrossingState> states_;  // (crossings)
+  std::vector<Path> paths_;
+  std::vector<std::vector<StrandPlace>> outline_;  // (strands)
+  std::vector<std::vector<Visit>> visits_;         // (strands)
 };
 
 // `network` must outlive the result.

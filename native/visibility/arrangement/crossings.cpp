@@ -5,11 +5,10 @@
 #include <utility>
 
 #include "visibility/arrangement/segment_pairs.h"
+#include "visibility/reaches.h"
 
 namespace illustrate {
 namespace {
-
-constexpr double near_px = 1. / 16;  // of a shallow crossing, once its curves are moved
 
 __extension__ using Wide = __int128;
 
@@ -101,7 +100,7 @@ class CrossingFinder {
     const auto is_near = [&](const StrandSegment& segment, std::size_t k) {
       const double length =
           (strands_.image[idx(segment.b)] - strands_.image[idx(segment.a)]).norm();
-      return std::abs(own[k] - decided[k]) * length < near_px;
+      return std::abs(own[k] - decided[k]) * length < reaches.crossing_move;
     };
     return is_near(s, 0) && is_near(t, 1) ? own : decided;
   }

@@ -22,11 +22,13 @@ class PathExtents {
   PathExtents(const Arrangement& arrangement, const std::vector<int>& path_of, Extents& result)
       : arrangement_(arrangement),
         path_of_(path_of),
-        covered_nodes_(nodes_under_cover(*arrangement.network)),
+        covered_nodes_(nodes_under_cover(arrangement.network())),
         result_(result) {}
 
   void measure(const Path& path, const std::vector<PathArc>& arcs, std::vector<double>& of_cusps) {
     mark(path, arcs);
+    // One kind after another, each along the path; at one place by index, for the order of marks
+    // decides which extent is nothing.
     std::sort(marks_.begin(), marks_.end(), [](const Mark& a, const Mark& b) {
       return std::tie(a.other, a.way, a.index) < std::tie(b.other, b.way, b.index);
     });
@@ -53,16 +55,14 @@ class PathExtents {
   void mark(const Path& path, const std::vector<PathArc>& arcs) {
     marks_.clear();
     length_ = 0;
-    const auto strand = [&](int s) -> const Strand& {
-      return arrangement_.network->strands[idx(s)];
-    };
+    const auto strand = [&](int s) -> const Strand& { return arrangement_.strand(s); };
     if (!path.cyclic) mark_cover(strand(path.strands.front()).start_node);
     for (const PathArc& arc : arcs) {
       const bool enters = arc.begin == none && (arc.step > 0 || path.cyclic);
       if (enters && path.jumps[idx(arc.step)] != 0) marks_.push_back({cusps, length_, arc.step});
       if (arc.begin != none) {
-        const Visit& visit = arrangement_.visits[idx(arc.strand)][idx(arc.begin)];
-        const Crossing& x = arrangement_.crossings[idx(visit.crossing)];
+        const Visit& visit = arrangement_.visits(arc.strand)[idx(arc.begin)];
+        const Crossing& x = arrangement_.crossing(visit.crossing);
         const int other = (visit.front ? x.back : x.front).strand;
         marks_.push_back({path_of_[idx(other)], length_, visit.crossing});
       }
@@ -97,10 +97,10 @@ class PathExtents {
 Extents extents(const Arrangement& arrangement, const std::vector<std::vector<PathArc>>& arcs) {
   const std::vector<int> path_of = paths_of_strands(arrangement);
   Extents result;
-  result.crossings.assign(arrangement.crossings.size(), endless);
+  result.crossings.assign(arrangement.crossings().size(), endless);
   PathExtents paths(arrangement, path_of, result);
   for (std::size_t p = 0; p < arcs.size(); ++p) {
-    const Path& path = arrangement.paths[p];
+    const Path& path = arrangement.paths()[p];
     result.cusps.emplace_back(path.strands.size(), endless);
     paths.measure(path, arcs[p], result.cusps.back());
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/tolerances.h"
+#include "visibility/reaches.h"
 
 namespace illustrate {
 namespace {
@@ -12,15 +13,8 @@ namespace {
 // Only what nearly touches the eye lies farther out.
 constexpr double farthest_px = 5e8;
 
-// Arcs end where their nodes are, within a thousandth of a pixel.
-constexpr double largest_move_px = 1. / 2048;
-
 // Of the farthest move: depths of curves that touch, once they are moved, on surfaces seen aslant.
 constexpr double touching_moves = 20;
-
-double within_reach(double x) {
-  return std::isfinite(x) ? std::clamp(x, -farthest_px, farthest_px) : 0;
-}
 
 double farthest_move(const CurveNetwork& network, const Points& decided) {
   double farthest = 0;
@@ -65,6 +59,10 @@ void merge_coincident(const CurveNetwork& network, std::vector<GridPoint>& grid)
 
 }  // namespace
 
+double within_reach(double px) {
+  return std::isfinite(px) ? std::clamp(px, -farthest_px, farthest_px) : 0;
+}
+
 Points inset_points(const CurveNetwork& network, const Surface& surface, const Points& insets) {
   Points moved;
   if (insets.empty()) return moved;
@@ -104,7 +102,7 @@ ImageStrands project_strands(const CurveNetwork& network, const Camera& camera, 
     const ImagePoint seen = project(p);
     ImagePoint taken = seen;
     if (farthest > 0) {
-      const double share = std::min(1., largest_move_px * camera.pixel_size(p) / farthest);
+      const double share = std::min(1., reaches.decided_move * camera.pixel_size(p) / farthest);
       const Vec3 moved = p + share * (decided[i] - p);
       if (camera.near_distance(moved) > 0) taken = project(moved);
     }

@@ -15,6 +15,10 @@ struct GridPoint {
   int id;
 };
 
+// An image coordinate, kept to where whole numbers of grid units can be multiplied; 0 where it is
+// not finite.
+double within_reach(double px);
+
 // Aligned with network.points.values.
 struct ImageStrands {
   std::vector<Vec2> image;  // px

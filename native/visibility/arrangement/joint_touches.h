@@ -23,7 +23,7 @@ int drop_touches_past_nodes(Arrangement& arrangement, const std::vector<std::uin
                             double& moved_px);
 
 // Pairs of nodes, the smaller one first, sorted: the two ends of a feature strand that stays within
-// a pixel of its start, or of a contour's last strand that stays within end_px (repairs.h).
+// a pixel of its start, or of a contour's last strand that stays within Reaches::end.
 std::vector<std::pair<int, int>> short_links(const Arrangement& arrangement);
 
 }  // namespace illustrate

@@ -5,6 +5,8 @@
 namespace illustrate {
 namespace {
 
+// Segments of a leaf. Runs of a polyline keep together what lies together, with an eighth of the
+// nodes; much longer ones have boxes that overlap everywhere.
 constexpr int longest_run = 8;
 
 bool overlap(const SegmentBox& a, const SegmentBox& b) {
@@ -79,7 +81,8 @@ class RunTree {
     std::nth_element(begin, middle, end, [axis](const Run& a, const Run& b) {
       const std::int64_t at = a.box.low[axis] + a.box.high[axis];
       const std::int64_t other = b.box.low[axis] + b.box.high[axis];
-      return at != other ? at < other : a.begin < b.begin;
+      return at != other ? at < other
+                         : a.begin < b.begin;  // no two alike: one tree for all systems
     });
     nodes_.resize(nodes_.size() + 2);
     build(made.left, begin, middle);
@@ -99,6 +102,7 @@ class RunTree {
     between(node.left, node.left + 1, visit);
   }
 
+  // The larger one is divided, so that boxes of about one size are compared.
   void between(int a, int b, const std::function<void(int, int)>& visit) const {
     const Node& p = nodes_[idx(a)];
     const Node& q = nodes_[idx(b)];

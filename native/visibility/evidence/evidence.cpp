@@ -4,35 +4,31 @@
 #include <tuple>
 
 #include "core/parallel.h"
+#include "visibility/prices.h"
 
 namespace illustrate {
 namespace {
 
-// The outside of the drawing is certain: pixels of line, more than anything could weigh against it.
-constexpr double outline_weight = 1e6;
-constexpr double usual_missed_share = 0.75;
-constexpr double asked_thrice_px = 30;      // longer arcs are asked at three places
-constexpr double beside_nothing_px = 100;   // an arc next to the empty background is nearly certain
-constexpr double beside_nothing_share = 3;  // of its length: a sliver may hide a short one
+// Longer arcs are asked at three places, of which the middle one decides.
+constexpr double asked_thrice_px = 30;
 // Of a path: they tell the others, by the rules.
 constexpr std::size_t most_asked = 5;
 constexpr std::size_t least_share = 500;  // arcs that are worth a turn on another thread
-constexpr double least_weight = 1e-6;     // an arc without length still prefers its ray
 
 bool is_before(const StrandPlace& a, const StrandPlace& b) {
   return std::tie(a.segment, a.fraction) < std::tie(b.segment, b.fraction);
 }
 
 bool is_outline(const Arrangement& arrangement, const PathArc& arc) {
-  const std::vector<Visit>& visits = arrangement.visits[idx(arc.strand)];
-  const bool closed = arrangement.network->strands[idx(arc.strand)].closed();
+  const std::vector<Visit>& visits = arrangement.visits(arc.strand);
+  const bool closed = arrangement.strand(arc.strand).closed();
   const bool wraps = closed && arc.begin != none && arc.end <= arc.begin;
   const auto contains = [&](const StrandPlace& place) {
     const bool behind = arc.begin == none || is_before(visits[idx(arc.begin)].place, place);
     const bool before = arc.end == none || is_before(place, visits[idx(arc.end)].place);
     return wraps ? behind || before : behind && before;
   };
-  const std::vector<StrandPlace>& places = arrangement.outline[idx(arc.strand)];
+  const std::vector<StrandPlace>& places = arrangement.outline(arc.strand);
   return std::any_of(places.begin(), places.end(), contains);
 }
 
@@ -48,14 +44,15 @@ bool is_under_cover(const CurveNetwork& network, const std::vector<std::uint8_t>
 // What is known of an arc that nobody asked.
 Evidence known(const Arrangement& arrangement, const std::vector<std::uint8_t>& covered_nodes,
                const PathArc& arc) {
-  if (is_under_cover(*arrangement.network, covered_nodes, arc)) {
-    return {1, any_more, arc.length_px + least_weight, false};
+  if (is_under_cover(arrangement.network(), covered_nodes, arc)) {
+    return {1, any_more, arc.length_px + prices.least, false};
   }
-  if (is_outline(arrangement, arc)) return {0, 0, outline_weight, true};
+  if (is_outline(arrangement, arc)) return {0, 0, prices.outline, true};
   return {};
 }
 
-// The arcs of a path that are asked.
+// The arcs of a path that are asked. Of equally long ones the first: a closed path of equal arcs
+// must not be asked elsewhere on another system.
 std::vector<std::size_t> longest_arcs(const std::vector<PathArc>& arcs,
                                       const std::vector<Evidence>& evidence) {
   std::vector<std::size_t> order;
@@ -83,23 +80,23 @@ Evidence ask(const Arrangement& arrangement, const PathArc& arc, LayerRays& rays
   std::sort(counts.begin(), counts.end(), [](const LayerCount& a, const LayerCount& b) {
     return std::tie(a.layers, b.beside_nothing) < std::tie(b.layers, a.beside_nothing);
   });
-  const double sure = std::min(beside_nothing_px, beside_nothing_share * arc.length_px);
+  const double sure = std::min(prices.beside_nothing, prices.beside_nothing_share * arc.length_px);
   const LayerCount& middle = counts[1];
-  const double weight = arc.length_px + (middle.beside_nothing ? sure : 0) + least_weight;
+  const double weight = arc.length_px + (middle.beside_nothing ? sure : 0) + prices.least;
   return {middle.layers, middle.unsure, weight, middle.beside_nothing};
 }
 
 }  // namespace
 
 double missed_share(const Evidence& evidence) {
-  return evidence.beside_nothing ? 1 : usual_missed_share;
+  return evidence.beside_nothing ? 1 : prices.missed_share;
 }
 
 std::vector<std::vector<Evidence>> gather_evidence(const Arrangement& arrangement,
                                                    const std::vector<std::vector<PathArc>>& arcs,
                                                    LayerRays& rays, int threads,
                                                    const Progress& progress) {
-  const CurveNetwork& network = *arrangement.network;
+  const CurveNetwork& network = arrangement.network();
   const std::vector<std::uint8_t> covered_nodes = nodes_under_cover(network);
   std::vector<std::size_t> sizes;
   for (const std::vector<PathArc>& path : arcs) sizes.push_back(path.size());

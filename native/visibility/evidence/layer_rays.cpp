@@ -3,16 +3,13 @@
 #include <algorithm>
 
 #include "mesh/polygons.h"
+#include "surface/edge_kinds.h"
 #include "surface/locate.h"
+#include "visibility/reaches.h"
 
 namespace illustrate {
 namespace {
 
-// How far beside a fold rays start. The interpolated contour of a rim narrower than the triangles
-// runs up to a pixel inside their outline; a farther ray then finds fewer layers, in front and
-// behind. Fewer in front alone: another curve runs between.
-constexpr std::array<double, 3> asides_px{0.2, 0.7, 2.0};
-constexpr double blind_px = 3;     // hits nearer than this may be the curve's own surface
 constexpr double blind_edges = 3;  // so may those be that are nearer than so many edges of the
                                    // curve's triangle, for silhouettes
 constexpr double blind_diagonals = 0.01;  // and never more than this share of everything's diagonal
@@ -32,7 +29,7 @@ Vec3 LayerRays::beside(const Vec3& p, const Vec2& along_px, double aside_px) con
 }
 
 double LayerRays::blind_distance(const Strand& strand, int triangle, const Vec3& p) const {
-  const double pixels = blind_px * camera_.pixel_size(p);
+  const double pixels = reaches.blind * camera_.pixel_size(p);
   if (strand.kind != Kind::silhouette) return pixels;
   const double edges = blind_edges * longest_edge(surface_, triangle);
   return std::max(pixels, std::min(edges, blind_diagonals * surface_.diagonal));
@@ -63,9 +60,7 @@ LayerRays::Side LayerRays::side_of_touch(int triangle, const Touching& curve) co
 bool LayerRays::is_beyond_rim(int triangle, const Corners& corners, const Vec3& normal,
                               const Vec3& p) const {
   for (int k = 0; k < 3; ++k) {
-    const EdgeKind kind = surface_.edge_kinds[idx(triangle)][idx(k)];
-    const bool is_rim =
-        kind == EdgeKind::boundary || kind == EdgeKind::crease || kind == EdgeKind::seam;
+    const bool is_rim = parts_surface(surface_.edge_kinds[idx(triangle)][idx(k)]);
     const Vec3& from = corners[idx(k)];
     if (is_rim && normal.dot((corners[idx(next_corner(k))] - from).cross(p - from)) < 0)
       return true;
@@ -95,7 +90,7 @@ LayerCount LayerRays::count_from(const Vec3& origin, double blind, const Touchin
 }
 
 LayerCount LayerRays::count(const Arrangement& arrangement, const StrandPlace& place) {
-  const CurveNetwork& network = *arrangement.network;
+  const CurveNetwork& network = arrangement.network();
   const Strand& strand = network.strands[idx(place.strand)];
   const std::size_t i = arrangement.point(place.strand, place.segment);
   const std::size_t j = arrangement.point(place.strand, place.segment + 1);
@@ -106,10 +101,11 @@ LayerCount LayerRays::count(const Arrangement& arrangement, const StrandPlace& p
     const LayerCount on_curve = count_from(p, blind, curve);
     return {on_curve.layers, on_curve.unsure, on_curve.behind, false};
   }
-  const Vec2 along = arrangement.image.image[j] - arrangement.image.image[i];
-  LayerCount result = count_from(beside(p, along, asides_px[0]), blind, curve);
-  for (std::size_t k = 1; k < asides_px.size() && result.before() > 0; ++k) {
-    const LayerCount farther = count_from(beside(p, along, asides_px[k]), blind, curve);
+  const Vec2 along = arrangement.image().image[j] - arrangement.image().image[i];
+  LayerCount result = count_from(beside(p, along, reaches.aside_first), blind, curve);
+  for (const double aside : {reaches.aside_second, reaches.aside_last}) {
+    if (result.before() == 0) break;
+    const LayerCount farther = count_from(beside(p, along, aside), blind, curve);
     const bool leaves_own_rim =
         farther.before() < result.before() && farther.behind < result.behind;
     if (leaves_own_rim) result = farther;

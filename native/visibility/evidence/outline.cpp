@@ -5,16 +5,14 @@
 #include <limits>
 #include <utility>
 
+#include "visibility/reaches.h"
 namespace illustrate {
 namespace {
 
 constexpr int directions = 8;
 constexpr double half_turn = 3.141592653589793;
-constexpr double row_px = 0.5;
 constexpr int most_rows = 8192;  // a drawing that reaches far out of the frame gets wider rows
-constexpr double clear_px =
-    0.05;  // nearer curves on a scan line are one line: neither is certain to be first
-constexpr int finer_rows = 16;  // in a row where they are
+constexpr int finer_rows = 16;   // in a row where they are
 
 // The nearest two curves to one end of a scan line.
 struct RowEnd {
@@ -64,7 +62,7 @@ class OutlineScan {
       low = std::min(low, rows_[p]);
       high = std::max(high, rows_[p]);
     }
-    const double row = std::max(row_px, (high - low) / most_rows);
+    const double row = std::max(reaches.outline_row, (high - low) / most_rows);
     low = (std::floor(low / row) - 0.5) * row;
     for (std::size_t p = 0; p < points_.size(); ++p) {
       rows_[p] = (rows_[p] - low) / row;
@@ -87,7 +85,8 @@ class OutlineScan {
   void note_hits() {
     for (const std::vector<RowEnd>* ends : {&lower_, &upper_}) {
       for (const RowEnd& e : *ends) {
-        if (e.segment != none && e.second - e.first > clear_px) hits_[idx(e.segment)] = e.fraction;
+        if (e.segment != none && e.second - e.first > reaches.outline_clear)
+          hits_[idx(e.segment)] = e.fraction;
       }
     }
   }
@@ -95,7 +94,9 @@ class OutlineScan {
   // Curves that run close together on the outside change places between two rows. Whether there
   // are any; numbers the rows where they may.
   bool find_unclear_rows() {
-    const auto is_unclear = [](const RowEnd& e) { return e.second - e.first <= clear_px; };
+    const auto is_unclear = [](const RowEnd& e) {
+      return e.second - e.first <= reaches.outline_clear;
+    };
     const std::size_t count = lower_.size();
     finer_.assign(count + 1, 0);
     for (std::size_t row = 0; row < count; ++row) {

@@ -36,7 +36,8 @@ void MinCut::plant() {
 void MinCut::solve() {
   plant();
   while (!active_.empty()) {
-    const int node = active_.front();
+    const int node =
+        active_.front();  // the oldest: both trees grow in breadth, and paths are short
     if (nodes_[idx(node)].parent == none) {
       nodes_[idx(node)].is_active = false;
       active_.pop_front();
@@ -181,7 +182,8 @@ void MinCut::adopt(int node) {
 }
 
 // Nodes that the source reaches through what has room, or that reach the sink.
-std::vector<std::uint8_t> MinCut::reached(bool from_source) const {
+std::vector<std::uint8_t> MinCut::reached_from(Tree root) const {
+  const bool from_source = root == Tree::source;
   std::vector<std::uint8_t> reached(nodes_.size(), 0);
   std::vector<int> stack;
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
@@ -202,10 +204,10 @@ std::vector<std::uint8_t> MinCut::reached(bool from_source) const {
   return reached;
 }
 
-std::vector<std::uint8_t> MinCut::smallest() const { return reached(true); }
+std::vector<std::uint8_t> MinCut::smallest() const { return reached_from(Tree::source); }
 
 std::vector<std::uint8_t> MinCut::largest() const {
-  std::vector<std::uint8_t> chosen = reached(false);
+  std::vector<std::uint8_t> chosen = reached_from(Tree::sink);
   for (std::uint8_t& is_chosen : chosen) is_chosen = !is_chosen;
   return chosen;
 }

@@ -70,7 +70,7 @@ class MinCut {
   void adopt(int node);
   void set_free(int node);
   int distance_to_terminal(int node);
-  std::vector<std::uint8_t> reached(bool from_source) const;
+  std::vector<std::uint8_t> reached_from(Tree root) const;
 
   std::vector<Node> nodes_;
   std::vector<Half> halves_;

@@ -18,8 +18,8 @@ class PathWalker {
  private:
   void walk(int step) {
     const int strand = path_.strands[idx(step)];
-    const int count = static_cast<int>(arrangement_.visits[idx(strand)].size());
-    const bool closed = arrangement_.network->strands[idx(strand)].closed();
+    const int count = static_cast<int>(arrangement_.visits(strand).size());
+    const bool closed = arrangement_.strand(strand).closed();
     if (!closed || count == 0) add_arc(step, none, count == 0 ? none : 0);
     for (int v = 0; v < count; ++v) {
       const bool is_last = v + 1 == count;
@@ -28,14 +28,14 @@ class PathWalker {
   }
 
   StrandPlace place(int strand, int visit, int point) const {
-    if (visit != none) return arrangement_.visits[idx(strand)][idx(visit)].place;
+    if (visit != none) return arrangement_.visits(strand)[idx(visit)].place;
     return {strand, point, 0};
   }
 
   void add_arc(int step, int begin, int end) {
     const int strand = path_.strands[idx(step)];
     const int count = arrangement_.point_count(strand);
-    const bool closed = arrangement_.network->strands[idx(strand)].closed();
+    const bool closed = arrangement_.strand(strand).closed();
     const StrandPlace from = place(strand, begin, 0);
     StrandPlace to = place(strand, end, closed ? count : count - 1);
     const bool wraps = closed && begin != none && end != none && end <= begin;
@@ -71,7 +71,7 @@ class PathWalker {
   }
 
   Vec2 image_of(const StrandPlace& p) const {
-    if (p.fraction == 0) return arrangement_.image.image[arrangement_.point(p.strand, p.segment)];
+    if (p.fraction == 0) return arrangement_.image_of(p.strand, p.segment);
     return arrangement_.image_at(p);
   }
 
@@ -96,9 +96,9 @@ int imbalance(const Arrangement& arrangement, const Path& path) {
   int sum = 0;
   for (std::size_t i = 0; path.cyclic && i < path.strands.size(); ++i) {
     sum += path.jumps[i];
-    for (const Visit& visit : arrangement.visits[idx(path.strands[i])]) {
+    for (const Visit& visit : arrangement.visits(path.strands[i])) {
       if (visit.front || !arrangement.is_live(visit.crossing)) continue;
-      sum += back_change(arrangement, arrangement.crossings[idx(visit.crossing)]);
+      sum += back_change(arrangement, arrangement.crossing(visit.crossing));
     }
   }
   return sum;
@@ -110,7 +110,7 @@ std::vector<PathArc> path_arcs(const Arrangement& arrangement, const Path& path)
 
 std::vector<std::vector<PathArc>> arcs_of_paths(const Arrangement& arrangement) {
   std::vector<std::vector<PathArc>> arcs;
-  for (const Path& path : arrangement.paths) arcs.push_back(path_arcs(arrangement, path));
+  for (const Path& path : arrangement.paths()) arcs.push_back(path_arcs(arrangement, path));
   return arcs;
 }
 

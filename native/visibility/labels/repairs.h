@@ -5,8 +5,6 @@
 
 namespace illustrate {
 
-constexpr double end_px = 0.1;  // a cusp nearer to where its chain ends is not told from the end
-
 // Drops twists (a path crosses itself, all between stays within a pixel, at most one cusp, or
 // within two, no cusp, where nothing else unbalances a closed path; that must come nearer to
 // balance) and lenses whose two crossings contradict each other: consecutive on both strands,
@@ -19,7 +17,7 @@ int drop_twists_and_lenses(Arrangement& arrangement, double& moved_px);
 // a curve where both run on, less than a pixel apart and without crossing again, into their
 // joint, or near it past other nodes (joint_touches.h). So between a contour and the feature curve
 // that it ends on, also past a node of that curve, or past a cusp of the contour no farther than
-// end_px from its end. Returns their number.
+// Reaches::end from its end. Returns their number.
 int drop_touches(Arrangement& arrangement, double& moved_px);
 
 }  // namespace illustrate

@@ -3,22 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "visibility/prices.h"
 namespace illustrate {
 namespace {
-
-// Pixels of wrong label that a broken rule is worth for each pixel that hangs on it, and its least
-// and greatest price. Proportion is what matters, the greatest price hardly.
-constexpr double price_per_px = 5;
-constexpr double least_change_price = 5, greatest_change_price = 120;
-constexpr double least_cover_price = 0.5, greatest_cover_price = 40;
 
 std::int64_t as_price(double px) { return std::llround(px * price_of_pixel); }
 
 double change_price(double extent) {
-  return std::clamp(price_per_px * extent, least_change_price, greatest_change_price);
+  return std::clamp(prices.per_px * extent, prices.least_change, prices.greatest_change);
 }
 double cover_price(double extent) {
-  return std::clamp(price_per_px * extent, least_cover_price, greatest_cover_price);
+  return std::clamp(prices.per_px * extent, prices.least_cover, prices.greatest_cover);
 }
 
 // Where one arc of a path follows another: what changes there by rule.
@@ -31,9 +26,9 @@ struct Transition {
 
 Transition transition_into(const Arrangement& arrangement, const Path& path, const PathArc& arc) {
   if (arc.begin != none) {
-    const Visit& visit = arrangement.visits[idx(arc.strand)][idx(arc.begin)];
+    const Visit& visit = arrangement.visits(arc.strand)[idx(arc.begin)];
     if (visit.front) return {};
-    const Crossing& crossing = arrangement.crossings[idx(visit.crossing)];
+    const Crossing& crossing = arrangement.crossing(visit.crossing);
     return {Transition::At::crossing, visit.crossing, none, back_change(arrangement, crossing)};
   }
   const int jump = path.jumps[idx(arc.step)];
@@ -44,7 +39,7 @@ Transition transition_into(const Arrangement& arrangement, const Path& path, con
 // Layers that the front strand of a crossing adds where the back strand comes from and where it
 // goes, less those that it adds on both sides.
 std::array<int, 2> layers_hidden(const Arrangement& arrangement, const Crossing& crossing) {
-  const Strand& front = arrangement.network->strands[idx(crossing.front.strand)];
+  const Strand& front = arrangement.strand(crossing.front.strand);
   std::array<int, 2> layers{front.right_layers, front.left_layers};
   if (!crossing.enters_left) std::swap(layers[0], layers[1]);
   const int both = std::min(layers[0], layers[1]);
@@ -61,7 +56,7 @@ template <class Visit>
 void for_each_transition(const Arrangement& arrangement,
                          const std::vector<std::vector<PathArc>>& arcs, const Visit& visit) {
   for (std::size_t p = 0; p < arcs.size(); ++p) {
-    const Path& path = arrangement.paths[p];
+    const Path& path = arrangement.paths()[p];
     const std::size_t count = arcs[p].size();
     for (std::size_t i = path.cyclic ? 0 : 1; i < count; ++i) {
       visit(p, i == 0 ? count - 1 : i - 1, i, transition_into(arrangement, path, arcs[p][i]));
@@ -72,18 +67,17 @@ void for_each_transition(const Arrangement& arrangement,
 std::vector<CrossingUnknowns> unknowns_at_crossings(const Arrangement& arrangement,
                                                     const std::vector<std::vector<PathArc>>& arcs,
                                                     const std::vector<std::vector<int>>& unknowns) {
-  std::vector<CrossingUnknowns> result(arrangement.crossings.size());
+  std::vector<CrossingUnknowns> result(arrangement.crossings().size());
   for (std::size_t p = 0; p < arcs.size(); ++p) {
     for (std::size_t i = 0; i < arcs[p].size(); ++i) {
       const PathArc& arc = arcs[p][i];
-      const auto unknown_at = [&](int visit, bool is_begin) {
+      const auto enter = [&](int visit, int CrossingUnknowns::*const behind) {
         if (visit == none) return;
-        const Visit& v = arrangement.visits[idx(arc.strand)][idx(visit)];
-        CrossingUnknowns& at = result[idx(v.crossing)];
-        (v.front ? at.front : is_begin ? at.out : at.in) = unknowns[p][i];
+        const Visit& v = arrangement.visits(arc.strand)[idx(visit)];
+        result[idx(v.crossing)].*(v.front ? &CrossingUnknowns::front : behind) = unknowns[p][i];
       };
-      unknown_at(arc.begin, true);
-      unknown_at(arc.end, false);
+      enter(arc.begin, &CrossingUnknowns::out);
+      enter(arc.end, &CrossingUnknowns::in);
     }
   }
   return result;
@@ -95,7 +89,7 @@ class Statement {
       : arrangement_(arrangement), arcs_(arcs), extents_(extents(arrangement, arcs)) {}
 
   ViewProblem run(const std::vector<std::vector<Evidence>>& evidence) {
-    for (std::size_t p = 0; p < arcs_.size(); ++p) number(arrangement_.paths[p], arcs_[p]);
+    for (std::size_t p = 0; p < arcs_.size(); ++p) number(arrangement_.paths()[p], arcs_[p]);
     for (std::size_t p = 0; p < arcs_.size(); ++p) ask_what_rays_say(p, evidence[p]);
     ask_for_changes();
     ask_for_cover();
@@ -129,7 +123,7 @@ class Statement {
     for (std::size_t i = 0; i < evidence.size(); ++i) {
       const Evidence& e = evidence[i];
       const int unknown = view_.unknowns[p][i];
-      label += transition_into(arrangement_, arrangement_.paths[p], arcs_[p][i]).change;
+      label += transition_into(arrangement_, arrangement_.paths()[p], arcs_[p][i]).change;
       if (e.weight > 0) {
         label = e.layers;
         if (e.unsure == any_more) view_.at_least[idx(unknown)] = 1;
@@ -156,9 +150,9 @@ class Statement {
     const std::vector<CrossingUnknowns> at =
         unknowns_at_crossings(arrangement_, arcs_, view_.unknowns);
     for (std::size_t c = 0; c < at.size(); ++c) {
-      if (arrangement_.states[c] != CrossingState::live) continue;
+      if (!arrangement_.is_live(static_cast<int>(c))) continue;
       if (view_.at_least[idx(at[c].front)]) continue;
-      const auto [in, out] = layers_hidden(arrangement_, arrangement_.crossings[c]);
+      const auto [in, out] = layers_hidden(arrangement_, arrangement_.crossings()[c]);
       const std::int64_t price = as_price(cover_price(extents_.crossings[c]) / 2);
       add({at[c].front, at[c].in, in, price, 0});
       add({at[c].front, at[c].out, out, price, 0});
@@ -201,7 +195,7 @@ class Relabelling {
 
   static Begin begin_of(const Arrangement& arrangement, const PathArc& arc) {
     if (arc.begin == none) return {arc.strand, none, 0};
-    const Visit& visit = arrangement.visits[idx(arc.strand)][idx(arc.begin)];
+    const Visit& visit = arrangement.visits(arc.strand)[idx(arc.begin)];
     return {arc.strand, visit.crossing, visit.front};
   }
 
@@ -220,6 +214,65 @@ class Relabelling {
   std::vector<Begin> begins_;
 };
 
+// Demotes what labels contradict. How many of these are repairs: not those whose front strand is
+// under cover, where it is only known that there is something in front.
+class GiveWay {
+ public:
+  GiveWay(Arrangement& arrangement, const ViewProblem& view, const std::vector<int>& labels)
+      : arrangement_(arrangement),
+        view_(view),
+        labels_(labels),
+        is_demoted_(arrangement.crossings().size(), 0) {}
+
+  std::int64_t run(const std::vector<std::vector<PathArc>>& arcs) {
+    check_cover(unknowns_at_crossings(arrangement_, arcs, view_.unknowns));
+    check_changes(arcs);
+    std::vector<int> demoted;
+    for (std::size_t c = 0; c < is_demoted_.size(); ++c) {
+      if (is_demoted_[c]) demoted.push_back(static_cast<int>(c));
+    }
+    arrangement_.demote(demoted);
+    return repairs_;
+  }
+
+ private:
+  int label(int unknown) const { return labels_[idx(unknown)]; }
+
+  void check_cover(const std::vector<CrossingUnknowns>& at) {
+    for (int c = 0; c < static_cast<int>(at.size()); ++c) {
+      if (!arrangement_.is_live(c)) continue;
+      const CrossingUnknowns& unknowns = at[idx(c)];
+      const auto [in, out] = layers_hidden(arrangement_, arrangement_.crossing(c));
+      const int front = label(unknowns.front);
+      if (label(unknowns.in) >= front + in && label(unknowns.out) >= front + out) continue;
+      is_demoted_[idx(c)] = 1;
+      repairs_ += view_.at_least[idx(unknowns.front)] ? 0 : 1;
+    }
+  }
+
+  void check_changes(const std::vector<std::vector<PathArc>>& arcs) {
+    for_each_transition(arrangement_, arcs,
+                        [&](std::size_t p, std::size_t before, std::size_t i, const Transition& t) {
+                          const std::vector<int>& unknowns = view_.unknowns[p];
+                          const int change = label(unknowns[i]) - label(unknowns[before]);
+                          if (t.at == Transition::At::nothing || change == t.change) return;
+                          if (t.at == Transition::At::cusp) {
+                            arrangement_.make_joint(static_cast<int>(p), t.step);
+                            ++repairs_;
+                          } else if (!is_demoted_[idx(t.crossing)]) {
+                            is_demoted_[idx(t.crossing)] = 1;
+                            ++repairs_;
+                          }
+                        });
+  }
+
+  Arrangement& arrangement_;
+  const ViewProblem& view_;
+  const std::vector<int>& labels_;
+  std::vector<std::uint8_t> is_demoted_;  // (crossings)
+  std::int64_t repairs_ = 0;
+};
+
 }  // namespace
 
 ViewProblem state_labels(const Arrangement& arrangement,
@@ -232,38 +285,14 @@ std::vector<LabelledPath> settle_labels(Arrangement& arrangement,
                                         std::vector<std::vector<PathArc>> arcs,
                                         const ViewProblem& view, const std::vector<int>& labels,
                                         std::int64_t& repairs) {
-  const auto demote = [&](int crossing, bool is_repair = true) {
-    CrossingState& state = arrangement.states[idx(crossing)];
-    if (state == CrossingState::live && is_repair) ++repairs;
-    state = CrossingState::demoted;
-  };
-  const auto label = [&](int unknown) { return labels[idx(unknown)]; };
-  const std::vector<CrossingUnknowns> at = unknowns_at_crossings(arrangement, arcs, view.unknowns);
-  for (std::size_t c = 0; c < at.size(); ++c) {
-    if (!arrangement.is_live(static_cast<int>(c))) continue;
-    const auto [in, out] = layers_hidden(arrangement, arrangement.crossings[c]);
-    const int front = label(at[c].front);
-    if (label(at[c].in) < front + in || label(at[c].out) < front + out) {
-      demote(static_cast<int>(c), !view.at_least[idx(at[c].front)]);
-    }
-  }
-  for_each_transition(arrangement, arcs,
-                      [&](std::size_t p, std::size_t before, std::size_t i, const Transition& t) {
-                        const std::vector<int>& unknowns = view.unknowns[p];
-                        const int change = label(unknowns[i]) - label(unknowns[before]);
-                        if (t.at == Transition::At::nothing || change == t.change) return;
-                        if (t.at == Transition::At::crossing) return demote(t.crossing);
-                        arrangement.paths[p].is_joint[idx(t.step)] = 1;
-                        ++repairs;
-                      });
   std::vector<Relabelling> relabellings;
   for (const std::vector<PathArc>& path : arcs) relabellings.emplace_back(arrangement, path);
-  arrangement.forget_visits();
+  repairs += GiveWay(arrangement, view, labels).run(arcs);
   std::vector<LabelledPath> result;
   for (std::size_t p = 0; p < arcs.size(); ++p) {
     std::vector<int> layers;
-    for (const int unknown : view.unknowns[p]) layers.push_back(label(unknown));
-    result.push_back(relabellings[p].run(arrangement, arrangement.paths[p], layers));
+    for (const int unknown : view.unknowns[p]) layers.push_back(labels[idx(unknown)]);
+    result.push_back(relabellings[p].run(arrangement, arrangement.paths()[p], layers));
   }
   return result;
 }

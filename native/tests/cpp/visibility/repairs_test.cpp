@@ -52,11 +52,11 @@ CurveNetwork curled_square(int first_jump, int second_jump, double scale = 1) {
 TEST(Twists, OfUnbalancedPathsAreDropped) {
   const CurveNetwork network = curled_square(0, 0);
   Arrangement arrangement = arrange(network, one_px);
-  ASSERT_EQ(arrangement.crossings.size(), 1U);
-  ASSERT_EQ(std::abs(imbalance(arrangement, arrangement.paths[0])), 2);
+  ASSERT_EQ(arrangement.crossings().size(), 1U);
+  ASSERT_EQ(std::abs(imbalance(arrangement, arrangement.paths()[0])), 2);
   double moved_px = 0;
   EXPECT_EQ(drop_twists_and_lenses(arrangement, moved_px), 1);
-  EXPECT_EQ(imbalance(arrangement, arrangement.paths[0]), 0);
+  EXPECT_EQ(imbalance(arrangement, arrangement.paths()[0]), 0);
   EXPECT_NEAR(moved_px, std::hypot(.3, .3), 1e-3);
 }
 
@@ -78,10 +78,10 @@ TEST(Twists, OfTwoPixelsAreDroppedWhereNothingElseUnbalancesAPath) {
 TEST(Twists, ThatBalanceAPathAreKept) {
   CurveNetwork network = curled_square(0, 0);
   const Arrangement bare = arrange(network, one_px);
-  const int half = -imbalance(bare, bare.paths[0]) / 2;
+  const int half = -imbalance(bare, bare.paths()[0]) / 2;
   network = curled_square(half, half);
   Arrangement arrangement = arrange(network, one_px);
-  ASSERT_EQ(imbalance(arrangement, arrangement.paths[0]), 0);
+  ASSERT_EQ(imbalance(arrangement, arrangement.paths()[0]), 0);
   double moved_px = 0;
   EXPECT_EQ(drop_twists_and_lenses(arrangement, moved_px), 0);
   EXPECT_TRUE(arrangement.is_live(0));
@@ -111,8 +111,8 @@ CurveNetwork hole_with_two_swallowtails() {
 TEST(Swallowtails, ThatCrossThemselvesStay) {
   const CurveNetwork network = hole_with_two_swallowtails();
   Arrangement arrangement = arrange(network, one_px);
-  ASSERT_EQ(arrangement.crossings.size(), 1U);
-  const Path& path = arrangement.paths[0];
+  ASSERT_EQ(arrangement.crossings().size(), 1U);
+  const Path& path = arrangement.paths()[0];
   ASSERT_EQ(imbalance(arrangement, path), 2);
   double moved_px = 0;
   EXPECT_EQ(collapse_swallowtails(arrangement, moved_px), 1);
@@ -155,7 +155,7 @@ CurveNetwork contour_run_through(double slope) {
 TEST(Touches, OfACurveThatLeavesItsSurfaceAreDroppedPastNodes) {
   const CurveNetwork network = contour_run_through(-.25);
   Arrangement arrangement = arrange(network, one_px);
-  ASSERT_EQ(arrangement.crossings.size(), 1U);
+  ASSERT_EQ(arrangement.crossings().size(), 1U);
   double moved_px = 0;
   EXPECT_EQ(drop_touches(arrangement, moved_px), 1);
   EXPECT_FALSE(arrangement.is_live(0));
@@ -165,7 +165,7 @@ TEST(Touches, OfACurveThatLeavesItsSurfaceAreDroppedPastNodes) {
 TEST(Touches, OfACurveThatStaysOnItsSurfaceAreNone) {
   const CurveNetwork network = contour_run_through(.25);
   Arrangement arrangement = arrange(network, one_px);
-  ASSERT_EQ(arrangement.crossings.size(), 1U);
+  ASSERT_EQ(arrangement.crossings().size(), 1U);
   double moved_px = 0;
   EXPECT_EQ(drop_touches(arrangement, moved_px), 0);
   EXPECT_TRUE(arrangement.is_live(0));
@@ -216,7 +216,7 @@ TEST(Touches, OfAContourWithTheCreaseThatItEndsOnAreDroppedPastANode) {
   const auto dropped = [](double link_px, Kind link) {
     const CurveNetwork network = contour_ends_beside_a_node(link_px, link);
     Arrangement arrangement = arrange(network, one_px);
-    EXPECT_EQ(arrangement.crossings.size(), 1U);
+    EXPECT_EQ(arrangement.crossings().size(), 1U);
     double moved_px = 0;
     return drop_touches(arrangement, moved_px);
   };
@@ -241,7 +241,7 @@ TEST(Touches, OfAContourThatEndsRightBehindACuspAreDropped) {
   const auto dropped = [](double tip_px) {
     const CurveNetwork network = contour_ends_behind_a_cusp(tip_px);
     Arrangement arrangement = arrange(network, one_px);
-    EXPECT_EQ(arrangement.crossings.size(), 1U);
+    EXPECT_EQ(arrangement.crossings().size(), 1U);
     double moved_px = 0;
     return drop_touches(arrangement, moved_px);
   };
@@ -289,7 +289,7 @@ int jump_over_a_tip(bool ends_far) {
   Arrangement arrangement = arrange(network, one_px);
   double moved_px = 0;
   drop_touches(arrangement, moved_px);
-  for (const Path& path : arrangement.paths) {
+  for (const Path& path : arrangement.paths()) {
     if (network.strands[idx(path.strands[0])].kind == Kind::intersection) return path.jumps[1];
   }
   return 0;
@@ -330,14 +330,14 @@ CurveNetwork square_with_a_lens(int jump) {
 
 TEST(Lenses, ThatContradictThemselvesAreDroppedUnlessTheyBalanceAPath) {
   const auto imbalance_of_closed = [](const Arrangement& arrangement) {
-    for (const Path& path : arrangement.paths) {
+    for (const Path& path : arrangement.paths()) {
       if (path.cyclic) return imbalance(arrangement, path);
     }
     return 99;
   };
   const CurveNetwork plain = square_with_a_lens(0);
   Arrangement arrangement = arrange(plain, one_px);
-  ASSERT_EQ(arrangement.crossings.size(), 2U);
+  ASSERT_EQ(arrangement.crossings().size(), 2U);
   const int change = imbalance_of_closed(arrangement);
   ASSERT_EQ(std::abs(change), 2);
   double moved_px = 0;

@@ -46,7 +46,7 @@ CurveNetwork rim_beside_fold(bool turned, bool is_crossed) {
 std::vector<Vec2> drawn(const Arrangement& arrangement, int strand) {
   std::vector<Vec2> line;
   for (int i = 0; i < arrangement.point_count(strand); ++i) {
-    const Vec2& image = arrangement.image.image[arrangement.point(strand, i)];
+    const Vec2& image = arrangement.image_of(strand, i);
     line.emplace_back(image.x() - 500, 500 - image.y());
   }
   if (line.front().x() > line.back().x()) std::reverse(line.begin(), line.end());
@@ -84,7 +84,7 @@ TEST(TouchImages, AreMovedNowhereElse) {
   const CurveNetwork network = rim_beside_fold(false, false);
   const Arrangement before = arrange(network, one_px), after = pulled_together(network);
   for (const int p : {0, 1, 4, 5}) {
-    EXPECT_EQ(after.image.image[before.point(1, p)], before.image.image[before.point(1, p)]) << p;
+    EXPECT_EQ(after.image_of(1, p), before.image_of(1, p)) << p;
   }
 }
 
@@ -93,7 +93,7 @@ TEST(TouchImages, StayWhereTheyAreFarOutside) {
   CurveNetwork network = rim_beside_fold(false, false);
   network.points.values[fold.size() + 3].position.y() = -.5;
   const Arrangement before = arrange(network, one_px), after = pulled_together(network);
-  EXPECT_EQ(after.image.image[before.point(1, 3)], before.image.image[before.point(1, 3)]);
+  EXPECT_EQ(after.image_of(1, 3), before.image_of(1, 3));
 }
 
 // Its crossings would no longer lie on the curves.
@@ -101,9 +101,9 @@ TEST(TouchImages, StayWhereAnotherCurveCrosses) {
   const CurveNetwork network = rim_beside_fold(false, true);
   const Arrangement before = arrange(network, one_px), after = pulled_together(network);
   ASSERT_EQ(after.live_crossings(), 2);
-  for (std::size_t c = 0; c < after.crossings.size(); ++c) {
-    if (!after.is_live(static_cast<int>(c))) continue;
-    EXPECT_LT((after.image_at(after.crossings[c].back) - after.crossings[c].image).norm(), 1e-3);
+  for (int c = 0; c < static_cast<int>(after.crossings().size()); ++c) {
+    if (!after.is_live(c)) continue;
+    EXPECT_LT((after.image_at(after.crossing(c).back) - after.crossing(c).image).norm(), 1e-3);
   }
   EXPECT_EQ(drawn(after, 1), drawn(before, 1));
 }

@@ -39,7 +39,7 @@ struct Scene {
 
   explicit Scene(double half)
       : network(square_before_triangle(half)), arrangement(arrange(network, one_px)) {
-    for (const Path& path : arrangement.paths) arcs.push_back(path_arcs(arrangement, path));
+    for (const Path& path : arrangement.paths()) arcs.push_back(path_arcs(arrangement, path));
   }
 
   // Labels of the triangle's two arcs, the longer one first, when its longer arc is said to have
@@ -64,14 +64,14 @@ struct Scene {
 TEST(Crossings, OfTwoCoveredCurvesAreNotAskedFor) {
   CurveNetwork network = square_before_triangle(2);
   network.strands[0].sight = Sight::covered;
-  EXPECT_EQ(arrange(network, one_px).crossings.size(), 2U);
+  EXPECT_EQ(arrange(network, one_px).crossings().size(), 2U);
   network.strands[1].sight = Sight::covered;
-  EXPECT_EQ(arrange(network, one_px).crossings.size(), 0U);
+  EXPECT_EQ(arrange(network, one_px).crossings().size(), 0U);
 }
 
 TEST(Extents, OfALensIsTheShortestWayBetweenItsCrossings) {
   const Scene scene(2);
-  ASSERT_EQ(scene.arrangement.crossings.size(), 2U);
+  ASSERT_EQ(scene.arrangement.crossings().size(), 2U);
   for (const double extent : extents(scene.arrangement, scene.arcs).crossings) {
     EXPECT_NEAR(extent, 4, 1e-3);
   }
@@ -92,7 +92,7 @@ TEST(Extents, OfACuspReachToTheNextOne) {
   }
   network.ties = {{1, 0, 1, 1}, {0, 1, 0, -1}};
   const Arrangement arrangement = arrange(network, one_px);
-  const Extents found = extents(arrangement, {path_arcs(arrangement, arrangement.paths[0])});
+  const Extents found = extents(arrangement, {path_arcs(arrangement, arrangement.paths()[0])});
   EXPECT_NEAR(found.cusps[0][0], 30, 1e-3);
   EXPECT_NEAR(found.cusps[0][1], 30, 1e-3);
 }
