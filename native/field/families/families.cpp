@@ -83,6 +83,7 @@ class FamilyProblem {
       for (const int v : pieces[p]) piece_of[idx(v)] = static_cast<int>(p);
     }
     std::vector<int> result(pieces.size(), none);
+    // Backwards: the first triangle of a piece is the last to be written down.
     for (std::size_t t = surface_.triangles.size(); t-- > 0;) {
       result[idx(piece_of[idx(surface_.triangles[t][0])])] = static_cast<int>(t);
     }

@@ -40,6 +40,7 @@ Families last_families(const Surface& surface, const CrossField& field, const La
   const Points moved = moved_directions(surface, same, last);
   Families families;
   for (std::size_t v = 0; v < moved.size(); ++v) {
+    // Where the last direction runs between both, or is zero, it is taken to run along.
     const double along = std::abs(field.directions[v].dot(moved[v]));
     const bool is_along = along >= std::abs(across(surface, field, v).dot(moved[v]));
     families.push_back(same.last_vertex(v) == none ? std::int8_t{0}

@@ -22,6 +22,7 @@ std::vector<int> order_of(std::size_t count, SeededNumbers* shuffle) {
   return order;
 }
 
+// Of equally strong ones the first.
 const SignedLink* strongest_open_link(const SignedGraph& graph, const Labels& labels, int node,
                                       const std::vector<Membership>& members) {
   const SignedLink* best = nullptr;
@@ -74,7 +75,9 @@ SignedGraph coarsen(const SignedGraph& fine, const Labels& labels, SeededNumbers
   SignedGraph coarse;
   coarse.pulls.assign(pairs.size(), 0);
   coarse.links.values.reserve(fine.links.values.size() * 2 / 3);
-  std::vector<int> slots(pairs.size(), none);  // of a link to there, in the list being built
+  // Of a link to there, in the list being built: links come in the order in which fine ones first
+  // lead there, which no hash decides.
+  std::vector<int> slots(pairs.size(), none);
   std::vector<SignedLink>& all = coarse.links.values;
   for (std::size_t a = 0; a < pairs.size(); ++a) {
     const std::size_t first = all.size();

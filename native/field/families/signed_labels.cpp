@@ -85,6 +85,7 @@ class Refiner {
   }
 
   // The cheapest flips one after another, each beside those before; whether anything was gained.
+  // The queue holds old prices too, and takes the lower node of two at one price.
   bool search_from(int first) {
     Queue queue;
     std::vector<int> moved;
