@@ -30,7 +30,7 @@ class Sweeper {
   Hatches run() {
     for (int h = 0; h < static_cast<int>(is_kept_.size()); ++h) {
       const bool is_crumb = length(h) < (has_lived(h) ? least_lived : least_length) * spacing(h);
-      if (!is_crumb || !(meets_tone(h, false) || meets_tone(h, true))) keep(h);
+      if (!is_crumb || !(starts_with_tone(h) || ends_with_tone(h))) keep(h);
     }
     leave_out_lone();
     return kept();
@@ -65,12 +65,15 @@ class Sweeper {
   }
 
   // Whether a hatch starts, or ends, where the tone for its kind does.
-  bool meets_tone(int hatch, bool at_end) const {
+  bool starts_with_tone(int hatch) const { return ends_with_tone(hatch, 1, 0); }
+  bool ends_with_tone(int hatch) const {
+    const std::size_t last = curve(hatch).size() - 1;
+    return ends_with_tone(hatch, last - 1, last);
+  }
+  bool ends_with_tone(int hatch, std::size_t before, std::size_t last) const {
     const Span<const HatchPoint> points = curve(hatch);
-    const std::size_t last = points.size() - 1;
     const std::optional<Region> beyond =
-        region_beyond(scene_, points[at_end ? last - 1 : 1].image, points[at_end ? last : 0].image,
-                      end_reach * spacing(hatch));
+        region_beyond(scene_, points[before].image, points[last].image, end_reach * spacing(hatch));
     return beyond && !suits(*beyond, hatches_.kinds[idx(hatch)]);
   }
 
@@ -80,7 +83,8 @@ class Sweeper {
                                     : region == Region::single && kind == Kind::hatch;
   }
 
-  // Of those that there are now, all at once.
+  // Of those that there are now, all at once: one that goes takes no other with it, whatever their
+  // order.
   void leave_out_lone() {
     std::vector<int> lone;
     for (int h = 0; h < static_cast<int>(is_kept_.size()); ++h) {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/parallel.h"
+#include "hatch/even_rules.h"
 #include "hatch/streamlines/cut_streamlines.h"
 #include "hatch/streamlines/edge_seeds.h"
 #include "hatch/streamlines/finish_streamlines.h"
@@ -21,19 +22,6 @@
 namespace illustrate {
 namespace {
 
-// Of the curves that a view starts from; finer ones would find no room. In spacings.
-constexpr double finest_radius = 0.8;
-
-// How far beyond where they are wanted hatches are placed, in spacings: of the family that stays,
-// and of the other one.
-constexpr double midtone_margin = 8;
-constexpr double shadow_margin = 3;
-
-// What the last drawing placed stays unless it has become uneven by so much, in spacings. Half of
-// it moves three times as much of what rests beside something that moves, twice of it leaves frames
-// less even after a while.
-constexpr double least_move = 0.06;
-
 // Of each object, one after another: none hinders another.
 void place_surface_curves(StreamlineSet& set, const HatchView& view, const CurvesOfObjects& curves,
                           const Progress& progress) {
@@ -49,34 +37,34 @@ void place_surface_curves(StreamlineSet& set, const HatchView& view, const Curve
 void place_anew(StreamlineSet& set, const HatchView& view, const CurvesOfObjects& curves,
                 const std::vector<StreamlineNode>& seeds, int threads, const Progress& progress) {
   place_surface_curves(set, view, curves, progress.part(0, 0.3));
-  fill_streamlines(set, view, seeds, {0.9, 0.6, 1.5}, progress.part(0.3, 0.4));
+  fill_streamlines(set, view, seeds, even_rules.wide_gaps(), progress.part(0.3, 0.4));
   merge_streamlines(set, view);
-  relax_streamlines(set, view, 5, threads, progress.part(0.4, 0.7));
-  cut_streamlines(set, view, 0.5, 1.5);
+  relax_streamlines(set, view, even_rules.first_sweeps, threads, progress.part(0.4, 0.7));
+  cut_streamlines(set, view, even_rules.cut_test, even_rules.first_least);
   progress.report(0.7);
-  extend_streamlines(set, view, 0.65);
-  set.drop_shorter(1.5);
-  fill_streamlines(set, view, seeds, {0.75, 0.55, 1}, progress.part(0.75, 0.8));
+  extend_streamlines(set, view, even_rules.extend_test);
+  set.drop_shorter(even_rules.first_least);
+  fill_streamlines(set, view, seeds, even_rules.gaps(), progress.part(0.75, 0.8));
   merge_streamlines(set, view);
-  thin_streamlines(set, view, 1.1);
-  relax_streamlines(set, view, 2, threads, progress.part(0.8, 1));
-  cut_streamlines(set, view, 0.5, 1);
+  thin_streamlines(set, view, even_rules.first_thin);
+  relax_streamlines(set, view, even_rules.last_sweeps, threads, progress.part(0.8, 1));
+  cut_streamlines(set, view, even_rules.cut_test, even_rules.last_least);
 }
 
 // A drawing that follows another: what was even moves little. Objects that have curves are new.
 void place_after(StreamlineSet& set, const HatchView& view, const Ragged<SurfacePoint>& first,
                  const CurvesOfObjects& curves, const std::vector<StreamlineNode>& seeds,
                  int threads, const Progress& progress) {
-  place_curves(set, view, first, {0.5, 0.5, 0.5, true}, progress.part(0, 0.2));
+  place_curves(set, view, first, even_rules.kept(), progress.part(0, 0.2));
   place_surface_curves(set, view, curves, progress.part(0.2, 0.3));
-  extend_streamlines(set, view, 0.65);
+  extend_streamlines(set, view, even_rules.extend_test);
   merge_streamlines(set, view);
-  fill_streamlines(set, view, seeds, {0.75, 0.65, 1.5}, progress.part(0.3, 0.4));
+  fill_streamlines(set, view, seeds, even_rules.new_gaps(), progress.part(0.3, 0.4));
   for (int round = 0; round < 2; ++round) {
     progress.report(0.4 + 0.3 * round);
     if (round > 0) merge_streamlines(set, view);
-    relax_streamlines(set, view, 1, threads, {}, least_move);
-    cut_streamlines(set, view, 0.5, 1);
+    relax_streamlines(set, view, 1, threads, {}, even_rules.least_move);
+    cut_streamlines(set, view, even_rules.cut_test, even_rules.last_least);
   }
 }
 
@@ -94,15 +82,15 @@ void finish_ends(StreamlineSet& set, const HatchView& view,
                  const std::vector<StreamlineNode>& seeds, const std::vector<SurfacePoint>& strips,
                  int threads, const Progress& progress) {
   progress.report(0);
-  extend_tips(set, view, 0.7, 0.59);
+  extend_tips(set, view, even_rules.tip_step_test, even_rules.tip_test);
   merge_streamlines(set, view);
-  set.drop_shorter(0.5);
-  fill_streamlines(set, view, seeds, {0.77, 0.55, 0.75}, progress.part(0.3, 0.6));
-  fill_streamlines(set, view, edge_seeds(set, view, strips), {0.75, 0.5, 0.4},
+  set.drop_shorter(even_rules.least_tip);
+  fill_streamlines(set, view, seeds, even_rules.rests(), progress.part(0.3, 0.6));
+  fill_streamlines(set, view, edge_seeds(set, view, strips), even_rules.strips(),
                    progress.part(0.6, 0.9));
   merge_streamlines(set, view);
-  thin_streamlines(set, view, 1);
-  extend_tips(set, view, 0.7, 0.59);
+  thin_streamlines(set, view, even_rules.last_thin);
+  extend_tips(set, view, even_rules.tip_step_test, even_rules.tip_test);
   merge_streamlines(set, view);
   straighten_joined(set, view, 2, threads);
 }
@@ -115,8 +103,8 @@ class GroupHatcher {
       : scene_(scene),
         options_(options),
         follows_(follows),
-        tone_(broadened(scene.tone, midtone_margin * options.spacing_px,
-                        shadow_margin * options.spacing_px)),
+        tone_(broadened(scene.tone, even_rules.midtone_margin * options.spacing_px,
+                        even_rules.shadow_margin * options.spacing_px)),
         view_({scene.surface, scene.field, scene.families, scene.camera, scene.visible, tone_,
                scene.graph, scene.curves, scene.spacing_scale, scene.unhatched},
               options),
@@ -158,7 +146,8 @@ class GroupHatcher {
 std::vector<double> wanted_radii(const HatchScene& scene, const HatchOptions& options) {
   std::vector<double> radii = mean_spacings(scene, options.spacing_px);
   for (double& radius : radii) {
-    radius = radius > 0 ? finest_radius * radius : std::numeric_limits<double>::infinity();
+    radius =
+        radius > 0 ? even_rules.finest_radius * radius : std::numeric_limits<double>::infinity();
   }
   return radii;
 }

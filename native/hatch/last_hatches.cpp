@@ -23,7 +23,7 @@ LastHatches::LastHatches(const Ragged<Vec3>& strokes, const Camera& camera, doub
         continue;
       const double length = (camera.project(line[i + 1]).xy - camera.project(line[i]).xy).norm();
       const double parts = std::max(1.0, std::ceil(length / (step * spacing_px)));
-      for (double k = 0.5; k < parts; ++k) {
+      for (double k = 0.5; k < parts; ++k) {  // in the world: depths are then those of the hatch
         const ImagePoint seen = camera.project(line[i] + k / parts * way);
         grid_.add({seen.xy, way.normalized(), static_cast<int>(depths_.size())});
         depths_.push_back(seen.depth);

@@ -12,8 +12,15 @@
 namespace illustrate {
 namespace {
 
-// Shorter hatches are not worth a stroke, in spacings of undercuts.
-constexpr double least = 2;
+// In spacings of undercuts; what each step asks for is as in even_rules.h. Nothing is cut or
+// thinned between the steps: in the dark, and between streamlines that stay, what is uneven shows
+// less.
+constexpr double least_length = 2;  // shorter ones are not worth a stroke
+constexpr GrowRules gaps{0.7, 0.55, least_length};
+constexpr GrowRules strips_left{0.75, 0.5, least_length};  // beside critical curves
+constexpr double tip_step_test = 0.6, tip_test = 0.5;
+constexpr double cut_test = 0.6;
+constexpr int first_sweeps = 4, last_sweeps = 2;
 
 bool has_undercuts(const ToneMap& tone) {
   return std::find(tone.band.begin(), tone.band.end(), Band::undercut) != tone.band.end();
@@ -33,13 +40,13 @@ void UndercutHatcher::add(Hatches& hatches, StreamlineSet& set, const HatchGroup
   if (!is_needed_) return;
   for (Streamline& streamline : set.streamlines) streamline.is_fixed = true;
   const std::vector<StreamlineNode> seeds = surface_seeds(scene_, view_, group.curves);
-  fill_streamlines(set, view_, seeds, {0.7, 0.55, least}, progress.part(0, 0.3));
-  relax_streamlines(set, view_, 4, threads, progress.part(0.3, 0.6));
+  fill_streamlines(set, view_, seeds, gaps, progress.part(0, 0.3));
+  relax_streamlines(set, view_, first_sweeps, threads, progress.part(0.3, 0.6));
   const std::vector<StreamlineNode> strips = edge_seeds(set, view_, group.strips.undercut);
-  fill_streamlines(set, view_, strips, {0.75, 0.5, least}, progress.part(0.6, 0.8));
-  extend_tips(set, view_, 0.6, 0.5);
-  relax_streamlines(set, view_, 2, threads, progress.part(0.8, 1));
-  cut_streamlines(set, view_, 0.6, least);
+  fill_streamlines(set, view_, strips, strips_left, progress.part(0.6, 0.8));
+  extend_tips(set, view_, tip_step_test, tip_test);
+  relax_streamlines(set, view_, last_sweeps, threads, progress.part(0.8, 1));
+  cut_streamlines(set, view_, cut_test, least_length);
   hatches.add(finished(set.streamlines, view_));
 }
 

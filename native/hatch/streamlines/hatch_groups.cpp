@@ -29,7 +29,7 @@ std::vector<std::size_t> divided(const std::vector<std::size_t>& cells) {
                    [&](std::size_t a, std::size_t b) { return cells[a] > cells[b]; });
   std::vector<std::size_t> sums(most_groups, 0);
   for (const std::size_t object : order) {
-    if (cells[object] == 0) break;
+    if (cells[object] == 0) break;  // nor has any that follows
     const auto least = std::min_element(sums.begin(), sums.end());
     *least += cells[object];
     groups[object] = static_cast<std::size_t>(least - sums.begin());
