@@ -49,16 +49,6 @@ inline std::size_t heaviest_of(const std::array<double, 3>& weights) {
 
 }  // namespace
 
-CrossField diagonals(const Surface& surface, CrossField field) {
-  constexpr double eighth = 0.78539816339744831;
-  for (std::size_t v = 0; v < field.directions.size(); ++v) {
-    field.theta[v] += eighth;
-    Vec3& direction = field.directions[v];
-    direction = std::sqrt(0.5) * (direction + surface.normals[v].cross(direction));
-  }
-  return field;
-}
-
 Vec3 cross_direction(const Surface& surface, const CrossField& field, const SurfacePoint& at,
                      const Vec3& towards) {
   return cross_direction(surface, field, at, normal_at(surface, at), towards);

@@ -326,4 +326,14 @@ CrossField solve_cross_field(const Surface& surface, const Curvature& curvature,
   return field;
 }
 
+CrossField diagonals(const Surface& surface, CrossField field) {
+  constexpr double eighth = 0.78539816339744831;
+  for (std::size_t v = 0; v < field.directions.size(); ++v) {
+    field.theta[v] += eighth;
+    Vec3& direction = field.directions[v];
+    direction = std::sqrt(0.5) * (direction + surface.normals[v].cross(direction));
+  }
+  return field;
+}
+
 }  // namespace illustrate

@@ -24,14 +24,17 @@ struct EvenRules {
   // --- A drawing that stands alone ---
 
   // Gaps between ranked curves before they are relaxed: wide ones, for streamlines will still be
-  // moved into the others.
+  // moved into the others. Half of `wide_clear` fills what relaxation would have, and crowds: twice
+  // as many points are too near another hatch.
   double wide_clear = 0.9, wide_test = 0.6, wide_least = 1.5;
   // Sweeps of relaxation, in which streamlines find their places, and after the gaps left by that
-  // are filled.
+  // are filled. Half leaves the next frame more to even out, double gains nothing.
   int first_sweeps = 5, last_sweeps = 2;
-  // Relaxed streamlines lose what is nearer; what is left is longer, or it goes.
+  // Relaxed streamlines lose what is nearer; what is left is longer, or it goes. Twice `cut_test`,
+  // a spacing, cuts what is even, and in each frame elsewhere.
   double cut_test = 0.5, first_least = 1.5, last_least = 1;
-  // Ends go on after the first cut.
+  // Ends go on after the first cut. Half lets them run into others: the worst of all changes here
+  // but that of tips.
   double extend_test = 0.65;
   // Gaps after that.
   double gap_clear = 0.75, gap_test = 0.55, gap_least = 1;
@@ -42,10 +45,10 @@ struct EvenRules {
   // --- A drawing that follows another ---
 
   // What the last one placed is placed again down to these distances and lengths: less than is
-  // asked of anything new, so that it stays.
+  // asked of anything new, so that it stays. A place is `clear` where it passes `test`, too: with
+  // `kept_clear` below `kept_test`, as at twice this or half of that, a third of all hatches move.
   double kept_test = 0.5, kept_clear = 0.5, kept_least = 0.5;
-  // Gaps that have opened: what ends them must be farther than in a drawing that stands alone, for
-  // there is one sweep of relaxation only in each round.
+  // Gaps that have opened; what ends them must be farther than in a drawing that stands alone.
   double new_clear = 0.75, new_test = 0.65, new_least = 1.5;
   // What the last drawing placed stays unless it has become uneven by so much. Half of it moves
   // three times as much of what rests beside something that moves, twice of it leaves frames less
@@ -54,8 +57,8 @@ struct EvenRules {
 
   // --- Ends ---
 
-  // Ends go on to what ends them, in fine steps less clear of others than in whole ones: a tip
-  // that stands beside another line's middle is seen less than a gap before the edge.
+  // Ends go on to what ends them, in fine steps less clear of others than in whole ones. Half of
+  // `tip_step_test` crowds most of all; twice `tip_test` leaves hatches more even, but fewer.
   double tip_step_test = 0.7, tip_test = 0.59;
   // What is left then: gaps of the surface's seeds, and narrow strips along critical curves, where
   // short hatches are part of a whole.

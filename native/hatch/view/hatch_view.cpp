@@ -13,19 +13,6 @@ constexpr double own_reach = 3;
 
 }  // namespace
 
-void turn(std::vector<StreamlineNode>& nodes) {
-  std::reverse(nodes.begin(), nodes.end());
-  for (StreamlineNode& node : nodes) turn(node);
-}
-
-double length_of(const std::vector<StreamlineNode>& nodes) {
-  double length = 0;
-  for (std::size_t i = 1; i < nodes.size(); ++i) {
-    length += (nodes[i].image - nodes[i - 1].image).norm();
-  }
-  return length;
-}
-
 StreamlineNode HatchView::node(const SurfacePoint& on, const Vec3& towards) const {
   StreamlineNode node = node_at(on);
   direct(node, normal_at(scene_.surface, on), towards);
