@@ -121,6 +121,7 @@ class View {
   void label_curves(const std::vector<Light>& lights, const Progress& progress) {
     const StrokeOptions& stroke = options_.stroke;
     const bool by_vote = options_.visibility == VisibilityMethod::vote;
+    // The vote is there for comparison: it gets all curves, also those that are hidden for certain.
     const NetworkOptions network_options{stroke.marks,
                                          stroke.materials,
                                          stroke.flat_outlines,
@@ -312,6 +313,7 @@ DrawResult draw_seen(const Prepared& prepared, const Camera& camera, const DrawO
   if (hatching) {
     view.hatch(*field, lights, casters ? *casters : scene.bvh(), progress.part(0.5, 0.95));
   }
+  // After the tones, which know nothing of them.
   view.add_loose_edges();
   return std::move(view).strokes(lights, progress.part(0.95, 1, "stroke"));
 }
