@@ -63,3 +63,12 @@ def test_a_scene_fills_its_picture(name: str) -> None:
     [sun] = arrays.lights
     toward_light = arrays.camera.view[:3, :3] @ sun.vector
     assert toward_light[0] < -0.3 and toward_light[1] > 0.3 and toward_light[2] > 0.3
+
+
+def test_the_camera_of_the_turntable_goes_round_evenly() -> None:
+    scene = scenes.build("turntable")
+    turns = []
+    for frame in (1, 2, 7, 13):
+        scene.frame_set(frame)
+        turns.append(scene.camera.parent.matrix_world.to_euler().z)
+    assert turns == pytest.approx([0, np.pi / 72, np.pi / 12, np.pi / 6], abs=1e-6)

@@ -74,9 +74,16 @@ def turntable() -> None:
     for frame, turn in ((1, 0.0), (13, np.pi / 6)):
         pivot.rotation_euler[2] = turn
         pivot.keyframe_insert("rotation_euler", frame=frame)
-    for curve in pivot.animation_data.action.fcurves:
+    for curve in _curves(pivot.animation_data.action):
         for key in curve.keyframe_points:
             key.interpolation = "LINEAR"
+
+
+def _curves(action: Any) -> Any:
+    """The curves of an action of one object; from Blender 5.0 they lie in layers."""
+    if hasattr(action, "fcurves"):
+        return action.fcurves
+    return action.layers[0].strips[0].channelbags[0].fcurves
 
 
 def robot() -> None:
@@ -117,7 +124,7 @@ SCENES: dict[str, Callable[[], None]] = {
 }
 
 SEQUENCES: dict[str, Callable[[], None]] = {"turntable": turntable, "robot": robot}
-"""Scenes that move, in frames 1 to 12."""
+"""Scenes that move; the demo draws frames 1 to 8."""
 
 FILES = {
     "spot_cage": "meshes/smooth/spot_cage.obj",

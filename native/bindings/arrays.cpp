@@ -13,6 +13,7 @@ py::array array_like(const py::object& value, const std::string& name) {
   try {
     return py::module_::import("numpy").attr("asarray")(value).cast<py::array>();
   } catch (const py::error_already_set& error) {
+    // What numpy itself says of a value; a lack of memory, or an object's own errors, pass through.
     if (!error.matches(PyExc_ValueError) && !error.matches(PyExc_TypeError)) throw;
     throw InvalidInput(name + " cannot be read as an array");
   }
@@ -53,6 +54,7 @@ Doubles doubles(const py::object& value, const Shape& shape, const std::string& 
   const py::array array = array_like(value, name);
   require_shape(array, shape, name);
   const char kind = array.dtype().kind();
+  // Floats, signed and unsigned integers, booleans.
   if (std::string("fiub").find(kind) == std::string::npos) {
     throw InvalidInput(name + " must hold numbers, but holds " + dtype_name(array));
   }
@@ -123,6 +125,7 @@ Mat4 read_matrix(const py::object& value, const std::string& name) {
 
 int read_integer(const py::object& value, const std::string& name) {
   if (!PyIndex_Check(value.ptr())) throw InvalidInput(name + " must be an integer");
+  // As Python's own indices: numpy's integers too, but no floats, not even whole ones.
   const auto whole = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
   if (!whole) throw py::error_already_set();
   int overflow = 0;
@@ -145,6 +148,7 @@ py::array view_of(const Owner& owner, const void* data, const py::dtype& dtype, 
   if (row_bytes > 0 && shape.size() > 1) strides.push_back(dtype.itemsize());
   const py::capsule keeper(new Owner(owner), [](void* held) { delete static_cast<Owner*>(held); });
   py::array view(dtype, shape, strides, data, keeper);
+  // Results are shared: by other views, by threads that draw, by the drawing of the next frame.
   view.attr("setflags")(py::arg("write") = false);
   return view;
 }

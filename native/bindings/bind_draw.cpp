@@ -236,6 +236,8 @@ void bind_draw(py::module_& m) {
         return view_of(found.triangles, *found.triangles);
       });
   const py::none none;
+  // None as a shared pointer would be null; what is taken by reference refuses it without a word
+  // here.
   m.def("draw", &draw_view, "prepared"_a.none(false), "camera"_a, "options"_a = none,
         "lights"_a = none, "progress"_a = none, "previous"_a = none,
         "One view of a prepared scene.");

@@ -19,6 +19,7 @@ std::vector<std::weak_ptr<PythonJob>>& started_jobs() {
 void stop_jobs() {
   std::vector<JobPointer> running;
   for (const auto& started : started_jobs()) {
+    // Held until all have ended: without the GIL another thread may let go of the last reference.
     if (JobPointer job = started.lock()) running.push_back(std::move(job));
   }
   for (const JobPointer& job : running) job->job().cancel();

@@ -196,6 +196,7 @@ void bind_hatch_curves(py::module_& m) {
 
 FieldHandle field_of(const PreparedPointer& prepared) {
   const py::gil_scoped_release release;
+  // A pointer to the field that keeps the whole scene, which the field is a part of.
   return {{prepared, &prepared->field()}};
 }
 
@@ -244,6 +245,7 @@ struct Preparation {
   std::shared_ptr<Prepared> previous;
 
   std::shared_ptr<Prepared> operator()(const Progress& progress) const {
+    // pybind11 holds no pointers to const; nothing that it is told of changes a scene.
     return std::const_pointer_cast<Prepared>(prepare(meshes, options, previous.get(), progress));
   }
 };

@@ -1,5 +1,5 @@
-// Jobs as Python sees them. They hold no Python object and never take the GIL: an interpreter that
-// ends, or a thread of its that waits, cannot meet them.
+// Jobs as Python sees them. They hold no Python object and never take the GIL: neither an
+// interpreter that ends nor a thread of Python's that waits for a job can lock up with it.
 #pragma once
 
 #include <pybind11/pybind11.h>

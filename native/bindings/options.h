@@ -12,6 +12,8 @@ namespace py = pybind11;
 template <class Options>
 Options from_keywords(const py::kwargs& keywords) {
   Options options;
+  // A view of `options` that is gone before they are: by its properties a keyword is read and
+  // refused like an attribute.
   const py::object object = py::cast(&options, py::return_value_policy::reference);
   const py::object type = py::type::of(object);
   for (const auto& [name, value] : keywords) {

@@ -1,8 +1,8 @@
 // Points of a mesh split once, on curves through its vertices.
 //
 // The idea is PN triangles' (Vlachos et al. 2001): an edge leaves its ends across their normals.
-// The point in its middle is off its chord by a *sag*; here by the sag of circular arcs, so that
-// those of circles and spheres are exact. Two sags are known for a smooth edge, one from the
+// The point in its middle stands off its chord by a *sag*, here that of a circular arc, so that
+// points of circles and spheres are exact. Two sags are known for a smooth edge, one from the
 // shading normals, one from the normals of the faces round its ends: the lesser is taken, none
 // where they point to different sides. Following the shading alone pillows flat roofs, whose
 // shading tilts beside unweighted bevels; following the faces alone rounds what is shaded flat.
@@ -15,9 +15,10 @@ namespace illustrate {
 // In the order of split_once: the vertices as they are; the middles of edges with their sags, at
 // most a fifth of the edge; the middles of faces, off their corners' mean by as much as a sphere
 // would be that their edges lie on. A sharp edge is bent between its ends' tangents, which run
-// along the chord over the vertex, from one neighbour on the crease to the other: they lean to the
-// longer edge, so that a long straight edge stays so beside a short bevel. Where a crease ends or
-// has a corner its edge leaves straight. A smooth edge to a tip is bent by its other end alone.
+// along the chord over the vertex, from one neighbour on the crease to the other: they lean towards
+// the longer of the two edges, so that a long straight one beside a short bevel stays straight.
+// Where a crease ends or has a corner its edge leaves straight. A smooth edge to a tip is bent by
+// its other end alone.
 Points bent_points(const SoundMesh& parent, const HalfEdges& edges, const VertexSectors& sectors,
                    Scheme scheme);
 

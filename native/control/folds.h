@@ -8,8 +8,8 @@
 // leave the artist's mesh far, and so would the limit of a cage. Such edges are *folds*: semi-sharp
 // creases, so sharp that the surface keeps within half a pixel of the mesh, of a drawing in which
 // the object's diagonal has 1400. They are shaded smooth and drawn as smooth: no line runs along
-// them but the silhouette. Folds are lines: an edge is no sharper than what goes on at either end,
-// and a single edge that turns far is noise.
+// them but the silhouette. A fold is a line: an edge is no sharper than the fold that goes on at
+// either of its ends, so a single edge that turns far counts as noise.
 #pragma once
 
 #include <optional>

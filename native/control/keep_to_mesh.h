@@ -10,11 +10,11 @@
 // 2. The limit of that is still inside. So each point takes one step by how far its limit is off,
 //    along the normal, no farther than its smooth neighbours on average, so that noise is not
 //    sharpened; or across the crease. No step is more than a fifth of the point's shortest edge.
-// 3. Where the cage's limit is at its vertices anyway all that would only sharpen noise: by a
-//    weight of each patch between creases the points fade to those of the cage's own first level,
-//    whose limit is the cage's. The weight is smoothstep(.75, 2.25) of the median distance from a
-//    vertex to its limit, in pixels of a drawing in which the object's diagonal has 1400: lines a
-//    pixel wide do not show less than .75, and clearly show 2.25.
+// 3. Where the cage's limit is at its vertices anyway, all that would only sharpen noise. So each
+//    patch between creases has a weight, by which its points fade to those of the cage's own first
+//    level, whose limit is the cage's. The weight is smoothstep(.75, 2.25) of the median distance
+//    from a vertex to its limit, in pixels of a drawing in which the object's diagonal has 1400:
+//    lines a pixel wide do not show less than .75, and clearly show 2.25.
 //
 // What was tried and failed, on trucks, rifles, spiders and scans:
 // - c <- c + (p - limit c) until the limit goes through all vertices: it converges to a wrong

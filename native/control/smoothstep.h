@@ -5,7 +5,8 @@
 
 namespace illustrate {
 
-// What is off is measured in pixels of a drawing in which the object's diagonal has so many.
+// How far a surface is off is measured in pixels of a drawing in which the object's diagonal has so
+// many: the object fills a page.
 constexpr double diagonal_px = 1400;
 
 // 0 up to `from`, 1 beyond `to`, smooth between.

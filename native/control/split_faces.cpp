@@ -80,6 +80,7 @@ class FaceSplitter {
       const auto& [ends, face] = diagonals[i];
       if (edges.find(ends[0], ends[1]) != none) clash[idx(face)] = 1;
       if (i == 0 || diagonals[i - 1].ends != ends) continue;
+      // In its own face a diagonal is there twice, once for each triangle beside it.
       if (diagonals[i - 1].face != face) clash[idx(face)] = clash[idx(diagonals[i - 1].face)] = 1;
     }
     return clash;

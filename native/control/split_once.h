@@ -11,11 +11,11 @@
 
 namespace illustrate {
 
-// Without points, and without corner normals. The children of a face stand side by side, one for
-// each of its corners in their order; with Loop's scheme the middle one follows. A vertex that is
-// new has a number in source_vertices that is no vertex's of the input; those in the middle of
-// seams and of edges on both sheets share it. The parent's boundary rule is `edges`, as
-// with all that is no cage. scheme: catmull_clark, or loop for triangles.
+// The split mesh, still without points, and without corner normals. The children of a face stand
+// side by side, one for each of its corners in their order; with Loop's scheme the middle one
+// follows. A new vertex gets a number in source_vertices that no vertex of the input has; copies of
+// one place, on both sides of a seam or on both sheets, share it. The parent's boundary rule is
+// `edges`, as with all that is no cage. scheme: catmull_clark, or loop for triangles.
 SoundMesh split_once(const SoundMesh& parent, const HalfEdges& edges, Scheme scheme);
 
 // The points that the scheme gives to the split mesh (OpenSubdiv's rules).

@@ -15,8 +15,8 @@ constexpr double max_coordinate = 1e150;
 
 // The faces with at least three corners, all finite and different; faces that come to a vertex
 // twice in parts (split_polygon). Counts "nan_vertices", "nan_faces", "repeated_corners",
-// "split_faces", "degenerate_faces", "huge_faces", "duplicate_faces", "isolated_vertices": faces
-// where nothing of them is left.
+// "split_faces", "degenerate_faces", "huge_faces", "duplicate_faces", "isolated_vertices". A face
+// counts as dropped where nothing of it is left.
 Faces clean_faces(const PolygonMesh& mesh, Counts& report);
 
 // Gives vertices of open edges that lie at the same position, to within rounding, the same number,

@@ -13,11 +13,12 @@ namespace illustrate {
 class OcclusionMap {
  public:
   // image: of the surface. reach: cells all round a place that have to be covered too, so that
-  // curves are still known a little beyond the edge that they pass behind. Triangles hide from a
-  // few of their edges behind them on: their own surface's curves do not quite lie on them.
+  // curves are still known a little beyond the edge that they pass behind. A triangle hides what is
+  // a few of its edge lengths behind it, and farther: curves of its own surface do not quite lie on
+  // it.
   OcclusionMap(const Surface& surface, const VisibleImage& image, int reach);
-  // Without any reach: triangles hide from the depth on that they have up to two cells away, so
-  // that steep ones do not hide the rim of their own surface.
+  // Without any reach: a triangle begins to hide farther back, by as much as its plane recedes in
+  // two cells, so that a steep one does not hide the rim of its own surface.
   OcclusionMap(const Surface& surface, const VisibleImage& image, const Camera& camera);
   OcclusionMap with_more_reach(int cells) const;
 

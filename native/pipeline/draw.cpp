@@ -85,6 +85,7 @@ class View {
   void label_curves(const std::vector<Light>& lights, const Progress& progress) {
     const StrokeOptions& stroke = options_.stroke;
     const bool by_vote = options_.visibility == VisibilityMethod::vote;
+    // The vote is there for comparison: it gets all curves, also those that are hidden for certain.
     const NetworkOptions network_options{stroke.marks,
                                          stroke.materials,
                                          stroke.flat_outlines,
@@ -307,6 +308,7 @@ DrawResult draw_seen(const Prepared& prepared, const Camera& camera, const DrawO
   if (hatching && previous) view.follow(*previous, prepared.surface());
   view.label_curves(lights, progress.part(0.3, hatching ? 0.5 : 0.95));
   if (hatching) view.hatch(*field, lights, progress.part(0.5, 0.95));
+  // After the tones, which know nothing of them.
   view.add_loose_edges();
   return std::move(view).strokes(lights, progress.part(0.95, 1, "stroke"));
 }

@@ -253,6 +253,8 @@ Families Prepared::label_families(bool of_diagonals, const Progress& progress) c
       return find_families(solved_on, curvature, diagonals(solved_on, solved), {}, options_.threads,
                            labels);
     }
+    // Stays until the families are found, since `last` points into it; the last frame's surface may
+    // go then.
     const LastField before = std::move(last_families_);
     last_families_ = {};
     LastFamilies last;

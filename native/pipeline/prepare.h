@@ -33,7 +33,8 @@ class Prepared {
   Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions& options,
            const Prepared* previous, const Progress& progress);
 
-  // Of the objects, as given last: what shapes nothing may differ from what this was made from.
+  // Of the objects, as they were given last: those that this was made from may differ in what
+  // shapes nothing, such as their reflectance.
   const std::vector<MeshPointer>& meshes() const { return meshes_; }
   std::size_t object_count() const { return geometry_->meshes.size(); }
   const Surface& surface() const { return *geometry_->surface; }

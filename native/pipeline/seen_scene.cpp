@@ -138,6 +138,7 @@ Ragged<SurfacePoint> SeenScene::seen_parts(const Ragged<SurfacePoint>& curves) c
   for (std::size_t c = 0; c < curves.size(); ++c) {
     for (const SurfacePoint& on : curves[c]) {
       const int triangle = part_->numbers[idx(on.triangle)];
+      // A curve comes apart where it runs over what is ignored.
       if (triangle == none) close();
       if (triangle != none) parts.push({triangle, on.b1, on.b2});
     }

@@ -106,6 +106,7 @@ class Placer {
 
   // Of the first flat face of an original among all.
   int first_plane(int original) const {
+    // They stand object after object.
     const auto is_earlier = [](const PlaneFace& plane, int object) {
       return plane.object < object;
     };

@@ -21,7 +21,8 @@ inline SurfacePoint on_edge(int triangle, int corner, double fraction) {
                         : 0};
 }
 
-// Whether the segments a b and c d of a plane cross, at f and h of their ways, each in [0, 1).
+// Whether the segments a b and c d of a plane cross; then at the shares f and h of their lengths,
+// each in [0, 1).
 bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, double& f,
                     double& h);
 

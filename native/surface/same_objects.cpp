@@ -142,6 +142,7 @@ SurfacePoint SameObjects::point(const SurfacePoint& last) const {
   const Vec3 p = position(last);
   const int middle = best.triangle, count = static_cast<int>(now_.triangles.size());
   double deepest = -std::numeric_limits<double>::infinity();
+  // The two triangles of a quad stand side by side.
   for (int t = std::max(0, middle - 1); t <= std::min(count - 1, middle + 1); ++t) {
     if (now_.triangle_faces[idx(t)] != now_.triangle_faces[idx(middle)]) continue;
     const Vec2 weights = barycentrics(now_, t, p);

@@ -5,17 +5,17 @@
 
 namespace illustrate {
 
-// Of the objects of one surface those of another, by their numbers. An object is the same where it
-// has as many vertices, of which those of one number are one, and faces of the same outlines.
-// Triangles may differ: quads are split along their shorter diagonals, which change while a mesh
-// deforms. Refers to both surfaces.
+// Finds the objects of one surface again in another, by their numbers. An object is the same where
+// it has as many vertices, each at the same place of its control mesh, and faces of the same
+// outlines. Triangles may differ: quads are split along their shorter diagonals, which change while
+// a mesh deforms. Refers to both surfaces.
 class SameObjects {
  public:
   SameObjects(const Surface& last, const Surface& now);
 
   bool any() const;
   const Surface& last() const { return last_; }
-  // The vertex of the last surface that one of this is; none where its object is another.
+  // The vertex of the last surface that a vertex of this one was; none where its object is another.
   int last_vertex(std::size_t vertex) const { return shifted(now_.objects[vertex], vertex, 0); }
   int last_triangle(std::size_t triangle) const {
     return shifted(now_.triangle_objects[triangle], triangle, 1);

@@ -11,12 +11,13 @@ struct PlaneCrosses {
   CrossNumbers z;           // (n) its cross; the given one elsewhere
 };
 
-// A flat face takes the direction that its rim asks for, and of those in one plane beside each
-// other all that of which most rim asks for. Where the rim asks for nothing, a face that ends
-// sharply all round takes an axis of its object, as the face has it of which most rim asks for
-// something, or else the default; one that goes on smoothly is not held, since it is the form round
-// it that tells. Vertices inside are held, and those of the rim except where it goes on smoothly in
-// another direction. default_crosses: (n). `across_objects`: objects stand in one space.
+// A flat face takes the direction that its rim asks for; of several beside each other in one plane
+// the one whose rim asks over the greatest length decides for all. Where none of their rims asks
+// for anything, a face that ends sharply all round takes an axis of its object: of the three that
+// the face has whose rim asks over the greatest length the one that lies most in its own plane;
+// else the default; one that goes on smoothly is not held, since it is the form round it that
+// tells. Vertices inside are held, and those of the rim except where it goes on smoothly in another
+// direction. default_crosses: (n). `across_objects`: objects stand in one space.
 PlaneCrosses plane_crosses(const Surface& surface, const TangentFrames& frames,
                            const CrossNumbers& default_crosses, bool across_objects);
 

@@ -209,6 +209,7 @@ std::vector<double> least_turns(const Surface& surface, const TriangleEdges& edg
   Eigen::SimplicialLDLT<Matrix> solver;
   for (int round = 0; round < most_rounds; ++round) {
     const Matrix matrix = laplacian(sides, weights, size);
+    // From round to round only the weights change.
     if (round == 0) solver.analyzePattern(matrix);
     solver.factorize(matrix);
     const Eigen::VectorXd potential = solver.solve(target);

@@ -190,6 +190,8 @@ std::vector<std::uint8_t> parts_that_may_turn(const FieldProblem& p) {
     if (p.is_held(i)) may_turn[idx(p.parts.of_vertex[i])] = 0;
   }
   for (const FieldEdge& edge : p.edges) {
+    // Where all turn by one angle, a cross on the other sheet turns the other way as seen from
+    // here.
     if (edge.mirrored) may_turn[idx(p.parts.of_vertex[idx(edge.from)])] = 0;
   }
   return may_turn;

@@ -2,8 +2,9 @@
 //
 // A departure from section 5: from the principal directions any optimiser ends in a bad basin.
 // Random starts are diffused, the best of them shaken; on the way to the finest graph the worst are
-// dropped, since a coarse energy only hints at the final one. Work is bounded by the number of
-// vertices: of a graph that is one of many, too.
+// dropped, since a coarse energy only hints at the final one. The number of starts, and of fields
+// that are carried on, is bounded by that of the vertices, so that many small graphs cost no more
+// than a large one.
 #pragma once
 
 #include "core/progress.h"

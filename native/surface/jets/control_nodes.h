@@ -18,7 +18,7 @@ class ControlNodes {
  public:
   explicit ControlNodes(const Surface& surface);
 
-  // The way along an edge to another node.
+  // An edge to another node.
   struct Link {
     int node = none;
     int sign = 1;  // -1: the normals of the two ends belong to different sheets

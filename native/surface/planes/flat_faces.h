@@ -1,10 +1,10 @@
 // Flat faces whose limit folds over itself, spread out again.
 //
 // A flat part of a mesh between creases has a flat limit, but the map onto it need not be one to
-// one. Where two creases meet at a corner inside an angle of more than 180 degrees, the subdivision
-// rules without one of their own for such corners (Biermann, Levin, Zorin, "Piecewise smooth
-// subdivision surfaces with normal control", SIGGRAPH 2000) fold the triangles next to it over the
-// creases, at every level; next to corners where four faces or more meet, and in slivers, some are
+// one. Where two creases meet at a corner with more than 180 degrees inside, the subdivision rules
+// fold the triangles next to it over the creases, at every level: OpenSubdiv has no rule for such
+// corners (Biermann, Levin, Zorin, "Piecewise smooth subdivision surfaces with normal control",
+// SIGGRAPH 2000, give one); next to corners where four faces or more meet, and in slivers, some are
 // turned round as well. There the normal points to the wrong side, silhouettes run through a plane,
 // and what lies beyond the crease passes through the next face.
 #pragma once

@@ -50,6 +50,7 @@ struct PlacedEdge {
   int child;
   bool is_seam;
   bool operator<(const PlacedEdge& e) const {
+    // The lowest child first: its place becomes that of all.
     return places != e.places ? places < e.places : child < e.child;
   }
 };
@@ -94,6 +95,8 @@ std::vector<int> child_places(const RefinedMesh& parent, const TopologyLevel& le
 // Child k < 3 of a triangle, and of a quad any child, is the part at corner k.
 FaceDomain child_domain(const FaceDomain& parent, int size, int child) {
   const FaceDomain half{parent.ptex_face, parent.origin, parent.size / 2};
+  // The middle triangle is turned by 180 degrees: its corner 0 is the far corner of the square of
+  // half the size.
   if (size == 3 && child == 3) return {half.ptex_face, place_on_domain(half, 4, 2), -half.size};
   return {half.ptex_face, place_on_domain(half, size, child), half.size};
 }
@@ -105,6 +108,7 @@ void inherit_faces(const RefinedMesh& parent, int threads, RefinedMesh& child) {
     for (int f = static_cast<int>(begin); f < static_cast<int>(end); ++f) {
       const int size = parent.face_size(f);
       const bool whole = size == 4 || parent.triangles_are_patches;
+      // Loop makes four of each triangle, Catmull-Clark one for each corner.
       const int first = parent.triangles_are_patches ? 4 * f : parent.first(f);
       const FaceDomain& domain = at(parent.domains, f);
       for (int k = 0; k < (whole ? 4 : size); ++k) {
@@ -143,6 +147,7 @@ void inherit_twin_faces(const RefinedMesh& parent, const TopologyLevel& level, R
     const auto vertices = level.GetFaceVertices(f), other_vertices = level.GetFaceVertices(other);
     const auto children = level.GetFaceChildFaces(f), others = level.GetFaceChildFaces(other);
     for (int k = 0; k < vertices.size(); ++k) {
+      // By their vertices, since the twin is wound the other way.
       const int j = other_vertices.FindIndex(at(parent.twin_vertices, vertices[k]));
       at(child.twin_faces, children[k]) = others[j];
     }

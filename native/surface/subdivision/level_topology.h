@@ -8,8 +8,8 @@
 
 namespace illustrate {
 
-// First ptex face of each base face, and the number of all: a face has one, unless it has another
-// number of corners than its scheme likes; then it has one a corner.
+// First ptex face of each base face, and the number of all: a face with as many corners as its
+// scheme's (4, of Loop's 3) is one, any other has one at each corner.
 std::vector<int> ptex_faces(const SoundMesh& mesh, Scheme scheme);
 
 // Level 0, with its points. threads: 0 = all cores.
