@@ -16,6 +16,7 @@ import bpy
 from .. import native, output
 from ..messages import IllustrateError, counted
 from ..output import files, stamps
+from ..plot.areas import fills_of
 from ..reading.tone_images import tone_of
 from ..running.illustration import (
     Illustration,
@@ -159,7 +160,12 @@ class Sequence:
     def _write(self, made: Illustration, name: str) -> None:
         scene, begun = self._scene, time.perf_counter()
         strokes = output.write_drawing(
-            scene, made.drawing, made.arrays.camera, scene.illustrate.output, made.names
+            scene,
+            made.drawing,
+            made.arrays.camera,
+            scene.illustrate.output,
+            made.names,
+            fills_of(scene, made),
         )
         made.seconds["strokes"] = time.perf_counter() - begun
         exposure = float(made.drawing.tone.exposure)
@@ -174,7 +180,7 @@ class Sequence:
             {**self._stamp, "frame": scene.frame_current, "exposure": exposure},
             self._follows,
         )
-        self._plots.add(scene, made)
+        self._plots.add(scene, made, name)
         for extension in self._chosen.format:
             begun, path = time.perf_counter(), self._path(name, extension)
             if self._plots.takes(extension):
@@ -183,6 +189,7 @@ class Sequence:
                 files.write_file(path, page)
             made.seconds[extension] = time.perf_counter() - begun
             say(f"Saved: '{path}'")
+        self._plots.write_masks(self._chosen.out)
 
     def _path(self, name: str, extension: str) -> str:
         return os.path.join(self._chosen.out, f"{name}.{extension}")

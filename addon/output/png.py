@@ -30,6 +30,11 @@ def _inks(settings: Any, strokes: list[Any]) -> dict[str, tuple[int, int, int, i
     return {pen: encoded(colour) for pen, colour in inks.items()}
 
 
+def hex_of(colour: tuple[float, ...]) -> str:
+    """Such as '#1a2b3c', of linear light."""
+    return "#" + "".join(f"{number:02x}" for number in encoded(colour)[:3])
+
+
 def encoded(colour: tuple[float, ...]) -> tuple[int, int, int, int]:
     """From linear light, with alpha or without, to bytes of sRGB."""
     *light, alpha = (min(max(value, 0.0), 1.0) for value in (*colour, 1.0)[:4])

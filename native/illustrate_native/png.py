@@ -17,7 +17,7 @@ from .line_groups import DrawingArrays, line_groups, points_of
 BLACK = (0, 0, 0, 255)
 WHITE = (255, 255, 255, 255)
 _SIGNATURE = b"\x89PNG\r\n\x1a\n"
-_TRUE_COLOUR, _WITH_ALPHA = 2, 6
+_COLOUR_TYPES = {1: 0, 3: 2, 4: 6}  # by the number of channels
 _PIXELS_PER_METRE = 1
 _KEYWORD = b"Illustrate\0"  # of the text that says how the picture was made
 
@@ -44,18 +44,24 @@ def to_png(
     pixels = to_pixels(drawing, width_px, height_px, colours or {}, paper)
     if paper[3] == 255:
         pixels = pixels[..., :3]
-    rows = np.zeros((height_px, 1 + width_px * pixels.shape[2]), np.uint8)  # each with filter 0
-    rows[:, 1:] = pixels.reshape(height_px, -1)
-    kind = _TRUE_COLOUR if pixels.shape[2] == 3 else _WITH_ALPHA
     told = [] if made_by is None else [_chunk(b"tEXt", _KEYWORD + json.dumps(made_by).encode())]
     density = round(1000 * width_px / width_mm)
+    size = _chunk(b"pHYs", struct.pack(">IIB", density, density, _PIXELS_PER_METRE))
+    return image_file(pixels, b"".join((size, *told)))
+
+
+def image_file(pixels: NDArray[np.uint8], told: bytes = b"") -> bytes:
+    """PNG of (h, w, 1) grey, (h, w, 3) colours or (h, w, 4) with alpha. told: chunks before it."""
+    height, width, channels = pixels.shape
+    rows = np.zeros((height, 1 + width * channels), np.uint8)  # each with filter 0
+    rows[:, 1:] = pixels.reshape(height, -1)
+    head = struct.pack(">IIBBBBB", width, height, 8, _COLOUR_TYPES[channels], 0, 0, 0)
     return b"".join(
         (
             _SIGNATURE,
-            _chunk(b"IHDR", struct.pack(">IIBBBBB", width_px, height_px, 8, kind, 0, 0, 0)),
+            _chunk(b"IHDR", head),
             _chunk(b"sRGB", b"\0"),
-            _chunk(b"pHYs", struct.pack(">IIB", density, density, _PIXELS_PER_METRE)),
-            *told,
+            told,
             _chunk(b"IDAT", zlib.compress(rows.tobytes(), 6)),
             _chunk(b"IEND", b""),
         )
