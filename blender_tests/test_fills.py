@@ -3,6 +3,8 @@
 import json
 import pathlib
 import re
+import shutil
+import subprocess
 import sys
 from typing import Any
 
@@ -225,6 +227,48 @@ def test_headless_writes_masks_and_fills(scene: Any, tmp_path: Any) -> None:
     bpy.ops.wm.open_mainfile(filepath=str(out / "shot_0002.blend"))
     pencil = next(o for o in bpy.context.scene.objects if o.type == tools.pencil_type())
     assert len(tools.read_pencil(pencil)["Fill"]) == 4
+
+
+def by_pdftoppm(path: pathlib.Path) -> Any:
+    """(240, 320, 3) of the page, in [0, 1], upwards."""
+    command = ["pdftoppm", "-r", "50.8", "-singlefile", str(path)]
+    data = subprocess.run(command, check=True, capture_output=True).stdout
+    pixels = np.frombuffer(data[-SIZE[0] * SIZE[1] * 3 :], np.uint8)
+    return pixels.reshape(SIZE[1], SIZE[0], 3)[::-1] / 255
+
+
+@pytest.mark.usefixtures("shapely")
+def test_pdf_png_and_pencil_are_one_picture(scene: Any, tmp_path: Any) -> None:
+    """With one width of lines all that differs is where edges are smoothed."""
+    pytest.importorskip("pypdf", reason="pypdf is not installed")
+    if not shutil.which("pdftoppm"):
+        pytest.skip("pdftoppm is not installed")
+    ring_scene(scene)
+    chosen, plot = scene.illustrate, scene.illustrate_plot
+    chosen.line_width_px = chosen.feature_width_px = 3.0
+    plot.paper, plot.size_mm, plot.margins_mm = "OWN", (160, 120), (0, 0, 0, 0)  # .5 mm a pixel
+    plot.pens_by, plot.pen_width_mm, plot.fill_regions = "ONE", 1.5, True
+    assert (
+        illustrate.headless.main(["--out", str(tmp_path), "--name", "x", "--format", "pdf,png"])
+        == 0
+    )
+    render_png(str(tmp_path / "pencil.png"), scene, [illustrated(scene)])
+    pictures = [by_pdftoppm(tmp_path / "x.pdf")]
+    for name in ("x.png", "pencil.png"):
+        picture = bpy.data.images.load(str(tmp_path / name))
+        pictures.append(np.array(picture.pixels[:]).reshape(SIZE[1], SIZE[0], -1)[..., :3])
+    pdf, png, pencil = pictures
+    assert (png.max(axis=2) < 0.2).sum() > 1000  # ink
+    for other in (pdf, pencil):  # lines of whole pixels may be one to the side
+        off = np.abs(blurred(other) - blurred(png)).max(axis=2)
+        assert (off > 0.3).mean() < 0.003 and (off > 0.2).mean() < 0.02
+
+
+def blurred(picture: Any) -> Any:
+    """Means over squares of three by three pixels."""
+    wide = np.pad(picture, ((1, 1), (1, 1), (0, 0)), mode="edge")
+    rows = [wide[i : i + SIZE[1]] for i in range(3)]
+    return sum(row[:, j : j + SIZE[0]] for row in rows for j in range(3)) / 9
 
 
 def test_pens_choose_materials(scene: Any, tmp_path: Any) -> None:

@@ -159,25 +159,22 @@ class Sequence:
 
     def _write(self, made: Illustration, name: str) -> None:
         scene, begun = self._scene, time.perf_counter()
+        camera, areas = made.arrays.camera, fills_of(scene, made)
         strokes = output.write_drawing(
-            scene,
-            made.drawing,
-            made.arrays.camera,
-            scene.illustrate.output,
-            made.names,
-            fills_of(scene, made),
+            scene, made.drawing, camera, scene.illustrate.output, made.names, areas
         )
         made.seconds["strokes"] = time.perf_counter() - begun
         exposure = float(made.drawing.tone.exposure)
         page = files.Page(
             scene,
             made.drawing,
-            made.arrays.camera,
+            camera,
             made.names,
             strokes,
             self._width_mm,
             self._chosen.svg_style,
             {**self._stamp, "frame": scene.frame_current, "exposure": exposure},
+            areas,
             self._follows,
         )
         self._plots.add(scene, made, name)

@@ -14,10 +14,11 @@ def png_of(page: Any) -> bytes:
     colours = {group.title: inks[pen_of(group)] for group in groups}
     png = native.load_part("png")
     paper = (255, 255, 255, 0) if page.scene.render.film_transparent else png.WHITE
-    camera = page.camera
-    size = camera.width_px, camera.height_px
+    size = page.camera.width_px, page.camera.height_px
+    cover = native.load_part("plot").coverage
+    fills = [(cover(area.region, *size), encoded(area.colour)) for area in page.areas]
     return bytes(
-        png.to_png(page.drawing, *size, page.width_mm, colours, paper, made_by=page.made_by)
+        png.to_png(page.drawing, *size, page.width_mm, colours, paper, page.made_by, fills)
     )
 
 

@@ -60,7 +60,8 @@ def an_export_is_stopped_or_done(out: pathlib.Path) -> Steps:
 
     def watch(fraction: float, title: str, stage: str) -> str:
         stages.append(stage)
-        return watched(fraction, title, stage)
+        text: str = watched(fraction, title, stage)
+        return text
 
     tasks.status_text = watch
     with tempfile.TemporaryDirectory() as folder:

@@ -9,7 +9,7 @@ Each step is a function on plain arrays, in a file of its own; docs/plot.md.
 
 from .errors import PlotError
 from .formats import EXTENSIONS, check, check_regions, file_of, read_made_by
-from .masks import mask_names, mask_of
+from .masks import coverage, mask_names, mask_of
 from .order import Cost, Machine
 from .pages import FORMATS, Page, read_paper
 from .pens import Layer, Pen, one_pen, pens_by_line
@@ -36,6 +36,7 @@ __all__ = [
     "Thing",
     "check",
     "check_regions",
+    "coverage",
     "cut_open",
     "file_of",
     "make_strokes",

@@ -13,6 +13,7 @@ from typing import Any
 import illustrate_native as ill
 import numpy as np
 import pytest
+from drawings import drawing_of
 from illustrate_native.plot import (
     PlotError,
     PlotOptions,
@@ -27,6 +28,8 @@ from illustrate_native.plot.masks import coverage
 from illustrate_native.plot.pages import Placing
 from illustrate_native.plot.regions import Region, cut_open, placed_regions, regions_of, turn
 from illustrate_native.plot.seen import NOTHING, Seen, seen_from, triangles_at
+from illustrate_native.png import to_png
+from illustrate_native.svg import to_svg
 from plot_drawings import HEIGHT_PX, WIDTH_PX, camera, torus_mesh
 
 pytest.importorskip("shapely", reason="shapely is not installed")
@@ -252,9 +255,7 @@ def test_a_mask_is_a_grey_png_with_a_name_of_its_own() -> None:
     data = mask_of(region, 30, 20)
     assert data[:8] == b"\x89PNG\r\n\x1a\n"
     assert data[16:26] == (30).to_bytes(4, "big") + (20).to_bytes(4, "big") + b"\x08\x00"
-    at = data.index(b"IDAT")
-    rows = zlib.decompress(data[at + 4 : at + 4 + int.from_bytes(data[at - 4 : at], "big")])
-    grey = np.frombuffer(rows, np.uint8).reshape(20, 31)[:, 1:]
+    grey = pixels_of(data, 1)[..., 0]
     expected = np.zeros((20, 30))
     expected[6:14, 6:14] = 255
     assert (grey == expected).all()
@@ -262,6 +263,37 @@ def test_a_mask_is_a_grey_png_with_a_name_of_its_own() -> None:
     assert list(mask_names([replace(region, name=name) for name in names], "x")) == [
         "x_mask_Cup_1.png", "x_mask_cup_1_2.png", "x_mask_cup_1_2_2.png", "x_mask_Pot.png",
     ]  # fmt: skip
+
+
+def test_a_drawing_in_pixels_is_filled_below_its_lines() -> None:
+    left, right = square((10, 10), 4.25), square((18.5, 10), 4.25)
+    regions = [
+        Region(0, ((left, square((10, 10), 2)),), "Left & all", "#ff0000"),
+        Region(1, ((right,),), "Right", "#0000ff"),
+    ]
+    line = drawing_of([(ill.Kind.SILHOUETTE, [(0.0, 10.0), (30.0, 10.0)], [2.0, 2.0], False, 0)])
+    root = ElementTree.fromstring(to_svg(line, 30, 20, regions=regions).encode())
+    first, second = (e for e in root if e.tag.endswith("}g"))
+    assert [(path.get("fill"), path.get("fill-rule")) for path in first] == [
+        ("#ff0000", "evenodd"), ("#0000ff", "evenodd"),
+    ]  # fmt: skip
+    assert first[0].get("d", "").count("M") == 2 and second.get("id") == "silhouette"
+    colours = ((255, 0, 0, 255), (0, 0, 255, 255))
+    fills = [(coverage(r, 30, 20), c) for r, c in zip(regions, colours, strict=True)]
+    picture = pixels_of(to_png(line, 30, 20, fills=fills), 3)
+    assert picture[6, 8].tolist() == [255, 0, 0] and picture[6, 20].tolist() == [0, 0, 255]
+    assert picture[8, 10].tolist() == picture[2, 2].tolist() == [255, 255, 255]  # the hole, paper
+    assert picture[10, 8].max() < 10
+    assert picture[6, 14].tolist() == [64, 0, 191]  # half and half, no paper between
+    clear = pixels_of(to_png(line, 30, 20, paper=(255, 255, 255, 0), fills=fills), 4)
+    assert clear[6, 8].tolist() == [255, 0, 0, 255] and clear[2, 2, 3] == 0
+
+
+def pixels_of(data: bytes, channels: int) -> Any:
+    """(20, 30, channels) of a PNG of the project's own."""
+    at = data.index(b"IDAT")
+    rows = zlib.decompress(data[at + 4 : at + 4 + int.from_bytes(data[at - 4 : at], "big")])
+    return np.frombuffer(rows, np.uint8).reshape(20, 1 + 30 * channels)[:, 1:].reshape(20, 30, -1)
 
 
 def test_without_shapely_there_is_one_message(monkeypatch: Any) -> None:
