@@ -9,7 +9,7 @@ from .. import native
 from ..messages import IllustrateError
 from ..output.files import PLOT_FORMATS, write_bytes
 from ..plot.areas import check_areas
-from ..plot.plots import bytes_of, check_format, masks_of, plot_of, summary
+from ..plot.plots import bytes_of, check_plot, masks_of, plot_of, summary
 from ..running.illustration import Illustration
 from ..ui import presets
 from .lines import complain, say
@@ -21,12 +21,6 @@ def choose(scene: Any, chosen: Any) -> None:
     """Puts what the command line says of plots into the scene. Raises IllustrateError."""
     if chosen.plot and chosen.plot != OWN:
         presets.apply(chosen.plot, presets.PLOT_FOLDER)
-    files = PlotFiles(chosen)
-    for extension in chosen.format:
-        if files.takes(extension):
-            check_format(scene, extension)
-    for extension in chosen.sequence:
-        check_format(scene, extension, True)
     settings, plot = scene.illustrate_plot, native.load_part("plot")
     if chosen.page:
         try:
@@ -41,7 +35,19 @@ def choose(scene: Any, chosen: Any) -> None:
         settings.order = chosen.order
     if chosen.masks:
         settings.masks = True
+    _check(scene, chosen)
+
+
+def _check(scene: Any, chosen: Any) -> None:
+    """Raises IllustrateError for what cannot be written, before any frame is drawn."""
+    if chosen.masks:
         check_areas()
+    files = PlotFiles(chosen)
+    for extension in chosen.format:
+        if files.takes(extension):
+            check_plot(scene, extension)
+    for extension in chosen.sequence:
+        check_plot(scene, extension, True)
 
 
 class PlotFiles:

@@ -19,7 +19,7 @@ from ..running.operators import DrawingOperator, still_there
 from ..running.rendering import render_steps
 from ..running.tasks import Task
 from .areas import areas_of
-from .plots import PLANNED, bytes_of, check_format, masks_of, plot_of, summary
+from .plots import PLANNED, bytes_of, check_plot, masks_of, plot_of, summary
 
 
 class ILLUSTRATE_OT_export_drawing(DrawingOperator, bpy.types.Operator):
@@ -60,7 +60,7 @@ class ILLUSTRATE_OT_export_drawing(DrawingOperator, bpy.types.Operator):
         path = bpy.path.abspath(self.filepath)
         extension = os.path.splitext(path)[1][1:].lower()
         scene = context.scene
-        check_format(scene, extension, self.sequence)
+        check_plot(scene, extension, self.sequence)
         name, rate = scene.name, scene.render.fps / scene.render.fps_base
         now = scene.frame_current
         frames = frames_of(scene) if self.sequence else range(now, now + 1)

@@ -83,12 +83,8 @@ def _explained() -> Iterator[None]:
 def _options(plot: Any, scene: Any, camera: Any) -> Any:
     """PlotOptions but the pens."""
     chosen = scene.illustrate_plot
-    is_own = chosen.paper == "OWN"
     return plot.PlotOptions(
-        paper=tuple(chosen.size_mm) if is_own else chosen.paper,
-        orientation="auto" if is_own else chosen.orientation,
-        margin_mm=tuple(chosen.margins_mm),
-        bleed_mm=chosen.bleed_mm,
+        *_page(chosen),
         fit=chosen.fit,
         scale=_mm_per_px(scene, camera) if chosen.fit == "scale" else 0.0,
         order=chosen.order,
@@ -167,12 +163,25 @@ def _off(settings: Any, width_mm: float) -> Iterator[str]:
         )
 
 
-def check_format(scene: Any, extension: str, is_sequence: bool = False) -> None:
-    """Raises IllustrateError for what is not there to write a scene's plot, before it is drawn."""
+def check_plot(scene: Any, extension: str, is_sequence: bool = False) -> None:
+    """Raises IllustrateError for what a scene cannot be plotted with, before it is drawn.
+
+    That is a format or library that is not there, a page without room, and pens that draw nothing.
+    """
+    plot, chosen = native.load_part("plot"), scene.illustrate_plot
     with _explained():
-        chosen = scene.illustrate_plot
-        fills = chosen.fill_regions or chosen.masks
-        native.load_part("plot").check(extension, is_sequence, fills)
+        plot.check(extension, is_sequence, chosen.fill_regions or chosen.masks)
+        plot.make_page(*_page(chosen))
+        if chosen.pens_by != "LINES":
+            plot.check_pens(_pens(plot, scene, 1, 1.0))
+
+
+def _page(chosen: Any) -> tuple[Any, ...]:
+    """Paper, orientation, margins, bleed."""
+    is_own = chosen.paper == "OWN"
+    paper = tuple(chosen.size_mm) if is_own else chosen.paper
+    orientation = "auto" if is_own else chosen.orientation
+    return paper, orientation, tuple(chosen.margins_mm), chosen.bleed_mm
 
 
 def bytes_of(
