@@ -116,13 +116,12 @@ def placed_regions(regions: Sequence[Region], placing: Placing, box: Box) -> tup
     shapely = load("shapely", PURPOSE)
     printed, found = shapely.box(*box), []
     for region in regions:
-        polygons = [
-            shapely.polygons(outer, list(holes) or None)
-            for outer, *holes in (
-                [ring * placing.scale + placing.shift_mm for ring in rings]
-                for rings in region.polygons
+        polygons = []
+        for rings in region.polygons:
+            outer, *holes = (
+                shapely.linearrings(ring * placing.scale + placing.shift_mm) for ring in rings
             )
-        ]
+            polygons.append(shapely.polygons(outer, holes or None))
         inside = _polygons(shapely, shapely.intersection(shapely.union_all(polygons), printed))
         if inside:
             found.append(replace(region, polygons=inside))

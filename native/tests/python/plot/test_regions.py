@@ -177,6 +177,11 @@ def test_regions_are_placed_and_cut_at_the_margin() -> None:
     assert (cut.object, cut.name, cut.colour) == (3, "Cup", "#00ff00")
     assert cut.area == pytest.approx(16 * 32 - 4 * 8)
     assert placed_regions([region], Placing(2.0, (500.0, 0.0)), (0.0, 0.0, 25.0, 100.0)) == ()
+    corner = np.array([(13, 3), (17, 3), (15, 6)], float)  # holes need not have as many points
+    several = Region(0, ((ring, hole, corner),))
+    [placed] = placed_regions([several], Placing(1.0, (0.0, 0.0)), (0.0, 0.0, 25.0, 100.0))
+    assert len(placed.polygons[0]) == 3
+    assert placed.area == pytest.approx(16 * 16 - 4 * 4 - 6)
 
 
 COLOURS = ("#ff0000", "#00ff00")
