@@ -121,6 +121,45 @@ def test_what_cannot_be_plotted_writes_nothing(
 
 
 @pytest.mark.parametrize(
+    ("spoil", "words"),
+    [
+        ({"margins_mm": (150, 10, 150, 10)}, "no room between its margins"),
+        ({"pens_by": "OWN"}, "no pens"),
+        ({"pens_by": "ONE", "pen_width_mm": 0.0}, "no width"),
+    ],
+)
+def test_it_is_said_once_before_any_frame_is_drawn(
+    scene: Any, tmp_path: Any, spoil: dict[str, Any], words: str, capsys: Any
+) -> None:
+    tools.cube_scene(scene)
+    for name, value in spoil.items():
+        setattr(scene.illustrate_plot, name, value)
+    out = tmp_path / "out"
+    assert illustrate.headless.main(["--out", str(out), "--frames", "1-3", "--plot", "scene"]) == 1
+    assert capsys.readouterr().err.count(words) == 1
+    assert not out.exists()
+
+
+def test_a_pen_without_strokes_is_said_and_has_no_layer(scene: Any, tmp_path: Any) -> None:
+    tools.cube_scene(scene)
+    plot = scene.illustrate_plot
+    plot.pens_by = "OWN"
+    for name, kinds in (("Valleys", {"Valley"}), ("Rest", set())):
+        bpy.ops.illustrate.edit_pens(action="ADD")
+        plot.pens[-1].name, plot.pens[-1].kinds = name, kinds
+    made = illustration.illustrate(scene, bpy.context.evaluated_depsgraph_get())
+    assert plots.plot_of(scene, made).warnings == (
+        "pen 'Valleys' has nothing to draw: there is no layer of it",
+    )
+    export(tmp_path / "cube.svg")
+    assert list(groups(tmp_path / "cube.svg")) == ["2 Rest"]
+    plot.pens.remove(1)
+    with pytest.raises(RuntimeError, match="there is nothing to plot"):
+        export(tmp_path / "none.svg")
+    assert [path.name for path in tmp_path.iterdir()] == ["cube.svg"]
+
+
+@pytest.mark.parametrize(
     ("name", "words"),
     [
         ("cube.png", "'png' is no format of plots"),

@@ -125,6 +125,11 @@ def _add_plot(parser: argparse.ArgumentParser) -> None:
     )
     plot.add_argument("--page", metavar="A4", help="paper: a format, or such as 150x100 (mm)")
     plot.add_argument("--scale", type=_scale, metavar="1:50", help="of parallel cameras")
+    plot.add_argument(
+        "--masks",
+        action="store_true",
+        help="an image of where each object and material is seen, beside the frame's other files",
+    )
     plot.add_argument("--order", choices=ORDERS, help="which stroke is drawn next")
     plot.add_argument(
         "--sequence",

@@ -16,6 +16,7 @@ import bpy
 from .. import native, output
 from ..messages import IllustrateError, counted
 from ..output import files, stamps
+from ..plot.areas import fills_of
 from ..reading.tone_images import tone_of
 from ..running.illustration import (
     Illustration,
@@ -160,23 +161,25 @@ class Sequence:
 
     def _write(self, made: Illustration, name: str) -> None:
         scene, begun = self._scene, time.perf_counter()
+        camera, areas = made.arrays.camera, fills_of(scene, made)
         strokes = output.write_drawing(
-            scene, made.drawing, made.arrays.camera, scene.illustrate.output, made.names
+            scene, made.drawing, camera, scene.illustrate.output, made.names, areas
         )
         made.seconds["strokes"] = time.perf_counter() - begun
         exposure = float(made.drawing.tone.exposure)
         page = files.Page(
             scene,
             made.drawing,
-            made.arrays.camera,
+            camera,
             made.names,
             strokes,
             self._width_mm,
             self._chosen.svg_style,
             {**self._stamp, "frame": scene.frame_current, "exposure": exposure},
+            areas,
             self._follows,
         )
-        self._plots.add(scene, made)
+        self._plots.add(scene, made, name)
         for extension in self._chosen.format:
             begun, path = time.perf_counter(), self._path(name, extension)
             if self._plots.takes(extension):
@@ -185,6 +188,7 @@ class Sequence:
                 files.write_file(path, page)
             made.seconds[extension] = time.perf_counter() - begun
             say(f"Saved: '{path}'")
+        self._plots.write_masks(self._chosen.out)
 
     def _path(self, name: str, extension: str) -> str:
         return os.path.join(self._chosen.out, f"{name}.{extension}")

@@ -7,6 +7,7 @@ import bpy
 
 from ..messages import IllustrateError
 from ..output.files import prepare_folder
+from ..plot.areas import check_fills
 from ..reading.tone_images import choose_file
 from ..ui import presets
 from .arguments import MERGE, parse, parse_merge
@@ -40,6 +41,7 @@ def _draw(chosen: Any, summaries: list[str]) -> int:
     if chosen.tone_image:
         choose_file(bpy.context.scene, chosen.tone_image)
     choose_plot(bpy.context.scene, chosen)
+    check_fills(bpy.context.scene)
     prepare_folder(chosen.out)
     return 1 if Sequence(chosen, summaries).draw() else 0
 

@@ -8,7 +8,8 @@ import bpy
 from .. import native
 from ..messages import IllustrateError
 from ..output.files import PLOT_FORMATS, write_bytes
-from ..plot.plots import bytes_of, check_format, plot_of, summary
+from ..plot.areas import check_areas
+from ..plot.plots import bytes_of, check_plot, masks_of, plot_of, summary
 from ..running.illustration import Illustration
 from ..ui import presets
 from .lines import complain, say
@@ -20,12 +21,6 @@ def choose(scene: Any, chosen: Any) -> None:
     """Puts what the command line says of plots into the scene. Raises IllustrateError."""
     if chosen.plot and chosen.plot != OWN:
         presets.apply(chosen.plot, presets.PLOT_FOLDER)
-    files = PlotFiles(chosen)
-    for extension in chosen.format:
-        if files.takes(extension):
-            check_format(scene, extension)
-    for extension in chosen.sequence:
-        check_format(scene, extension, True)
     settings, plot = scene.illustrate_plot, native.load_part("plot")
     if chosen.page:
         try:
@@ -38,6 +33,21 @@ def choose(scene: Any, chosen: Any) -> None:
         settings.fit, settings.scale = "scale", chosen.scale
     if chosen.order:
         settings.order = chosen.order
+    if chosen.masks:
+        settings.masks = True
+    _check(scene, chosen)
+
+
+def _check(scene: Any, chosen: Any) -> None:
+    """Raises IllustrateError for what cannot be written, before any frame is drawn."""
+    if chosen.masks:
+        check_areas()
+    files = PlotFiles(chosen)
+    for extension in chosen.format:
+        if files.takes(extension):
+            check_plot(scene, extension)
+    for extension in chosen.sequence:
+        check_plot(scene, extension, True)
 
 
 class PlotFiles:
@@ -48,6 +58,7 @@ class PlotFiles:
         is_svg = bool(chosen.plot or chosen.page or chosen.scale or chosen.order)
         self._formats = (*PLOT_FORMATS, "svg") if is_svg else PLOT_FORMATS
         self.is_any = bool(self._sequences) or any(self.takes(e) for e in chosen.format)
+        self._has_masks, self._masks = chosen.masks, dict[str, bytes]()
         self._plot: Any = None
         self._plots: list[Any] = []
 
@@ -55,8 +66,10 @@ class PlotFiles:
         """True where files of this format are plots."""
         return extension in self._formats
 
-    def add(self, scene: Any, made: Illustration) -> None:
-        """Puts the drawing of a frame on its page, where any file asks for it."""
+    def add(self, scene: Any, made: Illustration, name: str) -> None:
+        """Puts the drawing of a frame on its page, where any file asks for it, and makes masks."""
+        if self._has_masks or (self.is_any and scene.illustrate_plot.masks):
+            self._masks = masks_of(scene, made, name)
         if not self.is_any:
             return
         self._plot = plot_of(scene, made)
@@ -69,6 +82,13 @@ class PlotFiles:
         """Writes the plot of the last frame."""
         write_bytes(path, bytes_of(os.path.splitext(path)[1][1:], [self._plot], made_by))
         say(summary(path, [self._plot]))
+
+    def write_masks(self, folder: str) -> None:
+        """Writes the masks of the last frame, where there are some."""
+        for name, data in self._masks.items():
+            path = os.path.join(folder, name)
+            write_bytes(path, data)
+            say(f"Saved: '{path}'")
 
     def write_sequences(self, folder: str, name: str) -> None:
         """Writes the files of all frames, where there are some."""

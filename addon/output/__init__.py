@@ -4,12 +4,13 @@ They touch nothing that is not marked as the add-on's own (ownership.py). What t
 Grease Pencil have in common is in pencil.py, the rest in one file for each.
 """
 
+from collections.abc import Sequence
 from typing import Any
 
 import bpy
 
 from ..messages import IllustrateError, quoted
-from . import curves, grease_pencil_v2, grease_pencil_v3, pencil
+from . import curves, fills, grease_pencil_v2, grease_pencil_v3, pencil
 from .strokes import Sheet, stroke_groups
 
 # By the version: 4.2 is an extension with version 2, and bpy.data.grease_pencils is there in all
@@ -18,24 +19,39 @@ PENCIL_API = grease_pencil_v3 if bpy.app.version >= (4, 3, 0) else grease_pencil
 TARGETS = ("GREASE_PENCIL", "CURVES")
 
 
-def sheet_of(drawing: Any, camera: Any, frame: int, names: list[str] | None = None) -> Sheet:
+def sheet_of(
+    drawing: Any,
+    camera: Any,
+    frame: int,
+    names: list[str] | None = None,
+    areas: Sequence[Any] = (),
+) -> Sheet:
     """An `illustrate_native.Drawing` as the writers take it.
 
-    camera: the CameraArrays it was made for. names: of the meshes; numbers where left out.
+    camera: the CameraArrays it was made for. names: of the meshes; numbers where left out. areas:
+    Areas (plot/areas.py) to be filled below it; curves have none.
     """
     if names is None:
         names = [str(i) for i in range(int(max(drawing.objects, default=-1)) + 1)]
-    return Sheet(frame, stroke_groups(drawing, camera), list(names))
+    filled = fills.group_of(list(areas), drawing, camera)
+    lowest = [] if filled is None else [filled]
+    return Sheet(frame, [*lowest, *stroke_groups(drawing, camera)], list(names))
 
 
 def write_drawing(
-    scene: Any, drawing: Any, camera: Any, target: str, names: list[str] | None = None
+    scene: Any,
+    drawing: Any,
+    camera: Any,
+    target: str,
+    names: list[str] | None = None,
+    areas: Sequence[Any] = (),
 ) -> list[Any]:
     """Puts a drawing in place of the last one at the scene's frame; the objects that hold it.
 
     target: one of TARGETS. The others are as in `sheet_of`.
     """
-    sheet = sheet_of(drawing, camera, scene.frame_current, names)
+    shown = areas if target == "GREASE_PENCIL" else ()
+    sheet = sheet_of(drawing, camera, scene.frame_current, names, shown)
     if target == "CURVES":
         pencil.clear(PENCIL_API, scene)
         return curves.write(scene, sheet)

@@ -3,7 +3,7 @@
 import os
 import signal
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from dataclasses import dataclass
 from typing import Any
@@ -33,6 +33,7 @@ class Page:
     width_mm: float = 200.0
     svg_style: str = "centerline"
     made_by: dict[str, Any] | None = None  # the stamp (stamps.py)
+    areas: Sequence[Any] = ()  # Areas (plot/areas.py) to be filled in SVG and PNG
     tracks: bool = False  # SVG and JSON tell which strokes are the same in other frames
 
 
@@ -151,6 +152,7 @@ def _svg(page: Page) -> bytes:
         page.svg_style,
         page.made_by,
         page.tracks,
+        [area.region for area in page.areas],
     )
     return text.encode()
 

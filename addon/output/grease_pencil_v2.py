@@ -2,7 +2,7 @@
 
 Its data keeps the names of the add-on's layers, and kind, object and invisibility of its strokes in
 the order in which they were drawn: strokes have no attributes. A stroke of the add-on has one of
-its pens and is LINE_WIDTH wide.
+its pens or fills and is LINE_WIDTH wide.
 """
 
 from typing import Any
@@ -10,7 +10,7 @@ from typing import Any
 import bpy
 import numpy as np
 
-from . import pens
+from . import fills, pens
 from .strokes import StrokeGroup
 
 TYPE = "GPENCIL"
@@ -61,7 +61,7 @@ def count(data: Any, _layer: Any, frame: Any) -> tuple[int, int]:
 
 
 def _ours(data: Any, frame: Any) -> list[Any]:
-    indices = set(pens.of_data(data).values())
+    indices = {*pens.of_data(data).values(), *fills.of_data(data).values()}
     return [
         stroke
         for stroke in frame.strokes
@@ -82,11 +82,11 @@ def remove_strokes(data: Any, layer: Any, frame: Any) -> None:
         frame.strokes.remove(stroke)
 
 
-def append(data: Any, layer: Any, frame: Any, group: StrokeGroup, pen: int) -> None:
+def append(data: Any, layer: Any, frame: Any, group: StrokeGroup, pens: Any) -> None:
     """Adds the strokes of a group after those that are there."""
     ends, points, widths = np.cumsum(group.sizes), group.points, 2 * group.radii
-    for size, end, closed in zip(
-        group.sizes.tolist(), ends.tolist(), group.closed.tolist(), strict=True
+    for size, end, closed, pen in zip(
+        group.sizes.tolist(), ends.tolist(), group.closed.tolist(), pens.tolist(), strict=True
     ):
         stroke = frame.strokes.new()
         # Without it points are places on the screen.
@@ -96,6 +96,8 @@ def append(data: Any, layer: Any, frame: Any, group: StrokeGroup, pen: int) -> N
         span = slice(end - size, end)
         stroke.points.foreach_set("co", points[span].ravel())
         stroke.points.foreach_set("pressure", widths[span])
+        if group.inks:
+            stroke.points.update()  # the triangles of its fill
     _remember(data, layer, frame, group)
 
 

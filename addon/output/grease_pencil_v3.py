@@ -106,7 +106,7 @@ def remove_strokes(_data: Any, _layer: Any, frame: Any) -> None:
     frame.drawing.remove_strokes(indices=np.flatnonzero(_is_ours(frame.drawing)).tolist())
 
 
-def append(_data: Any, _layer: Any, frame: Any, group: StrokeGroup, pen: int) -> None:
+def append(_data: Any, _layer: Any, frame: Any, group: StrokeGroup, pens: Any) -> None:
     """Adds the strokes of a group after those that are there."""
     drawing = frame.drawing
     strokes, points = len(drawing.strokes), drawing.attributes.domain_size("POINT")
@@ -114,7 +114,6 @@ def append(_data: Any, _layer: Any, frame: Any, group: StrokeGroup, pen: int) ->
     _set_tail(drawing, "position", "FLOAT_VECTOR", "POINT", points, group.points)
     _set_tail(drawing, "radius", "FLOAT", "POINT", points, group.radii)
     _set_tail(drawing, "cyclic", "BOOLEAN", "CURVE", strokes, group.closed)
-    pens = np.full(len(group.sizes), pen, np.int32)
     _set_tail(drawing, "material_index", "INT", "CURVE", strokes, pens)
     _set_tail(drawing, KIND, "INT", "CURVE", strokes, group.kinds + 1)
     _set_tail(drawing, OBJECT, "INT", "CURVE", strokes, group.objects)

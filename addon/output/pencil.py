@@ -10,7 +10,7 @@ Version 2 and 3 are modules with the same functions, handed in as `api`:
     count(data, layer, frame)       (strokes of the add-on, all strokes) of a keyframe
     remove_frame(data, layer, frame)
     remove_strokes(data, layer, frame)     those of the add-on
-    append(data, layer, frame, group, pen)
+    append(data, layer, frame, group, pens)     pens: (s,) indices of materials
     TYPE                            of the object
 """
 
@@ -19,10 +19,11 @@ from collections.abc import Callable
 from typing import Any
 
 import bpy
+import numpy as np
 
 from ..ownership import mark, may_replace
-from . import pens
-from .strokes import Sheet
+from . import fills, pens
+from .strokes import Sheet, StrokeGroup
 
 NAME = "Illustration"
 OBJECTS = "illustrate_objects"
@@ -141,11 +142,18 @@ def _write_sheet(api: Any, data: Any, sheet: Sheet, settings: Any, baking: bool)
         if frame is None:
             frame = layer.frames.new(sheet.frame)
             frame.keyframe_type = BAKED if baking else "KEYFRAME"
-        api.append(data, layer, frame, group, pens.index_of(data, group.pen, settings, True))
+        api.append(data, layer, frame, group, _materials(data, group, settings))
     for title, layer in api.our_layers(data).items():
         if title not in titles:
             _end_last_drawing(api, data, layer, sheet.frame)
     return left
+
+
+def _materials(data: Any, group: StrokeGroup, settings: Any) -> Any:
+    """(s,) the index of each stroke's material."""
+    if group.inks:
+        return fills.indices_of(data, group.inks)
+    return np.full(len(group.sizes), pens.index_of(data, group.pen, settings, True), np.int32)
 
 
 def _end_last_drawing(api: Any, data: Any, layer: Any, number: int) -> None:

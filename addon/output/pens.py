@@ -74,7 +74,7 @@ def colour_all(data: Any, settings: Any) -> None:
 
 
 def remove_unused(materials: list[Any]) -> None:
-    """Removes the pens among `materials` that nothing uses."""
+    """Removes the pens and fills among `materials` that nothing uses."""
     for material in materials:
-        if material is not None and is_ours(material) and PEN in material and not material.users:
+        if material is not None and is_ours(material) and not material.users:
             bpy.data.materials.remove(material)

@@ -14,10 +14,11 @@ def png_of(page: Any) -> bytes:
     colours = {group.title: inks[pen_of(group)] for group in groups}
     png = native.load_part("png")
     paper = (255, 255, 255, 0) if page.scene.render.film_transparent else png.WHITE
-    camera = page.camera
-    size = camera.width_px, camera.height_px
+    size = page.camera.width_px, page.camera.height_px
+    cover = native.load_part("plot").coverage
+    fills = [(cover(area.region, *size), encoded(area.colour)) for area in page.areas]
     return bytes(
-        png.to_png(page.drawing, *size, page.width_mm, colours, paper, made_by=page.made_by)
+        png.to_png(page.drawing, *size, page.width_mm, colours, paper, page.made_by, fills)
     )
 
 
@@ -28,6 +29,11 @@ def _inks(settings: Any, strokes: list[Any]) -> dict[str, tuple[int, int, int, i
         for pen, index in pens.of_data(thing.data).items():
             inks[pen] = tuple(pens.colour_of(thing.data.materials[index]))
     return {pen: encoded(colour) for pen, colour in inks.items()}
+
+
+def hex_of(colour: tuple[float, ...]) -> str:
+    """Such as '#1a2b3c', of linear light."""
+    return "#" + "".join(f"{number:02x}" for number in encoded(colour)[:3])
 
 
 def encoded(colour: tuple[float, ...]) -> tuple[int, int, int, int]:

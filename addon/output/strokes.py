@@ -15,7 +15,7 @@ class StrokeGroup:
     """The strokes of one layer, one after another."""
 
     title: str
-    pen: str  # a key of pens.PENS
+    pen: str  # a key of pens.PENS; of fills no pen
     points: Any  # (p, 3) float32 world
     radii: Any  # (p,) float32 world, half the width of the stroke
     sizes: Any  # (s,) int32 points of each stroke
@@ -25,6 +25,7 @@ class StrokeGroup:
     invisibility: Any  # (s,) int32 layers of surface in front
     ids: Any  # (s,) int32 number through the frames of a sequence; -1: unknown
     starts: Any  # (s,) float32 px along the stroke that its first point counts as
+    inks: tuple[tuple[str, tuple[float, ...]], ...] = ()  # (s) of fills: name and linear colour
 
 
 @dataclass(frozen=True)

@@ -10,9 +10,10 @@ import numpy as np
 
 from .. import native
 from ..messages import IllustrateError, counted
-from ..output.png import encoded
-from ..reading.scene import collections_of, colour_of
+from ..output.png import hex_of
+from ..reading.scene import collections_of
 from ..settings.scene_settings import draw_values
+from .areas import areas_of, materials_of_strokes
 
 LENGTHS_OFF = 0.02  # share by which the drawing's page may be off the plot's before it is said
 
@@ -22,34 +23,37 @@ def plot_of(scene: Any, made: Any) -> Any:
 
     Raises IllustrateError for settings that cannot be plotted with.
     """
-    plot, camera, names = native.load_part("plot"), made.arrays.camera, made.names
+    plot, camera = native.load_part("plot"), made.arrays.camera
     size = camera.width_px, camera.height_px
     with _explained():
-        things = [plot.Thing(name, collections_of(scene, name)) for name in names]
-        strokes = plot.strokes_of(made.drawing, things)
+        strokes = _strokes(plot, scene, made)
         options = _options(plot, scene, camera)
         _, placing = plot.placing_of(strokes, *size, options)
         pens = _pens(plot, scene, camera.width_px, placing.scale)
-        areas = _regions(plot, scene, made) if scene.illustrate_plot.fill_regions else ()
-        laid = plot.plot_of(strokes, *size, replace(options, pens=tuple(pens)), areas)
+        areas = areas_of(scene, made) if scene.illustrate_plot.fill_regions else []
+        options = replace(options, pens=tuple(pens))
+        laid = plot.plot_of(strokes, *size, options, [area.region for area in areas])
     warnings = (*laid.warnings, *_off(scene.illustrate, placing.scale * camera.width_px))
     return replace(laid, warnings=warnings)
 
 
-def _regions(plot: Any, scene: Any, made: Any) -> list[Any]:
-    """What is seen of each object, in the colour of its material."""
-    camera = made.arrays.camera
-    size = camera.width_px, camera.height_px
-    seen = plot.seen_from(made.prepared.surface, camera.projection, camera.view, *size)
-    names = made.names
-    return [
-        replace(
-            region,
-            name=names[region.object],
-            colour=_hex(colour_of(scene, names[region.object]), True),
-        )
-        for region in plot.regions_of(made.drawing.graph, seen, *size)
-    ]
+def _strokes(plot: Any, scene: Any, made: Any) -> Any:
+    """What pens choose from; materials where one asks for them."""
+    things = [plot.Thing(name, collections_of(scene, name)) for name in made.names]
+    chosen = scene.illustrate_plot
+    by_material = chosen.pens_by == "OWN" and any(pen.material for pen in chosen.pens)
+    materials = materials_of_strokes(scene, made) if by_material else None
+    return plot.strokes_of(made.drawing, things, materials)
+
+
+def masks_of(scene: Any, made: Any, stem: str) -> dict[str, bytes]:
+    """Images of where each object and material is seen, by the names of their files."""
+    plot, camera = native.load_part("plot"), made.arrays.camera
+    regions = [area.region for area in areas_of(scene, made)]
+    return {
+        name: plot.mask_of(region, camera.width_px, camera.height_px)
+        for name, region in zip(plot.mask_names(regions, stem), regions, strict=True)
+    }
 
 
 def page_of(scene: Any, camera: Any) -> tuple[Any, Any] | None:
@@ -79,12 +83,8 @@ def _explained() -> Iterator[None]:
 def _options(plot: Any, scene: Any, camera: Any) -> Any:
     """PlotOptions but the pens."""
     chosen = scene.illustrate_plot
-    is_own = chosen.paper == "OWN"
     return plot.PlotOptions(
-        paper=tuple(chosen.size_mm) if is_own else chosen.paper,
-        orientation="auto" if is_own else chosen.orientation,
-        margin_mm=tuple(chosen.margins_mm),
-        bleed_mm=chosen.bleed_mm,
+        *_page(chosen),
         fit=chosen.fit,
         scale=_mm_per_px(scene, camera) if chosen.fit == "scale" else 0.0,
         order=chosen.order,
@@ -121,7 +121,7 @@ def _pens(plot: Any, scene: Any, width_px: int, mm_per_px: float) -> list[Any]:
         "Hidden": "hidden_color",
     }
     pens = [
-        replace(pen, colour=_hex(getattr(scene.illustrate, inks[pen.name]), True))
+        replace(pen, colour=hex_of(getattr(scene.illustrate, inks[pen.name])))
         for pen in plot.pens_by_line(*widths)
     ]
     hidden = _dashes(chosen.hidden_dash_mm, chosen.hidden_gap_mm)
@@ -132,7 +132,7 @@ def _own(plot: Any, pen: Any) -> Any:
     return plot.Pen(
         pen.name,
         pen.width_mm,
-        _hex(pen.colour, False),
+        _hex(pen.colour),
         pauses=pen.pauses,
         is_plotted=pen.is_plotted,
         is_tapered=pen.is_tapered,
@@ -140,6 +140,7 @@ def _own(plot: Any, pen: Any) -> Any:
         kinds=tuple(sorted(pen.kinds)),
         objects=(pen.target.name,) if pen.target else (),
         collections=(pen.collection.name,) if pen.collection else (),
+        materials=(pen.material.name,) if pen.material else (),
     )
 
 
@@ -147,10 +148,9 @@ def _dashes(dash_mm: float, gap_mm: float) -> tuple[float, ...]:
     return (dash_mm, gap_mm) if dash_mm > 0 and gap_mm > 0 else ()
 
 
-def _hex(colour: Any, is_linear: bool) -> str:
-    """Such as '#1a2b3c'."""
-    numbers = encoded(colour)[:3] if is_linear else [round(255 * value) for value in colour]
-    return "#" + "".join(f"{number:02x}" for number in numbers)
+def _hex(colour: Any) -> str:
+    """Such as '#1a2b3c', of a colour as it is shown."""
+    return "#" + "".join(f"{round(255 * value):02x}" for value in colour)
 
 
 def _off(settings: Any, width_mm: float) -> Iterator[str]:
@@ -163,11 +163,25 @@ def _off(settings: Any, width_mm: float) -> Iterator[str]:
         )
 
 
-def check_format(scene: Any, extension: str, is_sequence: bool = False) -> None:
-    """Raises IllustrateError for what is not there to write a scene's plot, before it is drawn."""
+def check_plot(scene: Any, extension: str, is_sequence: bool = False) -> None:
+    """Raises IllustrateError for what a scene cannot be plotted with, before it is drawn.
+
+    That is a format or library that is not there, a page without room, and pens that draw nothing.
+    """
+    plot, chosen = native.load_part("plot"), scene.illustrate_plot
     with _explained():
-        fills = scene.illustrate_plot.fill_regions
-        native.load_part("plot").check(extension, is_sequence, fills)
+        plot.check(extension, is_sequence, chosen.fill_regions or chosen.masks)
+        plot.make_page(*_page(chosen))
+        if chosen.pens_by != "LINES":
+            plot.check_pens(_pens(plot, scene, 1, 1.0))
+
+
+def _page(chosen: Any) -> tuple[Any, ...]:
+    """Paper, orientation, margins, bleed."""
+    is_own = chosen.paper == "OWN"
+    paper = tuple(chosen.size_mm) if is_own else chosen.paper
+    orientation = "auto" if is_own else chosen.orientation
+    return paper, orientation, tuple(chosen.margins_mm), chosen.bleed_mm
 
 
 def bytes_of(

@@ -85,6 +85,11 @@ class ILLUSTRATE_PG_pen(bpy.types.PropertyGroup):
     target: PointerProperty(
         type=bpy.types.Object, name="Object", description="Draw the lines of this object only"
     )
+    material: PointerProperty(
+        type=bpy.types.Material,
+        name="Material",
+        description="Draw the lines on faces of this material only",
+    )
     collection: PointerProperty(
         type=bpy.types.Collection,
         name="Collection",
@@ -117,6 +122,12 @@ class ILLUSTRATE_PG_plot(bpy.types.PropertyGroup):
         name="Fill Objects",
         default=False,
         description="Fill what is seen of objects with their materials' colours, below the lines",
+    )
+    masks: BoolProperty(
+        name="Masks",
+        default=False,
+        description="Write an image beside the file for each object and material, white where it "
+        "is seen",
     )
     pens_by: EnumProperty(name="Pens", items=PENS, default="LINES", description="What draws what")
     pen_width_mm: _mm("Pen Width", 0.3, "How wide the only pen draws")

@@ -142,10 +142,8 @@ def collections_of(scene: Any, name: str) -> tuple[str, ...]:
     return tuple(c.name for c in scene.collection.children_recursive if name in c.all_objects)
 
 
-def colour_of(scene: Any, name: str) -> tuple[float, ...]:
-    """The colour of an object's first material, linear: its base colour, or in the viewport."""
-    thing = scene.objects.get(name)
-    material = next((slot.material for slot in thing.material_slots), None) if thing else None
+def colour_of(material: Any) -> tuple[float, ...]:
+    """The colour of a material or None, linear: its base colour, or in the viewport."""
     if material is None:
         return NO_COLOUR
     tree = material.node_tree if material.use_nodes else None  # a tree out of use stays there

@@ -7,6 +7,7 @@ import bpy
 
 from .. import native, output
 from ..messages import IllustrateError, counted
+from ..plot.areas import check_fills, fills_of
 from ..reading.tone_images import tone_of
 from .illustration import computing, hatches_render, read_request
 from .operators import DrawingOperator, still_there
@@ -40,6 +41,7 @@ class ILLUSTRATE_OT_bake(DrawingOperator, bpy.types.Operator):
         scene, start = context.scene, time.perf_counter()
         name = scene.name
         output.check_can_bake(scene.illustrate.output)
+        check_fills(scene)
         frames, shown = frames_of(scene), (scene.frame_current, scene.frame_subframe)
         sheets, warnings, previous = [], [], None
         try:
@@ -57,7 +59,9 @@ class ILLUSTRATE_OT_bake(DrawingOperator, bpy.types.Operator):
                     request.previous = previous
                 share = done / len(frames), (done + 1) / len(frames)
                 made = yield from computing(request, share, f"Frame {frame}")
-                sheets.append(output.sheet_of(made.drawing, made.arrays.camera, frame, made.names))
+                areas = fills_of(still_there(name), made)
+                camera = made.arrays.camera
+                sheets.append(output.sheet_of(made.drawing, camera, frame, made.names, areas))
                 warnings += [w for w in made.warnings if w not in warnings]
                 previous = made.drawing
         finally:

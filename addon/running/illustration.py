@@ -105,6 +105,7 @@ class Illustration:
     arrays: SceneArrays
     warnings: list[str]
     seconds: dict[str, float] = field(default_factory=dict)  # per stage, disjoint, in order
+    regions: list[Any] | None = None  # what is seen of objects, once asked for (plot/areas.py)
 
     @property
     def names(self) -> list[str]:

@@ -14,6 +14,7 @@ Progress = Callable[[float, str], bool]
 Result = TypeVar("Result")
 
 LOOK_S = 0.05  # between looks at a job that is waited for
+LOOKS = 2  # at a moment before it has passed
 
 
 class Job(Protocol):
@@ -50,6 +51,33 @@ class Step:
         """How far all is, and the name of the stage."""
         fraction, stage = self.job.poll()
         return self.start + (self.end - self.start) * fraction, stage
+
+
+class Moment:
+    """A job with nothing to do: at it Blender shows what comes next, and hears ESC."""
+
+    def __init__(self, stage: str) -> None:
+        self._stage, self._looks = stage, 0
+
+    @property
+    def is_done(self) -> bool:
+        """True from the third look on: Blender has drawn its windows between two of them."""
+        self._looks += 1
+        return self._looks > LOOKS
+
+    def poll(self) -> tuple[float, str]:
+        """The name of the stage that follows."""
+        return 0.0, self._stage
+
+    def cancel(self) -> None:
+        """There is nothing to be stopped."""
+
+    def wait(self, _seconds: float) -> bool:
+        """Nothing to wait for."""
+        return True
+
+    def result(self) -> None:
+        """Nothing."""
 
 
 Steps = Generator[Step, Any, Result]

@@ -8,6 +8,7 @@ import bpy
 from .. import output
 from ..messages import IllustrateError, counted
 from ..output import field_overlay
+from ..plot.areas import check_fills, fills_of
 from ..reading.tone_images import tone_of
 from ..viewport.inspect import INSPECTOR
 from ..viewport.paper import offer
@@ -53,6 +54,7 @@ class ILLUSTRATE_OT_illustrate(DrawingOperator, bpy.types.Operator):
         """Renders where that is asked for, reads, draws beside Blender, writes."""
         scene, start = context.scene, time.perf_counter()
         name, rendered, begun = scene.name, None, 0.0
+        check_fills(scene)
         if hatches_render(scene.illustrate):
             rendered = yield from render_steps(scene, self.is_modal, tone_of, 0.0, RENDERING)
             scene, begun = still_there(name), RENDERING
@@ -61,7 +63,12 @@ class ILLUSTRATE_OT_illustrate(DrawingOperator, bpy.types.Operator):
         made = yield from computing(request, (begun, 1.0))
         scene = still_there(request.scene_name)
         output.write_drawing(
-            scene, made.drawing, made.arrays.camera, scene.illustrate.output, made.names
+            scene,
+            made.drawing,
+            made.arrays.camera,
+            scene.illustrate.output,
+            made.names,
+            fills_of(scene, made),
         )
         INSPECTOR.remember(made)
         if self.is_modal:

@@ -42,8 +42,12 @@ STAGES = {
     "hatch curves": "Tracing hatches",
     "hatch": "Hatching",
     "stroke": "Drawing strokes",
+    "areas": "Filling areas",
+    "order": "Ordering strokes",
+    "curves": "Fitting curves",
+    "file": "Writing the file",
 }
-"""What the artist reads for the names of the native stages."""
+"""What the artist reads for the names of stages: the native ones, and those of plots."""
 
 
 _running: list["TaskOperator"] = []
@@ -126,7 +130,12 @@ class TaskOperator:
             raise
 
     def cancel(self, context: Any) -> None:
-        """Ends without a result; Blender calls it too, when a file is loaded or the window goes."""
+        """Ends without a result; Blender calls it too, when a file is loaded or the window goes.
+
+        And when a file browser is closed, after which there is nothing to end.
+        """
+        if self not in _running:
+            return
         let_go(self._step.job)
         self._task.close()
         self._clean_up(context)

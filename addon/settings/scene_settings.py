@@ -176,6 +176,12 @@ OWN: dict[str, Any] = {
     "feature_color": _colour("Features", "all other lines but hatches"),
     "hatch_color": _colour("Hatches", "hatches"),
     "hidden_color": _colour("Hidden", "hidden lines", (0.3, 0.3, 0.3, 1.0)),
+    "fill_regions": BoolProperty(
+        name="Fill Objects",
+        default=False,
+        description="Fill what is seen of objects with their materials' colours, on a layer below "
+        "the lines, in Grease Pencil; needs the Python package shapely",
+    ),
     "in_front": BoolProperty(
         name="In Front",
         default=True,

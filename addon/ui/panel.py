@@ -270,6 +270,7 @@ class ILLUSTRATE_PT_output(_Fields, bpy.types.Panel):
         "feature_color",
         "hatch_color",
         "hidden_color",
+        "fill_regions",
         "in_front",
         "keep_frames",
     )

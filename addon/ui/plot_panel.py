@@ -9,8 +9,8 @@ from ..plot.pens import ILLUSTRATE_OT_edit_pens, ILLUSTRATE_UL_pens
 from .panel import SidePanel
 from .presets import ILLUSTRATE_PT_plot_presets
 
-PEN_FIELDS = ("kinds", "target", "collection", "dash_mm", "gap_mm", "pauses", "is_plotted",
-              "is_tapered")  # fmt: skip
+PEN_FIELDS = ("kinds", "target", "collection", "material", "dash_mm", "gap_mm", "pauses",
+              "is_plotted", "is_tapered")  # fmt: skip
 ONLY_WITH = {
     "size_mm": ("paper", "OWN"),
     "orientation": ("paper", None),
@@ -77,7 +77,7 @@ class ILLUSTRATE_PT_pens(_Plot, bpy.types.Panel):
     bl_idname = "ILLUSTRATE_PT_pens"
     bl_label = "Pens"
     bl_parent_id = "ILLUSTRATE_PT_plot"
-    fields = ("fill_regions", "pens_by", "pen_width_mm", "hidden_dash_mm", "hidden_gap_mm")
+    fields = ("fill_regions", "masks", "pens_by", "pen_width_mm", "hidden_dash_mm", "hidden_gap_mm")
 
     def draw(self, context: Any) -> None:
         """Shows the choice, and own pens as a list."""

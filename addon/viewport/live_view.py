@@ -11,9 +11,10 @@ import numpy as np
 from bpy.app.handlers import persistent
 
 from .. import native, output
-from ..messages import counted
+from ..messages import IllustrateError, counted
 from ..output.pens import PENS
 from ..output.strokes import pen_of
+from ..plot.areas import fills_of
 from ..reading.scene import CameraArrays, camera_problem, read_camera
 from ..settings.guides import is_guide
 from ..settings.scene_settings import draw_values
@@ -319,9 +320,13 @@ class ILLUSTRATE_OT_keep_live(bpy.types.Operator):
     def execute(self, context: Any) -> set[str]:
         """Writes it as Illustrate does."""
         made, scene = _kept(context), context.scene
-        output.write_drawing(
-            scene, made.drawing, made.arrays.camera, scene.illustrate.output, made.names
-        )
+        chosen, camera = scene.illustrate, made.arrays.camera
+        try:
+            areas = fills_of(scene, made)
+        except IllustrateError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        output.write_drawing(scene, made.drawing, camera, chosen.output, made.names, areas)
         VIEW.switch(False)
         self.report({"INFO"}, f"Kept {counted(len(made.drawing.kinds), 'stroke')}")
         return {"FINISHED"}

@@ -105,6 +105,7 @@ def run(scenarios: list[Scenario]) -> None:
 def main() -> None:
     """All scenarios."""
     provide()
+    import export_scenarios
     import hands_scenarios
     import job_scenarios
     import live_scenarios
@@ -112,7 +113,8 @@ def main() -> None:
     import paper_scenarios
     import scenarios
 
-    parts = (scenarios, job_scenarios, live_scenarios, paper_scenarios, hands_scenarios, live_times)
+    drawn = (scenarios, job_scenarios, export_scenarios, live_scenarios, paper_scenarios)
+    parts = (*drawn, hands_scenarios, live_times)
     run([each for part in parts for each in part.ALL])
 
 

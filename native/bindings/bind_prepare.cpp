@@ -107,6 +107,7 @@ void bind_surface(py::module_& m) {
   part("objects", &Surface::objects);
   part("base_faces", &Surface::base_faces);
   part("base_uv", &Surface::base_uv);
+  part("triangle_faces", &Surface::triangle_faces);
   part("feature_edges", &Surface::feature_edges);
   bound.def_property_readonly("feature_kinds", &feature_kinds);
   bound.def("evaluate", &evaluate, py::arg("base_faces"), py::arg("base_uv"),

@@ -596,6 +596,9 @@ class Surface:
     def base_uv(self) -> _Doubles:
         """(n, 2) where on that face."""
     @property
+    def triangle_faces(self) -> _Indices:
+        """(t,) face of the mesh that each triangle is a piece of."""
+    @property
     def feature_edges(self) -> _Indices:
         """(e, 2) vertices; a crease edge once for each side."""
     @property

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import struct
 import zlib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -16,13 +16,16 @@ from .line_groups import DrawingArrays, line_groups, points_of
 
 BLACK = (0, 0, 0, 255)
 WHITE = (255, 255, 255, 255)
+_CLEAR = (255, 255, 255, 0)
 _SIGNATURE = b"\x89PNG\r\n\x1a\n"
-_TRUE_COLOUR, _WITH_ALPHA = 2, 6
+_COLOUR_TYPES = {1: 0, 3: 2, 4: 6}  # by the number of channels
 _PIXELS_PER_METRE = 1
 _KEYWORD = b"Illustrate\0"  # of the text that says how the picture was made
 
 Colour = tuple[int, int, int, int]
 """Red, green, blue, alpha in [0, 255], encoded as in sRGB."""
+Fill = tuple[NDArray[np.float64], Colour]
+"""(h, w) in [0, 1], how much of each pixel an area covers, and its colour. Areas do not overlap."""
 
 
 def to_png(
@@ -33,29 +36,59 @@ def to_png(
     colours: Mapping[str, Colour] | None = None,
     paper: Colour = WHITE,
     made_by: Mapping[str, Any] | None = None,
+    fills: Sequence[Fill] = (),
 ) -> bytes:
     """PNG of a drawing made for an image of width_px by height_px, which is its size.
 
     width_mm: of the page, for its resolution in print. colours: of groups of lines, by their
     titles (line_groups); black where none is given. paper: may be transparent.
     made_by: what the file is to say of its making, of JSON's types; it is in a text chunk.
+    fills: areas below the lines.
     Raises InvalidInput for a size that cannot be used.
     """
-    pixels = to_pixels(drawing, width_px, height_px, colours or {}, paper)
+    under = _CLEAR if fills else paper
+    pixels = to_pixels(drawing, width_px, height_px, colours or {}, under)
+    if fills:
+        pixels = _over_fills(pixels, fills, paper)
     if paper[3] == 255:
         pixels = pixels[..., :3]
-    rows = np.zeros((height_px, 1 + width_px * pixels.shape[2]), np.uint8)  # each with filter 0
-    rows[:, 1:] = pixels.reshape(height_px, -1)
-    kind = _TRUE_COLOUR if pixels.shape[2] == 3 else _WITH_ALPHA
     told = [] if made_by is None else [_chunk(b"tEXt", _KEYWORD + json.dumps(made_by).encode())]
     density = round(1000 * width_px / width_mm)
+    size = _chunk(b"pHYs", struct.pack(">IIB", density, density, _PIXELS_PER_METRE))
+    return image_file(pixels, b"".join((size, *told)))
+
+
+def _over_fills(ink: NDArray[np.uint8], fills: Sequence[Fill], paper: Colour) -> NDArray[np.uint8]:
+    """Lines on areas on paper. Areas share the pixels on their borders, so they are added up."""
+    sheet = _times_alpha(np.array(paper, float))
+    light = np.tile(sheet, (*ink.shape[:2], 1))  # red, green and blue times alpha, and alpha
+    for cover, colour in fills:
+        area = _times_alpha(np.array(colour, float))
+        light += cover[..., None] * (area - area[3] * sheet)
+    light = _times_alpha(ink.astype(float)) + (1 - ink[..., 3:] / 255.0) * light
+    light[..., :3] /= np.maximum(light[..., 3:], 1e-6)
+    encoded: NDArray[np.uint8] = np.rint(255 * light.clip(0.0, 1.0)).astype(np.uint8)
+    return encoded
+
+
+def _times_alpha(colour: NDArray[np.float64]) -> NDArray[np.float64]:
+    """From [0, 255] to [0, 1]."""
+    alpha = colour[..., 3:] / 255
+    return np.concatenate([colour[..., :3] / 255 * alpha, alpha], axis=-1)
+
+
+def image_file(pixels: NDArray[np.uint8], told: bytes = b"") -> bytes:
+    """PNG of (h, w, 1) grey, (h, w, 3) colours or (h, w, 4) with alpha. told: chunks before it."""
+    height, width, channels = pixels.shape
+    rows = np.zeros((height, 1 + width * channels), np.uint8)  # each with filter 0
+    rows[:, 1:] = pixels.reshape(height, -1)
+    head = struct.pack(">IIBBBBB", width, height, 8, _COLOUR_TYPES[channels], 0, 0, 0)
     return b"".join(
         (
             _SIGNATURE,
-            _chunk(b"IHDR", struct.pack(">IIBBBBB", width_px, height_px, 8, kind, 0, 0, 0)),
+            _chunk(b"IHDR", head),
             _chunk(b"sRGB", b"\0"),
-            _chunk(b"pHYs", struct.pack(">IIB", density, density, _PIXELS_PER_METRE)),
-            *told,
+            told,
             _chunk(b"IDAT", zlib.compress(rows.tobytes(), 6)),
             _chunk(b"IEND", b""),
         )

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
-from xml.sax.saxutils import escape, unescape
+from xml.sax.saxutils import escape, quoteattr, unescape
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,6 +39,7 @@ def to_svg(
     style: str = "centerline",
     made_by: Mapping[str, Any] | None = None,
     tracks: bool = False,
+    regions: Sequence[Any] = (),
 ) -> str:
     """SVG text of a drawing made for an image of width_px by height_px.
 
@@ -48,6 +49,7 @@ def to_svg(
     made_by: what the file is to say of its making, of JSON's types; it is in its metadata.
     tracks: paths get the attributes data-id and data-start: a stroke's number through the frames
     of a sequence, and the pixels along it that its first point counts as.
+    regions: `illustrate_native.plot.Region`s in pixels, filled in a group below the lines.
     Raises ValueError naming the argument that cannot be used.
     """
     if style not in STYLES:
@@ -67,6 +69,9 @@ def to_svg(
     ]
     if made_by is not None:
         lines.append(_METADATA.format(escape(json.dumps(made_by))))
+    if regions:
+        lines += [_GROUP.format(id="fill", title="Fill", paint='stroke="none"')]
+        lines += [*map(_region, regions), "</g>"]
     for group in line_groups(drawing):
         name = group.title.lower().replace(" ", "-")
         lines.append(_GROUP.format(id=name, title=group.title, paint=_PAINT[style]))
@@ -100,6 +105,13 @@ def _paths(drawing: DrawingArrays, group: LineGroup, style: str, tracks: bool) -
             )
         else:
             yield f'<path {told}d="{_outline(points, widths[span] / 2, closed)}"/>'
+
+
+def _region(region: Any) -> str:
+    """A path of all rings, whose holes stay free."""
+    rings = "".join(f"M{polyline(ring)}Z" for polygon in region.polygons for ring in polygon)
+    label, paint = quoteattr(region.name), f'fill="{region.colour}" fill-rule="evenodd"'
+    return f'<path inkscape:label={label} {paint} d="{rings}"/>'
 
 
 def _track(drawing: DrawingArrays, stroke: int) -> str:

@@ -168,6 +168,7 @@ SCENE: dict[str, Effect | str] = {
     "feature_color": "a colour",
     "hatch_color": "a colour",
     "hidden_color": "a colour",
+    "fill_regions": "fills below the lines in the colours of materials: see Plot, Regions",
     "in_front": "shows strokes over surfaces in the viewport",
     "keep_frames": WHERE,
     "use_scene_range": WHERE,

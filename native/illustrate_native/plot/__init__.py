@@ -8,12 +8,14 @@ Each step is a function on plain arrays, in a file of its own; docs/plot.md.
 """
 
 from .errors import PlotError
-from .formats import EXTENSIONS, check, file_of, read_made_by
+from .formats import EXTENSIONS, check, check_regions, file_of, read_made_by
+from .masks import coverage, mask_names, mask_of
 from .order import Cost, Machine
-from .pages import FORMATS, Page, read_paper
-from .pens import Layer, Pen, one_pen, pens_by_line
+from .pages import FORMATS, Page, make_page, read_paper
+from .pens import Layer, Pen, check_pens, one_pen, pens_by_line
 from .plans import Plot, PlotOptions, Thing, placing_of, plot_of, strokes_of
-from .regions import Region, regions_of, seen_from
+from .regions import Region, cut_open, regions_of
+from .seen import seen_from
 from .strokes import Strokes, Subject, make_strokes
 from .svg_file import svg_of
 
@@ -33,8 +35,15 @@ __all__ = [
     "Subject",
     "Thing",
     "check",
+    "check_pens",
+    "check_regions",
+    "coverage",
+    "cut_open",
     "file_of",
+    "make_page",
     "make_strokes",
+    "mask_names",
+    "mask_of",
     "one_pen",
     "pens_by_line",
     "placing_of",

@@ -1,8 +1,9 @@
-"""A plot as DXF, R12 or 2000: a layer for each pen, for CAD programs and laser cutters.
+"""A plot as DXF, R12 or 2000: a layer for each pen and region, for CAD programs and laser cutters.
 
 Millimetres, y up, the origin at the page's lower left corner. R12 has polylines within the
-tolerance, 2000 has the Béziers themselves, as splines. ezdxf writes the file; it is an optional
-library.
+tolerance and the outlines of regions; 2000 has the Béziers themselves, as splines, and regions as
+hatches with their holes, in solid colour. Layers of regions come before those of pens. ezdxf writes
+the file; it is an optional library.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ import io
 import json
 import math
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any
 
@@ -26,10 +27,14 @@ from .plans import Plot
 from .strokes import Floats
 
 VERSIONS = ("R12", "R2000")
+FILL = "Fill"
+"""Begins the names of layers of regions."""
 _FORBIDDEN = re.compile(r"[^\w \-$]")  # in names of layers
 _MILLIMETRES = 4
 _LONGEST_R12 = 31  # letters of a name
+_BLACK = 7  # black on white, and white on black
 _BY_LAYER = 256  # the colour of what has that of its layer
+_OUTER, _INNER = 1, 16  # flags of the rings of hatches
 _MADE_BY = "illustrate "  # begins the comment that says how a file was made
 _FINEST_MM = 0.001  # that curves are followed to
 
@@ -45,10 +50,16 @@ def dxf_of(plot: Plot, version: str = "R2000", made_by: Mapping[str, Any] | None
     text = io.StringIO()
     with _without_date(ezdxf.options):
         document = ezdxf.new(version, units=_MILLIMETRES)
+        space, is_r12 = document.modelspace(), version == "R12"
+        for region in plot.regions:
+            name = _name(f"{FILL} {region.name}", version, document.layers)
+            document.layers.add(name, color=_index(ezdxf, region.colour))
+            for rings in region.polygons:
+                _fill(space, plot, rings, {"layer": name}, is_r12)
         for layer in plot.layers:
             name = _name(layer.label, version, document.layers)
             document.layers.add(name, **_look(ezdxf, layer, version))
-            _draw(document.modelspace(), plot, layer, {"layer": name}, version == "R12")
+            _draw(space, plot, layer, {"layer": name}, is_r12)
         if made_by is not None:
             text.write(f"999\n{_MADE_BY}{json.dumps(made_by)}\n")
         document.write(text)
@@ -86,10 +97,7 @@ def _name(label: str, version: str, taken: Any) -> str:
 
 def _look(ezdxf: Any, layer: Layer, version: str) -> dict[str, int]:
     """The nearest of the colours and line widths that DXF has."""
-    ink = np.array([int(layer.pen.colour[i : i + 2], 16) for i in (1, 3, 5)])
-    table = np.array([ezdxf.colors.aci2rgb(i) for i in range(1, 256)])
-    is_black = not ink.any()  # number 7 is black on white and white on black
-    colour = 7 if is_black else int(np.argmin(((table - ink) ** 2).sum(axis=1))) + 1
+    colour = _index(ezdxf, layer.pen.colour)
     if version == "R12":
         return {"color": colour}
     weights = ezdxf.lldxf.const.VALID_DXF_LINEWEIGHTS
@@ -97,19 +105,42 @@ def _look(ezdxf: Any, layer: Layer, version: str) -> dict[str, int]:
     return {"color": colour, "lineweight": nearest}
 
 
+def _index(ezdxf: Any, colour: str) -> int:
+    """The nearest of the numbered colours."""
+    ink = np.array([int(colour[i : i + 2], 16) for i in (1, 3, 5)])
+    table = np.array([ezdxf.colors.aci2rgb(i) for i in range(1, 256)])
+    if not ink.any():
+        return _BLACK
+    return int(np.argmin(((table - ink) ** 2).sum(axis=1))) + 1
+
+
+def _up(plot: Plot, points: Floats) -> Any:
+    """Points as DXF has them."""
+    return np.round(np.c_[points[:, 0], plot.page.height_mm - points[:, 1]], 3).tolist()
+
+
+def _fill(
+    space: Any, plot: Plot, rings: Sequence[Floats], look: dict[str, str], is_r12: bool
+) -> None:
+    """An area, the first ring its outer one."""
+    if is_r12:
+        for ring in rings:
+            space.add_polyline2d(_up(plot, ring), close=True, dxfattribs=look)
+        return
+    area = space.add_hatch(dxfattribs=look)
+    area.dxf.color = _BY_LAYER
+    for i, ring in enumerate(rings):
+        area.paths.add_polyline_path(_up(plot, ring), flags=_INNER if i else _OUTER)
+
+
 def _draw(space: Any, plot: Plot, layer: Layer, look: dict[str, str], is_r12: bool) -> None:
     def up(points: Floats) -> Any:
-        return np.round(np.c_[points[:, 0], plot.page.height_mm - points[:, 1]], 3).tolist()
+        return _up(plot, points)
 
     polyline = space.add_polyline2d if is_r12 else space.add_lwpolyline
     if layer.pen.is_tapered:
         for rings in outlines(layer.strokes):
-            if not is_r12:
-                area = space.add_hatch(dxfattribs=look)
-                area.dxf.color = _BY_LAYER
-            add = polyline if is_r12 else area.paths.add_polyline_path
-            for ring in rings:
-                add(up(ring), **({"close": True, "dxfattribs": look} if is_r12 else {}))
+            _fill(space, plot, rings, look, is_r12)
         return
     curves = plot.curves(layer)
     for first, last, is_closed in _strokes(curves):

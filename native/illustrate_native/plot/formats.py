@@ -13,6 +13,7 @@ from .errors import PlotError
 from .libraries import load
 from .pdf_file import pdf_of
 from .plans import Plot
+from .regions import PURPOSE
 from .svg_file import svg_of
 
 EXTENSIONS = ("svg", "pdf", "dxf")
@@ -36,9 +37,14 @@ def check(extension: str, is_sequence: bool = False, has_regions: bool = False) 
     if is_sequence and extension == "dxf":
         raise PlotError("a DXF holds one drawing: choose PDF or SVG for a sequence")
     if has_regions:
-        load("shapely", "Filling regions")
+        check_regions()
     if extension in LIBRARIES:
         load(LIBRARIES[extension], extension.upper())
+
+
+def check_regions() -> None:
+    """Raises PlotError where `regions_of` would, for want of a library."""
+    load("shapely", PURPOSE)
 
 
 def file_of(

@@ -59,14 +59,20 @@ class Plot:
     costs: Cost
     warnings: tuple[str, ...] = ()
     regions: tuple[Region, ...] = ()  # areas to be filled, below all layers
+    _fitted: list[tuple[Layer, Curves]] = field(default_factory=list, repr=False, compare=False)
 
     def travel(self) -> list[Floats]:
         """(n, 2, 2) the ways with the pen up of each layer that is plotted, millimetres."""
         return [pen_up_segments(layer.strokes) for layer in self.layers if layer.pen.is_plotted]
 
     def curves(self, layer: Layer) -> Curves:
-        """The strokes of a layer as curves within the tolerance, after they are rounded."""
-        return fitted(layer.strokes, max(self.tolerance_mm - ROUNDED_MM, 0.0))
+        """The strokes of a layer as curves within the tolerance, after they are rounded; kept."""
+        for known, curves in self._fitted:
+            if known is layer:
+                return curves
+        curves = fitted(layer.strokes, max(self.tolerance_mm - ROUNDED_MM, 0.0))
+        self._fitted.append((layer, curves))
+        return curves
 
 
 def strokes_of(

@@ -11,6 +11,13 @@ from drawings import drawing_of
 from illustrate_native.drawing_json import StoredDrawing
 
 WIDTH_PX, HEIGHT_PX = 1024, 768
+PAPERS: list[dict[str, Any]] = [
+    {},
+    {"fit": "fill", "margin_mm": 0.0, "bleed_mm": 3.0},
+    {"paper": "A6", "margin_mm": (5.0, 5.0, 20.0, 5.0), "fit": "scale", "scale": 0.3},
+    {"paper": (100.0, 300.0), "fit": "lines", "order": "wet"},
+]
+"""Options of plots: a page as it comes, with bleed, at scale with much cut off, and upright."""
 
 
 def drawing_of_every_kind() -> StoredDrawing:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import re
 import shutil
 import subprocess
 import sys
@@ -29,7 +30,7 @@ from illustrate_native.plot.animation import animated_svg_of
 from illustrate_native.plot.dxf_file import dxf_of
 from illustrate_native.plot.formats import check, read_made_by
 from illustrate_native.plot.pdf_file import POINTS_PER_MM, pdf_of
-from plot_drawings import HEIGHT_PX, WIDTH_PX, torus_drawing
+from plot_drawings import HEIGHT_PX, PAPERS, WIDTH_PX, torus_drawing
 
 pypdf: Any = pytest.importorskip("pypdf", reason="pypdf is not installed")
 ezdxf: Any = pytest.importorskip("ezdxf", reason="ezdxf is not installed")
@@ -89,6 +90,29 @@ def test_pdftoppm_shows_a_line_at_its_millimetres(tmp_path: Path) -> None:
     assert [left, right] == pytest.approx([485 - 2.5, 2485 + 2.5], abs=1.5)
     assert [top, bottom] == pytest.approx([500 - 2.5, 500 + 2.5], abs=1.5)
     assert pixels[500, 1000].tolist() == [0, 0, 255]
+
+
+@pytest.mark.parametrize("options", PAPERS)
+def test_poppler_reads_the_same_strokes_and_millimetres(
+    options: dict[str, Any], tmp_path: Path
+) -> None:
+    """pdftocairo writes paths as they are in the file, in our units, with a matrix for the page."""
+    if not shutil.which("pdftocairo"):
+        pytest.skip("pdftocairo is not installed")
+    plot = torus_plot(**options)
+    (tmp_path / "torus.pdf").write_bytes(pdf_of([plot]))
+    names = [str(tmp_path / f"torus.{end}") for end in ("pdf", "svg")]
+    subprocess.run(["pdftocairo", "-svg", *names], check=True)
+    paths = [e for e in ElementTree.parse(names[1]).iter() if e.tag.endswith("}path")]
+    drawn = [(layer, i) for layer in plot.layers for i in range(len(layer.strokes))]
+    for path, (layer, i) in zip(paths, drawn, strict=True):
+        data = path.get("d", "")
+        points = np.array(re.findall(r"-?[\d.]+", data), float).reshape(-1, 2)
+        strokes = layer.strokes
+        ends = strokes.points[strokes.span(i)][[0, 0 if strokes.closed[i] else -1]]
+        assert np.abs(points[[0, -1]] - ends).max() < 0.01
+        assert ("Z" in data) == strokes.closed[i]
+        assert f"stroke-width:{layer.pen.width_mm:g};" in path.get("style", "")
 
 
 def sampled(line: Any) -> Any:

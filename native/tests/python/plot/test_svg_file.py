@@ -17,7 +17,7 @@ from illustrate_native.plot.order import ordered, pen_up_ways
 from illustrate_native.plot.plans import Thing
 from illustrate_native.plot.strokes import Strokes, Subject, lengths, make_strokes
 from illustrate_native.svg import read_made_by, to_svg
-from plot_drawings import HEIGHT_PX, WIDTH_PX, drawing_of_every_kind, torus_drawing
+from plot_drawings import HEIGHT_PX, PAPERS, WIDTH_PX, drawing_of_every_kind, torus_drawing
 
 vpype: Any = pytest.importorskip("vpype", reason="vpype is not installed")
 svgelements: Any = pytest.importorskip("svgelements", reason="svgelements is not installed")
@@ -55,10 +55,16 @@ def farthest(points: Any, line: Any) -> float:
     return float(np.abs(points[:, None] - a - share.clip(0, 1) * way).min(axis=1).max())
 
 
-def test_vpype_reads_the_same_strokes_pens_and_millimetres(tmp_path: Path) -> None:
-    plot = torus_plot()
+@pytest.mark.parametrize("options", PAPERS)
+def test_vpype_reads_the_same_strokes_pens_and_millimetres(
+    options: dict[str, Any], tmp_path: Path
+) -> None:
+    plot = torus_plot(**options)
     document = read_by_vpype(svg_of(plot), tmp_path / "torus.svg")
-    assert document.page_size == pytest.approx((297 * PX_PER_MM, 210 * PX_PER_MM))
+    left, top, right, bottom = plot.page.outer
+    assert document.page_size == pytest.approx(
+        ((right - left) * PX_PER_MM, (bottom - top) * PX_PER_MM)
+    )
     assert sorted(document.layers) == [layer.number for layer in plot.layers]
     for layer in plot.layers:
         read = document.layers[layer.number]
@@ -68,25 +74,30 @@ def test_vpype_reads_the_same_strokes_pens_and_millimetres(tmp_path: Path) -> No
         drawn = polylines(layer.strokes)
         assert len(read.lines) == len(drawn)
         for line, points in zip(read.lines, drawn, strict=True):
-            back = line / PX_PER_MM
+            back = line / PX_PER_MM + complex(left, top)
             ends = as_complex(points[[0, -1]])
             assert np.abs(back[[0, -1]] - ends).max() < 0.01
             assert farthest(as_complex(points), back) < 0.0205
 
 
-def test_svgelements_reads_the_same_curves_and_nothing_twice(tmp_path: Path) -> None:
-    plot = torus_plot()
+@pytest.mark.parametrize("options", PAPERS)
+def test_svgelements_reads_the_same_curves_and_nothing_twice(
+    options: dict[str, Any], tmp_path: Path
+) -> None:
+    plot = torus_plot(**options)
     path = tmp_path / "torus.svg"
     path.write_text(svg_of(plot), encoding="utf-8")
     svg = svgelements.SVG.parse(str(path), ppi=25.4)
-    assert (svg.width, svg.height) == pytest.approx((297, 210))
+    left, top, right, bottom = plot.page.outer
+    assert (svg.width, svg.height) == pytest.approx((right - left, bottom - top))
     paths = [e for e in svg.elements() if isinstance(e, svgelements.Path)]
     strokes = [line for layer in plot.layers for line in polylines(layer.strokes)]
     assert len(paths) == len(strokes)
     for read, points in zip(paths, strokes, strict=True):
         parts = [part for part in read if not isinstance(part, svgelements.Move)]
-        assert abs(complex(read.first_point) - complex(*points[0])) < 0.01
-        assert abs(complex(read.current_point) - complex(*points[-1])) < 0.01
+        begin, end = (complex(*points[at]) - complex(left, top) for at in (0, -1))
+        assert abs(complex(read.first_point) - begin) < 0.01
+        assert abs(complex(read.current_point) - end) < 0.01
         for part in parts:
             if not isinstance(part, svgelements.Close):
                 assert abs(complex(part.start) - complex(part.end)) > 0.005
