@@ -138,14 +138,14 @@ def missing_image(folder: Any) -> Any:
     return image
 
 
-def wrongly_packed_image(folder: Any) -> Any:
+def wrongly_packed_image(_folder: Any) -> Any:
     image = bpy.data.images.new("Bad", 4, 4)
     image.pack(data=b"no picture at all", data_len=17)
     image.source = "FILE"
     return image
 
 
-def huge_image(folder: Any) -> Any:
+def huge_image(_folder: Any) -> Any:
     """32,768 pixels wide, and a little larger than what is read."""
     return bpy.data.images.new("Bad", 32768, lightness.MOST_TEXELS // 32768 + 1)
 
