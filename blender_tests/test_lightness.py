@@ -151,9 +151,7 @@ def huge_image(_folder: Any) -> Any:
 
 
 @pytest.mark.parametrize("bad", [missing_image, wrongly_packed_image, huge_image])
-def test_a_bad_image_counts_as_white_and_is_named_once(
-    scene: Any, tmp_path: Any, bad: Any
-) -> None:
+def test_a_bad_image_counts_as_white_and_is_named_once(scene: Any, tmp_path: Any, bad: Any) -> None:
     made, shader = material()
     for _ in range(2):  # two materials and two objects with the same image
         node = link(made, "ShaderNodeTexImage", shader.inputs["Base Color"])
