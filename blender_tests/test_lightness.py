@@ -131,16 +131,48 @@ def test_what_is_not_followed_is_named_once(scene: Any) -> None:
     assert '"Ink"' in warning
 
 
-def test_a_missing_image_counts_as_white_and_is_named(scene: Any, tmp_path: Any) -> None:
+def missing_image(folder: Any) -> Any:
+    image = bpy.data.images.new("Bad", 4, 4)
+    image.source = "FILE"
+    image.filepath = str(folder / "nowhere.png")
+    return image
+
+
+def wrongly_packed_image(_folder: Any) -> Any:
+    image = bpy.data.images.new("Bad", 4, 4)
+    image.pack(data=b"no picture at all", data_len=17)
+    image.source = "FILE"
+    return image
+
+
+def huge_image(_folder: Any) -> Any:
+    """32,768 pixels wide, and a little larger than what is read."""
+    return bpy.data.images.new("Bad", 32768, lightness.MOST_TEXELS // 32768 + 1)
+
+
+@pytest.mark.parametrize("bad", [missing_image, wrongly_packed_image, huge_image])
+def test_a_bad_image_counts_as_white_and_is_named_once(scene: Any, tmp_path: Any, bad: Any) -> None:
+    made, shader = material()
+    for _ in range(2):  # two materials and two objects with the same image
+        node = link(made, "ShaderNodeTexImage", shader.inputs["Base Color"])
+        node.image = bpy.data.images.get("Bad") or bad(tmp_path)
+        board(scene, made)
+        made, shader = material()
+    drawn = illustration.illustrate(scene, bpy.context.evaluated_depsgraph_get())
+    (warning,) = drawn.warnings
+    assert warning.startswith('Image "Bad" counts as white: it')
+    assert (drawn.drawing.tone.level != 255).any()
+
+
+def test_a_wide_image_is_read(scene: Any) -> None:
+    """As wide as the worst that is sold, but only some rows of it."""
     made, shader = material()
     node = link(made, "ShaderNodeTexImage", shader.inputs["Base Color"])
-    node.image = bpy.data.images.new("Lost", 4, 4)
-    node.image.source = "FILE"
-    node.image.filepath = str(tmp_path / "nowhere.png")
+    node.image = bpy.data.images.new("Wide", 32768, 4)
     board(scene, made)
-    drawn = illustration.illustrate(scene, bpy.context.evaluated_depsgraph_get())
-    (warning,) = [w for w in drawn.warnings if "Lost" in w]
-    assert "white" in warning
+    arrays = read(scene)
+    (mesh,) = arrays.meshes
+    assert mesh.textures[0].luminance.shape == (1, 2048) and not arrays.unread_images
 
 
 def test_large_images_are_averaged() -> None:
