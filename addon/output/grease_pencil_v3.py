@@ -17,6 +17,8 @@ from .strokes import StrokeGroup
 OWNER = "illustrate_owner"
 KIND, OBJECT, INVISIBILITY = "illustrate_kind", "illustrate_object", "illustrate_invisibility"
 STROKE_ID, STROKE_START = "stroke_id", "stroke_start"
+FILL_ID = "fill_id"  # Blender's own: strokes of one number are one fill, 0 is none
+HAS_FILL_IDS = bpy.app.version >= (5, 1, 0)
 TYPE = "GREASEPENCIL"
 NAME = "Illustration"
 
@@ -120,8 +122,17 @@ def append(_data: Any, _layer: Any, frame: Any, group: StrokeGroup, pens: Any) -
     _set_tail(drawing, INVISIBILITY, "INT", "CURVE", strokes, group.invisibility)
     _set_tail(drawing, STROKE_ID, "INT", "CURVE", strokes, group.ids)
     _set_tail(drawing, STROKE_START, "FLOAT", "CURVE", strokes, group.starts)
+    if group.inks and HAS_FILL_IDS:
+        _set_tail(drawing, FILL_ID, "INT", "CURVE", strokes, _new_fills(drawing, len(pens)))
     # Blender does not notice positions that are set as an attribute.
     drawing.tag_positions_changed()
+
+
+def _new_fills(drawing: Any, count: int) -> Any:
+    """(count,) numbers of fills that the drawing does not have."""
+    there = drawing.attributes.get(FILL_ID)
+    last = max((value.value for value in there.data), default=0) if there is not None else 0
+    return np.arange(last + 1, last + 1 + count, dtype=np.int32)
 
 
 def _set_tail(drawing: Any, name: str, kind: str, domain: str, first: int, values: Any) -> None:
