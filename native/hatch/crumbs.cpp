@@ -1,6 +1,8 @@
 #include "hatch/crumbs.h"
 
 #include <algorithm>
+#include <limits>
+#include <numeric>
 
 #include "hatch/greedy/neighbour_grid.h"
 #include "hatch/view/hatch_area.h"
@@ -18,6 +20,30 @@ constexpr double short_length = 4;
 constexpr double company_reach = 2.2;
 constexpr std::size_t company = 2;
 
+// Undercuts that together are no longer than this, in their spacings, and reach no other hatch
+// within so many are a speck.
+constexpr double speck_length = 20;
+constexpr double speck_reach = 1.5;
+
+// Numbers that were joined have one root.
+class Roots {
+ public:
+  explicit Roots(std::size_t count) : parents_(count) {
+    std::iota(parents_.begin(), parents_.end(), 0);
+  }
+  int of(int i) const {
+    while (parents_[idx(i)] != i) i = parents_[idx(i)];
+    return i;
+  }
+  void join(int a, int b) {
+    a = of(a), b = of(b);
+    parents_[idx(std::max(a, b))] = std::min(a, b);
+  }
+
+ private:
+  std::vector<int> parents_;
+};
+
 class Sweeper {
  public:
   Sweeper(const Hatches& hatches, const HatchScene& scene, const HatchOptions& options)
@@ -33,6 +59,7 @@ class Sweeper {
       if (!is_crumb || !(starts_with_tone(h) || ends_with_tone(h))) keep(h);
     }
     leave_out_lone();
+    leave_out_specks();
     return kept();
   }
 
@@ -109,6 +136,49 @@ class Sweeper {
       }
       return others.size() >= company;
     });
+  }
+
+  bool is_undercut(int hatch) const { return hatches_.kinds[idx(hatch)] == Kind::undercut; }
+
+  // Of undercuts beside each other: their length in spacings, infinite where another hatch is near.
+  std::vector<double> lengths_of_patches(Roots& patches) const {
+    std::vector<double> lengths(is_kept_.size(), 0);
+    const auto count = static_cast<int>(is_kept_.size());
+    for (int h = 0; h < count; ++h) {
+      if (!is_kept_[idx(h)] || !is_undercut(h)) continue;
+      lengths[idx(h)] = length(h) / spacing(h);
+      visit_near(h, [&](int other) {
+        if (is_undercut(other))
+          patches.join(h, other);
+        else
+          lengths[idx(h)] = std::numeric_limits<double>::infinity();
+      });
+    }
+    for (int h = 0; h < count; ++h) {
+      if (patches.of(h) != h) lengths[idx(patches.of(h))] += lengths[idx(h)];
+    }
+    return lengths;
+  }
+
+  // Hatches that are kept, on the same side of all critical curves.
+  template <class Visit>
+  void visit_near(int hatch, const Visit& visit) const {
+    for (const HatchPoint& point : curve(hatch)) {
+      grid_.any_within(point.image, speck_reach * spacing(hatch), [&](const HatchNode& node) {
+        if (node.point != hatch && is_kept_[idx(node.point)] &&
+            !scene_.curves.separate(point.image, node.image))
+          visit(node.point);
+        return false;
+      });
+    }
+  }
+
+  void leave_out_specks() {
+    Roots patches(is_kept_.size());
+    const std::vector<double> lengths = lengths_of_patches(patches);
+    for (int h = 0; h < static_cast<int>(is_kept_.size()); ++h) {
+      if (is_undercut(h) && lengths[idx(patches.of(h))] < speck_length) is_kept_[idx(h)] = 0;
+    }
   }
 
   Hatches kept() const {
