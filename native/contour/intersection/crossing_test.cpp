@@ -40,7 +40,7 @@ bool are_equal(const std::array<int, 3>& sides) {
 }
 
 int root_of(std::vector<int>& parents, int i) {
-  while (parents[i] != i) i = parents[i] = parents[parents[i]];
+  while (parents[idx(i)] != i) i = parents[idx(i)] = parents[idx(parents[idx(i)])];
   return i;
 }
 
@@ -73,10 +73,12 @@ void CrossingTest::place_vertices(const Surface& surface) {
                        : *std::max_element(surface.places.begin(), surface.places.end());
   vertices_.assign(idx(last) + 1, none);
   for (std::size_t v = 0; v < surface.places.size(); ++v)
-    if (vertices_[surface.places[v]] == none) vertices_[surface.places[v]] = static_cast<int>(v);
+    if (vertices_[idx(surface.places[v])] == none)
+      vertices_[idx(surface.places[v])] = static_cast<int>(v);
   triangles_.reserve(surface.triangles.size());
   for (const Triangle& t : surface.triangles)
-    triangles_.push_back({surface.places[t[0]], surface.places[t[1]], surface.places[t[2]]});
+    triangles_.push_back(
+        {surface.places[idx(t[0])], surface.places[idx(t[1])], surface.places[idx(t[2])]});
 }
 
 // Scaling by a power of two changes no sign.
@@ -84,8 +86,8 @@ void CrossingTest::scale_points(const Surface& surface) {
   points_.assign(vertices_.size(), Vec3::Zero());
   double largest = 0;
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    if (vertices_[i] == none || !surface.positions[vertices_[i]].allFinite()) continue;
-    points_[i] = surface.positions[vertices_[i]];
+    if (vertices_[i] == none || !surface.positions[idx(vertices_[i])].allFinite()) continue;
+    points_[i] = surface.positions[idx(vertices_[i])];
     largest = std::max(largest, points_[i].cwiseAbs().maxCoeff());
   }
   const int exponent = -std::ilogb(largest > 0 ? largest : 1.0);
@@ -99,13 +101,13 @@ double CrossingTest::extent() const {
   Vec3 sum = Vec3::Zero();
   double count = 0, farthest = 0, largest = 0;
   for (const Triangle& t : triangles_) {
-    for (const int place : t) sum += points_[place];
+    for (const int place : t) sum += points_[idx(place)];
     count += 3;
   }
   for (const Triangle& t : triangles_) {
     for (const int place : t) {
-      farthest = std::max(farthest, (points_[place] - sum / count).squaredNorm());
-      largest = std::max(largest, points_[place].squaredNorm());
+      farthest = std::max(farthest, (points_[idx(place)] - sum / count).squaredNorm());
+      largest = std::max(largest, points_[idx(place)].squaredNorm());
     }
   }
   return std::sqrt(std::max(farthest, largest / (far_off * far_off)));
@@ -115,7 +117,7 @@ void CrossingTest::choose_inset() {
   std::vector<double> edges;
   for (const Triangle& t : triangles_)
     for (int k = 0; k < 3; ++k) {
-      const double length = (points_[t[next_corner(k)]] - points_[t[k]]).norm();
+      const double length = (points_[idx(t[idx(next_corner(k))])] - points_[idx(t[idx(k)])]).norm();
       if (length > 0) edges.push_back(length);
     }
   inset_ = rounding_inset * extent();
@@ -134,13 +136,13 @@ std::vector<int> CrossingTest::parts() const {
   for (const Triangle& t : triangles_)
     for (const int place : t) {
       const int a = root_of(parents, t[0]), b = root_of(parents, place);
-      parents[std::max(a, b)] = std::min(a, b);
+      parents[idx(std::max(a, b))] = std::min(a, b);
     }
   std::vector<int> numbers(parents.size());
   int count = 0;
   for (int i = 0; i < static_cast<int>(parents.size()); ++i) {
     const int root = root_of(parents, i);
-    numbers[i] = root == i ? count++ : numbers[root];
+    numbers[idx(i)] = root == i ? count++ : numbers[idx(root)];
   }
   return numbers;
 }
@@ -153,8 +155,8 @@ void CrossingTest::move_points_inward(const Surface& surface) {
   std::vector<int> copies(vertices_.size(), 0);
   for (std::size_t v = 0; v < surface.places.size(); ++v) {
     if (!surface.normals[v].allFinite()) continue;
-    normals[surface.places[v]] += surface.normals[v];
-    ++copies[surface.places[v]];
+    normals[idx(surface.places[v])] += surface.normals[v];
+    ++copies[idx(surface.places[v])];
   }
   const std::vector<int> part = parts();
   const int part_count = part.empty() ? 1 : 1 + *std::max_element(part.begin(), part.end());
@@ -177,7 +179,7 @@ Points CrossingTest::insets(const Surface& surface) const {
 
 // What is coplanar even so counts as positive in ascending order of places.
 int CrossingTest::side(int a, int b, int c, int d) const {
-  const int sign = orient3d(moved_[a], moved_[b], moved_[c], moved_[d]);
+  const int sign = orient3d(moved_[idx(a)], moved_[idx(b)], moved_[idx(c)], moved_[idx(d)]);
   return sign != 0 ? sign : parity({a, b, c, d});
 }
 
@@ -188,7 +190,7 @@ CrossingTest::Sides CrossingTest::filtered_sides(int triangle, int other) const 
 }
 
 bool CrossingTest::share_vertex_or_are_flat(int s, int t) const {
-  const Triangle &a = triangles_[s], &b = triangles_[t];
+  const Triangle &a = triangles_[idx(s)], &b = triangles_[idx(t)];
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     if (a[i] == b[0] || a[i] == b[1] || a[i] == b[2] || a[i] == a[j] || b[i] == b[j]) return true;
@@ -229,18 +231,18 @@ bool CrossingTest::are_coplanar(int s, int t) const {
 }
 
 bool CrossingTest::pierces(int a, int b, int triangle) const {
-  const Triangle& t = triangles_[triangle];
+  const Triangle& t = triangles_[idx(triangle)];
   const int first = side(a, b, t[0], t[1]);
   return first == side(a, b, t[1], t[2]) && first == side(a, b, t[2], t[0]);
 }
 
 void CrossingTest::add_piercings(int triangle, int other, Ends& ends) const {
-  const Triangle &t = triangles_[triangle], &o = triangles_[other];
+  const Triangle &t = triangles_[idx(triangle)], &o = triangles_[idx(other)];
   Sides sides;
   for (std::size_t k = 0; k < 3; ++k) sides[k] = side(o[0], o[1], o[2], t[k]);
   for (int k = 0; k < 3; ++k) {
-    const int a = t[k], b = t[next_corner(k)];
-    if (sides[k] != sides[next_corner(k)] && pierces(a, b, other))
+    const int a = t[idx(k)], b = t[idx(next_corner(k))];
+    if (sides[idx(k)] != sides[idx(next_corner(k))] && pierces(a, b, other))
       ends.piercings[ends.count++] = {std::min(a, b), std::max(a, b), other};
   }
 }
@@ -262,8 +264,8 @@ TriangleIntersection CrossingTest::cross(int s, int t, std::array<Piercing, 2>& 
 double CrossingTest::parameter(const Piercing& piercing) const {
   const int t = piercing.triangle;
   const Vec3 normal = (at(t, 1) - at(t, 0)).cross(at(t, 2) - at(t, 0));
-  const double low = normal.dot(points_[piercing.low] - at(t, 0));
-  const double high = normal.dot(points_[piercing.high] - at(t, 0));
+  const double low = normal.dot(points_[idx(piercing.low)] - at(t, 0));
+  const double high = normal.dot(points_[idx(piercing.high)] - at(t, 0));
   if (std::max(std::abs(low), std::abs(high)) <= in_plane * inset_ * normal.norm())
     return middle_of_overlap(piercing);
   return std::clamp(low / (low - high), 0.0, 1.0);
@@ -277,8 +279,8 @@ double CrossingTest::middle_of_overlap(const Piercing& piercing) const {
   double enter = 0, leave = 1;
   for (int k = 0; k < 3; ++k) {
     const Vec3 outward = (at(t, next_corner(k)) - at(t, k)).cross(normal);
-    const double low = outward.dot(points_[piercing.low] - at(t, k));
-    const double high = outward.dot(points_[piercing.high] - at(t, k));
+    const double low = outward.dot(points_[idx(piercing.low)] - at(t, k));
+    const double high = outward.dot(points_[idx(piercing.high)] - at(t, k));
     if (low > 0 && high < low) enter = std::max(enter, low / (low - high));
     if (high > 0 && low < high) leave = std::min(leave, low / (low - high));
   }
@@ -287,7 +289,7 @@ double CrossingTest::middle_of_overlap(const Piercing& piercing) const {
 
 SurfacePoint CrossingTest::surface_point(const Piercing& piercing, int triangle) const {
   const double s = parameter(piercing);
-  const Triangle& t = triangles_[triangle];
+  const Triangle& t = triangles_[idx(triangle)];
   const auto low = std::find(t.begin(), t.end(), piercing.low);
   const auto high = std::find(t.begin(), t.end(), piercing.high);
   if (low != t.end() && high != t.end()) {
@@ -296,7 +298,8 @@ SurfacePoint CrossingTest::surface_point(const Piercing& piercing, int triangle)
     weights[high - t.begin()] = s;
     return {triangle, weights[1], weights[2]};
   }
-  return projected(points_[piercing.low] * (1 - s) + points_[piercing.high] * s, triangle);
+  return projected(points_[idx(piercing.low)] * (1 - s) + points_[idx(piercing.high)] * s,
+                   triangle);
 }
 
 // The barycentrics of a point's projection along the normal.

@@ -49,8 +49,12 @@ class CrossingTest {
   using Sides = std::array<int, 3>;
   struct Ends;
 
-  const Vec3& at(int triangle, int corner) const { return points_[triangles_[triangle][corner]]; }
-  const Vec3& moved(int triangle, int corner) const { return moved_[triangles_[triangle][corner]]; }
+  const Vec3& at(int triangle, int corner) const {
+    return points_[idx(triangles_[idx(triangle)][idx(corner)])];
+  }
+  const Vec3& moved(int triangle, int corner) const {
+    return moved_[idx(triangles_[idx(triangle)][idx(corner)])];
+  }
   void place_vertices(const Surface& surface);
   void scale_points(const Surface& surface);
   double extent() const;

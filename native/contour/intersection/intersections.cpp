@@ -113,12 +113,13 @@ Ragged<int> segments_by_node(const std::vector<Segment>& segments, std::size_t n
   Ragged<int> lists;
   lists.offsets.assign(node_count + 1, 0);
   for (const Segment& segment : segments)
-    for (const int node : segment.nodes) ++lists.offsets[node + 1];
+    for (const int node : segment.nodes) ++lists.offsets[idx(node + 1)];
   for (std::size_t i = 0; i < node_count; ++i) lists.offsets[i + 1] += lists.offsets[i];
   lists.values.resize(2 * segments.size());
   std::vector<int> ends(lists.offsets.begin(), lists.offsets.end() - 1);
   for (std::size_t i = 0; i < segments.size(); ++i)
-    for (const int node : segments[i].nodes) lists.values[ends[node]++] = static_cast<int>(i);
+    for (const int node : segments[i].nodes)
+      lists.values[idx(ends[idx(node)]++)] = static_cast<int>(i);
   return lists;
 }
 
@@ -136,27 +137,27 @@ class Linker {
   IntersectionCurves link() {
     for (int node = 0; node < static_cast<int>(nodes_.size()); ++node)
       if (is_end(node))
-        for (const int segment : by_node_[node]) follow(segment, node);
+        for (const int segment : by_node_[idx(node)]) follow(segment, node);
     for (int segment = 0; segment < static_cast<int>(segments_.size()); ++segment)
-      follow(segment, segments_[segment].nodes[0]);
+      follow(segment, segments_[idx(segment)].nodes[0]);
     return std::move(result_);
   }
 
  private:
-  bool is_end(int node) const { return by_node_[node].size() != 2; }
+  bool is_end(int node) const { return by_node_[idx(node)].size() != 2; }
 
   void follow(int segment, int start) {
-    if (is_used_[segment]) return;
-    std::array<int, 2> triangles = segments_[segment].triangles;
+    if (is_used_[idx(segment)]) return;
+    std::array<int, 2> triangles = segments_[idx(segment)].triangles;
     int node = start;
     while (true) {
-      is_used_[segment] = 1;
+      is_used_[idx(segment)] = 1;
       add_point(node, triangles, triangles);
-      const auto& nodes = segments_[segment].nodes;
+      const auto& nodes = segments_[idx(segment)].nodes;
       node = nodes[0] == node ? nodes[1] : nodes[0];
       if (node == start || is_end(node)) break;
       segment = other_segment(node, segment);
-      triangles = keep_sheets(triangles, segments_[segment].triangles);
+      triangles = keep_sheets(triangles, segments_[idx(segment)].triangles);
     }
     if (node != start) add_point(node, triangles, {none, none});
     result_.curves.close_list();
@@ -164,7 +165,7 @@ class Linker {
   }
 
   int other_segment(int node, int segment) const {
-    const auto segments = by_node_[node];
+    const auto segments = by_node_[idx(node)];
     return segments[0] == segment ? segments[1] : segments[0];
   }
 
@@ -177,10 +178,10 @@ class Linker {
 
   void add_point(int node, const std::array<int, 2>& triangles,
                  const std::array<int, 2>& segment_triangles) {
-    const Piercing& piercing = nodes_[node];
+    const Piercing& piercing = nodes_[idx(node)];
     const double s = test_.parameter(piercing);
-    const Vec3& low = surface_.positions[test_.vertices()[piercing.low]];
-    const Vec3& high = surface_.positions[test_.vertices()[piercing.high]];
+    const Vec3& low = surface_.positions[idx(test_.vertices()[idx(piercing.low)])];
+    const Vec3& high = surface_.positions[idx(test_.vertices()[idx(piercing.high)])];
     result_.curves.push({low * (1 - s) + high * s, test_.surface_point(piercing, triangles[0]),
                          test_.surface_point(piercing, triangles[1])});
     result_.segment_triangles.push_back(segment_triangles);

@@ -142,7 +142,7 @@ class CurveMeetings {
     turns_.assign(idx(segments_), {1, 1});
     for (int i = 0; i < segments_; ++i) {
       std::array<Vec3, 2> normals;
-      for (const std::size_t k : {0, 1}) {
+      for (const std::size_t k : {0U, 1U}) {
         const int t = sheets_[i][k];
         if (i > 0)
           turns_[idx(i)][k] = turns_[idx(i - 1)][k] * turn_between(surface_, sheets_[i - 1][k], t);

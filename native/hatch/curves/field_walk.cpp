@@ -25,9 +25,10 @@ void FieldWalker::move(SurfacePoint& on, const Course& course, double length) {
 }
 
 Course FieldWalker::course(const SurfacePoint& on, const Vec3& direction) const {
-  const Triangle& corner = surface_.triangles[on.triangle];
-  const Vec3& origin = surface_.positions[corner[0]];
-  const Vec3 u = surface_.positions[corner[1]] - origin, v = surface_.positions[corner[2]] - origin;
+  const Triangle& corner = surface_.triangles[idx(on.triangle)];
+  const Vec3& origin = surface_.positions[idx(corner[0])];
+  const Vec3 u = surface_.positions[idx(corner[1])] - origin,
+             v = surface_.positions[idx(corner[2])] - origin;
   const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), determinant = uu * vv - uv * uv;
   Course result;
   result.direction = direction;
@@ -38,8 +39,8 @@ Course FieldWalker::course(const SurfacePoint& on, const Vec3& direction) const 
   const std::array<double, 3> weight = weights_of(on);
   result.exit = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 3; ++k) {
-    if (!(result.change[k] < 0)) continue;
-    const double length = std::max(0.0, weight[k]) / -result.change[k];
+    if (!(result.change[idx(k)] < 0)) continue;
+    const double length = std::max(0.0, weight[idx(k)]) / -result.change[idx(k)];
     if (length >= result.exit) continue;
     result.exit = length;
     result.exit_edge = next_corner(k);
@@ -54,34 +55,34 @@ Course FieldWalker::course_along_cross(const SurfacePoint& on, const Vec3& tange
   SurfacePoint middle = on;
   move(middle, first, 0.5 * std::min(first.exit, reach));
   Course result = course(on, cross_direction(surface_, field_, middle, first.direction));
-  if (entry_edge == none || result.change[previous_corner(entry_edge)] > 0) return result;
-  const Triangle& corner = surface_.triangles[on.triangle];
-  const Vec3 edge =
-      (surface_.positions[corner[next_corner(entry_edge)]] - surface_.positions[corner[entry_edge]])
-          .normalized();
+  if (entry_edge == none || result.change[idx(previous_corner(entry_edge))] > 0) return result;
+  const Triangle& corner = surface_.triangles[idx(on.triangle)];
+  const Vec3 edge = (surface_.positions[idx(corner[idx(next_corner(entry_edge))])] -
+                     surface_.positions[idx(corner[idx(entry_edge)])])
+                        .normalized();
   const Vec3 direction = result.direction;
   result = course(on, direction.dot(edge) < 0 ? Vec3(-edge) : edge);
-  result.change[previous_corner(entry_edge)] = 0;
+  result.change[idx(previous_corner(entry_edge))] = 0;
   result.direction = direction;
   return result;
 }
 
 bool FieldWalker::cross_edge(SurfacePoint& on, int edge, int& entry_edge, double& side) const {
-  const int from = on.triangle, to = surface_.neighbours[from][edge];
-  const EdgeKind kind = surface_.edge_kinds[from][edge];
+  const int from = on.triangle, to = surface_.neighbours[idx(from)][idx(edge)];
+  const EdgeKind kind = surface_.edge_kinds[idx(from)][idx(edge)];
   if (to == none || kind == EdgeKind::boundary || kind == EdgeKind::crease) return false;
   const auto place = [&](int triangle, int corner) {
-    return surface_.places[surface_.triangles[triangle][corner]];
+    return surface_.places[idx(surface_.triangles[idx(triangle)][idx(corner)])];
   };
   const int a = place(from, edge), b = place(from, next_corner(edge));
   for (int k = 0; k < 3; ++k) {
     const int c = place(to, k), d = place(to, next_corner(k));
     const bool same_way = c == a && d == b;
     if (!same_way && !(c == b && d == a)) continue;
-    const double along = weights_of(on)[same_way ? next_corner(edge) : edge];
+    const double along = weights_of(on)[idx(same_way ? next_corner(edge) : edge)];
     std::array<double, 3> weight{0, 0, 0};
-    weight[next_corner(k)] = std::clamp(along, least_weight, 1 - least_weight);
-    weight[k] = 1 - weight[next_corner(k)];
+    weight[idx(next_corner(k))] = std::clamp(along, least_weight, 1 - least_weight);
+    weight[idx(k)] = 1 - weight[idx(next_corner(k))];
     on = {to, weight[1], weight[2]};
     if (same_way) side = -side;
     entry_edge = k;
@@ -111,7 +112,7 @@ bool FieldWalker::slide(SurfacePoint& on, Vec3 run) const {
   for (int crossing = 0; crossing < most_crossings; ++crossing) {
     const Course step = course(on, run);
     if (step.exit_edge == none) return false;
-    if (entry_edge != none && !(step.change[previous_corner(entry_edge)] > 0)) return false;
+    if (entry_edge != none && !(step.change[idx(previous_corner(entry_edge))] > 0)) return false;
     move(on, step, std::min(step.exit, 1.0));
     if (step.exit >= 1) return true;
     run *= 1 - step.exit;

@@ -29,10 +29,10 @@ class NeighbourGrid {
       : cell_px_(std::max(1.0, cell_px)),
         columns_(1 + static_cast<int>(width_px / cell_px_)),
         rows_(1 + static_cast<int>(height_px / cell_px_)),
-        cells_(static_cast<std::size_t>(columns_) * rows_) {}
+        cells_(idx(columns_) * idx(rows_)) {}
 
   void add(const HatchNode& node) {
-    cells_[row_of(node.image.y()) * columns_ + column_of(node.image.x())].push_back(node);
+    cells_[idx(row_of(node.image.y()) * columns_ + column_of(node.image.x()))].push_back(node);
   }
 
   // Whether `test` accepts a node nearer to p than `radius`; it is asked cell by cell in order of
@@ -42,7 +42,7 @@ class NeighbourGrid {
     const int row_end = row_of(p.y() + radius), column_end = column_of(p.x() + radius);
     for (int row = row_of(p.y() - radius); row <= row_end; ++row) {
       for (int column = column_of(p.x() - radius); column <= column_end; ++column) {
-        for (const HatchNode& node : cells_[row * columns_ + column]) {
+        for (const HatchNode& node : cells_[idx(row * columns_ + column)]) {
           if ((node.image - p).squaredNorm() < radius * radius && test(node)) return true;
         }
       }

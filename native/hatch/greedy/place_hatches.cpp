@@ -102,15 +102,16 @@ class Placer {
   // The seed under an image point, `none` where no hatch is wanted.
   SurfacePoint seed_at(const Vec2& image, Area area) const {
     const int cell = visible_.cell_of(image);
-    if (cell == none || !area_.wanted(cell, area) || visible_.triangle[cell] == none) return {};
-    const int object = surface_.triangle_objects[visible_.triangle[cell]];
+    if (cell == none || !area_.wanted(cell, area) || visible_.triangle[idx(cell)] == none)
+      return {};
+    const int object = surface_.triangle_objects[idx(visible_.triangle[idx(cell)])];
     return scene_.is_hatched(object) ? area_.visible_point(image) : SurfacePoint{};
   }
 
   // A new hatch, where it is clear of parallel ones and long enough; whether there is one.
   bool grow(const SurfacePoint& seed, const Vec3& towards, double clearance, Area area) {
     if (hatches_.curves.values.size() > most_points) return false;
-    const int object = surface_.triangle_objects[seed.triangle];
+    const int object = surface_.triangle_objects[idx(seed.triangle)];
     const Style style = style_of(object, area);
     const HatchSample first{walker_.point(seed), walker_.start(seed, towards).tangent};
     if (!area_.may_pass(first.point, area) || !area_.suits(first.point, first.tangent))
@@ -147,10 +148,11 @@ class Placer {
     const LabelledGraph& graph = scene_.graph;
     const double offset = curve_offset * graph.unit_px;
     for (int arc = 0; arc < static_cast<int>(graph.arcs.size()); ++arc) {
-      if (graph.arcs[arc].invisibility != 0 || !is_critical(graph.arcs[arc].kind)) continue;
+      if (graph.arcs[idx(arc)].invisibility != 0 || !is_critical(graph.arcs[idx(arc)].kind))
+        continue;
       progress_.report(0);
       std::array<double, 2> apart{infinite, infinite};  // from the last hatch on either side
-      step_along(graph.image[arc], graph.arcs[arc].start_node == none, step,
+      step_along(graph.image[idx(arc)], graph.arcs[idx(arc)].start_node == none, step,
                  Frame{Vec2::Zero(), size}, [&](const CurveSample& at) {
                    const Vec2 across(-at.heading.y(), at.heading.x());
                    seed_across(at.image + offset * across, across, step, apart[0]);
@@ -174,7 +176,7 @@ class Placer {
     const double slant = std::max(of_one, of_other);
     apart += step * slant;
     const double spacing =
-        style_of(surface_.triangle_objects[seed.triangle], Area::hatched).spacing_px;
+        style_of(surface_.triangle_objects[idx(seed.triangle)], Area::hatched).spacing_px;
     if (apart < spacing || slant < least_slant) return;
     const Vec3& towards = of_one >= of_other ? one : other;
     if (grow(seed, towards, queue_clearance, Area::hatched)) apart = 0;

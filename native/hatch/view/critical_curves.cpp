@@ -44,7 +44,7 @@ CriticalCurves::CriticalCurves(const LabelledGraph& graph, double width_px, doub
       clearance_cells_(width_px, height_px, clearance_units * unit_px_) {
   Pieces pieces;
   for (int arc = 0; arc < static_cast<int>(graph.arcs.size()); ++arc) {
-    const GraphArc& data = graph.arcs[arc];
+    const GraphArc& data = graph.arcs[idx(arc)];
     if (data.invisibility == 0 && is_critical(data.kind)) add_arc(graph, arc, pieces);
   }
   fill_grid(pieces);
@@ -52,12 +52,12 @@ CriticalCurves::CriticalCurves(const LabelledGraph& graph, double width_px, doub
 }
 
 void CriticalCurves::add_arc(const LabelledGraph& graph, int arc, Pieces& pieces) const {
-  const Span<const Vec2> line = graph.image[arc];
-  const bool is_silhouette = graph.arcs[arc].kind == Kind::silhouette;
+  const Span<const Vec2> line = graph.image[idx(arc)];
+  const bool is_silhouette = graph.arcs[idx(arc)].kind == Kind::silhouette;
   for (std::size_t i = 1; i < line.size(); ++i) {
     add_pieces(line[i - 1], line[i], is_silhouette, pieces);
   }
-  if (graph.arcs[arc].start_node == none && line.size() > 1) {
+  if (graph.arcs[idx(arc)].start_node == none && line.size() > 1) {
     add_pieces(line.back(), line.front(), is_silhouette, pieces);
   }
 }
@@ -82,14 +82,14 @@ void CriticalCurves::add_pieces(const Vec2& a, const Vec2& b, bool is_silhouette
 void CriticalCurves::fill_grid(const Pieces& pieces) {
   cells_.offsets.assign(idx(grid_cells_.count()) + 1, 0);
   for (const Piece& piece : pieces) {
-    grid_cells_.visit(piece, [&](int cell) { ++cells_.offsets[cell + 1]; });
+    grid_cells_.visit(piece, [&](int cell) { ++cells_.offsets[idx(cell + 1)]; });
   }
   for (std::size_t i = 1; i < cells_.offsets.size(); ++i)
     cells_.offsets[i] += cells_.offsets[i - 1];
-  cells_.values.resize(cells_.offsets.back());
+  cells_.values.resize(idx(cells_.offsets.back()));
   std::vector<int> next(cells_.offsets.begin(), cells_.offsets.end() - 1);
   for (const Piece& piece : pieces) {
-    grid_cells_.visit(piece, [&](int cell) { cells_.values[next[cell]++] = piece; });
+    grid_cells_.visit(piece, [&](int cell) { cells_.values[idx(next[idx(cell)]++)] = piece; });
   }
 }
 
@@ -119,7 +119,7 @@ void CriticalCurves::measure_clearance(const Pieces& pieces) {
   }
 }
 
-double CriticalCurves::first_crossing(const Vec2& a, const Vec2& b, bool with_silhouettes) const {
+double CriticalCurves::first_crossing(const Vec2& a, const Vec2& b, Parting parting) const {
   double first = std::numeric_limits<double>::infinity();
   const Vec2 run = b - a;
   if (is_clear(a, run.cwiseAbs().maxCoeff())) return first;
@@ -127,8 +127,8 @@ double CriticalCurves::first_crossing(const Vec2& a, const Vec2& b, bool with_si
             column_end = grid_cells_.column_of(std::max(a.x(), b.x()));
   for (int row = grid_cells_.row_of(std::min(a.y(), b.y())); row <= row_end; ++row) {
     for (int i = grid_cells_.column_of(std::min(a.x(), b.x())); i <= column_end; ++i) {
-      for (const Piece& piece : cells_[row * grid_cells_.columns + i]) {
-        if (piece.is_silhouette && !with_silhouettes) continue;
+      for (const Piece& piece : cells_[idx(row * grid_cells_.columns + i)]) {
+        if (piece.is_silhouette && parting == Parting::edges) continue;
         const double side_c = cross(run, piece.a - a), side_d = cross(run, piece.b - a);
         if ((side_c > 0) == (side_d > 0)) continue;
         const double side_a = cross(piece.b - piece.a, a - piece.a);
@@ -149,7 +149,7 @@ bool CriticalCurves::any_near(const Vec2& p, double radius, const Test& test) co
        ++row) {
     for (int i = grid_cells_.column_of(p.x() - radius); i <= grid_cells_.column_of(p.x() + radius);
          ++i) {
-      for (const Piece& piece : cells_[row * grid_cells_.columns + i]) {
+      for (const Piece& piece : cells_[idx(row * grid_cells_.columns + i)]) {
         const Vec2 &a = piece.a, run = piece.b - a;
         if (!(run.squaredNorm() > 0) || !test(run)) continue;
         const double t = nearest_share(a, piece.b, p);

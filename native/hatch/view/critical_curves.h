@@ -19,11 +19,13 @@ class CriticalCurves {
   double unit_px() const { return unit_px_; }  // of the graph
 
   // The least t in [0, 1] where a + t (b - a) meets a curve; infinite where none does.
-  double first_crossing(const Vec2& a, const Vec2& b) const { return first_crossing(a, b, true); }
+  double first_crossing(const Vec2& a, const Vec2& b) const {
+    return first_crossing(a, b, Parting::any);
+  }
   bool separate(const Vec2& a, const Vec2& b) const { return first_crossing(a, b) <= 1; }
   // The same for all but silhouettes, which at their ends part one sheet only.
   bool is_edge_between(const Vec2& a, const Vec2& b) const {
-    return first_crossing(a, b, false) <= 1;
+    return first_crossing(a, b, Parting::edges) <= 1;
   }
 
   // Whether a curve passes p nearer than `radius`, within about 30 degrees of the unit `heading`.
@@ -32,6 +34,8 @@ class CriticalCurves {
   bool pass(const Vec2& p, double radius) const;
 
  private:
+  // What parts two points: any curve, or one that is no silhouette.
+  enum class Parting : std::uint8_t { any, edges };
   struct Piece {
     Vec2 a;
     Vec2 b;
@@ -55,7 +59,7 @@ class CriticalCurves {
   };
   template <class Test>
   bool any_near(const Vec2& p, double radius, const Test& test) const;
-  double first_crossing(const Vec2& a, const Vec2& b, bool with_silhouettes) const;
+  double first_crossing(const Vec2& a, const Vec2& b, Parting parting) const;
   using Pieces = std::vector<Piece>;
   void add_arc(const LabelledGraph& graph, int arc, Pieces& pieces) const;
   void add_pieces(const Vec2& a, const Vec2& b, bool is_silhouette, Pieces& pieces) const;

@@ -62,16 +62,16 @@ bool HatchArea::is_wanted(const HatchPoint& point, Area area) const {
 
 bool HatchArea::is_seen_at(int centre, const HatchPoint& point) const {
   double depth = camera_.depth(point.position);
-  if (depth <= visible_.depth[centre]) return true;
+  if (depth <= visible_.depth[idx(centre)]) return true;
   depth -= hidden_cells * cell_size(point.position);
-  if (depth <= visible_.depth[centre]) return true;
+  if (depth <= visible_.depth[idx(centre)]) return true;
   return any_around(point.image, [&](int cell) { return depth <= visible_.depth[idx(cell)]; });
 }
 
 // Nobody needs to ask for the triangle where the cell itself is wanted.
 bool HatchArea::is_wanted_at(int centre, const Vec2& image, Area area) const {
   if (wanted(centre, area)) return true;
-  if (visible_.triangle[centre] != none) return false;
+  if (visible_.triangle[idx(centre)] != none) return false;
   return any_around(image, [&](int cell) { return wanted(cell, area); });
 }
 
@@ -89,7 +89,7 @@ bool HatchArea::is_crossed(const Vec2& image) const {
 SurfacePoint HatchArea::visible_point(const Vec2& image) const {
   const int centre = visible_.cell_of(image);
   SurfacePoint best;
-  if (centre == none || visible_.triangle[centre] == none) return best;
+  if (centre == none || visible_.triangle[idx(centre)] == none) return best;
   double least_error = std::numeric_limits<double>::infinity();
   int last = none;
   any_around(image, [&](int cell) {
@@ -101,7 +101,7 @@ SurfacePoint HatchArea::visible_point(const Vec2& image) const {
     if (!(camera_.near_distance(position) > 0)) return false;
     const ImagePoint seen = camera_.project(position);
     const double error = (seen.xy - image).norm();
-    const double apart = std::abs(seen.depth - visible_.depth[centre]);
+    const double apart = std::abs(seen.depth - visible_.depth[idx(centre)]);
     if (error >= least_error || apart > sheet_cells * cell_size(position)) return false;
     least_error = error;
     best = on;

@@ -32,7 +32,7 @@ class HatchArea {
         pixel_per_w_(pixel_per_w(scene.camera)) {}
 
   bool wanted(int cell, Area area) const {
-    const Region region = region_of(tone_.level[cell], tone_.band[cell]);
+    const Region region = region_of(tone_.level[idx(cell)], tone_.band[idx(cell)]);
     return region == Region::undercut || (area == Area::hatched && region != Region::neither);
   }
 

@@ -23,7 +23,7 @@ inline bool is_crossed(Region region) {
 // one before it.
 inline Region region_of(const ToneMap& tone, const Vec2& image) {
   const int cell = tone.cell_of(image);
-  return cell == none ? Region::neither : region_of(tone.level[cell], tone.band[cell]);
+  return cell == none ? Region::neither : region_of(tone.level[idx(cell)], tone.band[idx(cell)]);
 }
 
 // Points [from, to) of a hatch.

@@ -53,25 +53,27 @@ void Walker::fetch(const SurfacePoint& on) const {
 // The function whose zero set is the silhouette: linear on a triangle of a smooth object, constant
 // on a polygon's.
 double Walker::facing_at(const SurfacePoint& on) const {
-  const Triangle& corner = surface_.triangles[on.triangle];
-  if (surface_.object_is_smooth[surface_.triangle_objects[on.triangle]]) {
+  const Triangle& corner = surface_.triangles[idx(on.triangle)];
+  if (surface_.object_is_smooth[idx(surface_.triangle_objects[idx(on.triangle)])]) {
     const std::array<double, 3> weight = weights_of(on);
     double sum = 0;
     for (int k = 0; k < 3; ++k) {
-      sum += weight[k] * surface_.corner_sign(on.triangle, k) * front_[corner[k]];
+      sum += weight[idx(k)] * surface_.corner_sign(on.triangle, k) * front_[idx(corner[idx(k)])];
     }
     return sum;
   }
-  const Vec3& origin = surface_.positions[corner[0]];
-  const Vec3 u = surface_.positions[corner[1]] - origin, v = surface_.positions[corner[2]] - origin;
+  const Vec3& origin = surface_.positions[idx(corner[0])];
+  const Vec3 u = surface_.positions[idx(corner[1])] - origin,
+             v = surface_.positions[idx(corner[2])] - origin;
   return u.cross(v).dot(camera_.to_eye(origin));
 }
 
 // Image length per length along a direction, turned into the triangle's plane.
 double Walker::px_along(const SurfacePoint& on, const Vec3& direction) const {
-  const Triangle& corner = surface_.triangles[on.triangle];
-  const Vec3& origin = surface_.positions[corner[0]];
-  const Vec3 u = surface_.positions[corner[1]] - origin, v = surface_.positions[corner[2]] - origin;
+  const Triangle& corner = surface_.triangles[idx(on.triangle)];
+  const Vec3& origin = surface_.positions[idx(corner[0])];
+  const Vec3 u = surface_.positions[idx(corner[1])] - origin,
+             v = surface_.positions[idx(corner[2])] - origin;
   const Vec3 normal = u.cross(v);
   const double square = std::max(normal.squaredNorm(), 1e-300);
   const Vec3 flat = direction - normal * (normal.dot(direction) / square);
