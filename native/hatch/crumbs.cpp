@@ -20,8 +20,8 @@ constexpr double short_length = 4;
 constexpr double company_reach = 2.2;
 constexpr std::size_t company = 2;
 
-// Undercuts that together are no longer than this, in their spacings, and reach no other hatch
-// within so many are a speck.
+// Undercuts that together are no longer than this, in their spacings, and away from all other
+// hatches by so many of those are a speck.
 constexpr double speck_length = 20;
 constexpr double speck_reach = 1.5;
 
@@ -163,8 +163,10 @@ class Sweeper {
   // Hatches that are kept, on the same side of all critical curves.
   template <class Visit>
   void visit_near(int hatch, const Visit& visit) const {
+    const double reach =
+        speck_reach * scene_.spacing_on(hatches_.objects[idx(hatch)], options_.spacing_px);
     for (const HatchPoint& point : curve(hatch)) {
-      grid_.any_within(point.image, speck_reach * spacing(hatch), [&](const HatchNode& node) {
+      grid_.any_within(point.image, reach, [&](const HatchNode& node) {
         if (node.point != hatch && is_kept_[idx(node.point)] &&
             !scene_.curves.separate(point.image, node.image))
           visit(node.point);

@@ -97,6 +97,20 @@ TEST_F(Crumbs, UndercutsHaveASpacingOfTheirOwn) {
   EXPECT_EQ(count_left(), 3U) << "12 px are more than two spacings of 5";
 }
 
+// Undercuts 5 px apart: a hundred pixels of them side by side are twenty spacings.
+TEST_F(Crumbs, SpecksOfUndercutGo) {
+  for (const int count : {3, 4}) {
+    hatches = {};
+    for (int i = 0; i < count; ++i) add(Vec3(0, 0.05 * i, 0), 0.3, Kind::undercut);
+    EXPECT_EQ(count_left(), count == 3 ? 0U : 4U) << 30 * count << " px";
+  }
+  for (int i = 0; i < 3; ++i) add(Vec3(0.5, 0.05 * i, 0), 0.3, Kind::undercut);
+  EXPECT_EQ(count_left(), 4U) << "a patch alone";
+  add(Vec3(0.2, -0.05, 0), 0.5);
+  add(Vec3(0.2, -0.13, 0), 0.5);
+  EXPECT_EQ(count_left(), 9U) << "beside hatches it is part of a whole";
+}
+
 TEST_F(Crumbs, WhatLiesInUndercutsIsOfThatKind) {
   add(Vec3(0, 0, 0), 0.1);
   add(Vec3(0.06, 0.1, 0), 0.1);
