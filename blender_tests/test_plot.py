@@ -1,4 +1,4 @@
-"""Plots from Blender: Export Drawing, the headless command, presets, the page's overlay."""
+"""Plots from Blender: Export Drawing, presets, the page's overlay."""
 
 import pathlib
 import re
@@ -11,7 +11,6 @@ import illustrate
 import numpy as np
 import pytest
 from illustrate.messages import IllustrateError
-from illustrate.output import stamps
 from illustrate.plot import plots
 from illustrate.plot.plots import PLANNED
 from illustrate.plot.settings import KINDS
@@ -19,7 +18,6 @@ from illustrate.reading.scene import frame_corners, read_camera
 from illustrate.running import illustration
 from illustrate.ui import plot_panel, presets
 from illustrate.viewport.page_overlay import OVERLAY, on_frame, rectangle
-from test_headless import headless
 from test_ui import Layout, context
 
 import tools
@@ -344,61 +342,3 @@ def test_the_switches_of_the_overlay() -> None:
 
 def test_times_are_in_words() -> None:
     assert [plots.minutes(s) for s in (0.4, 59.6, 200)] == ["0 s", "1 min 0 s", "3 min 20 s"]
-
-
-def saved(folder: Any) -> pathlib.Path:
-    path = pathlib.Path(folder) / "shot.blend"
-    bpy.ops.wm.save_as_mainfile(filepath=str(path))
-    return path
-
-
-def test_headless_plots_with_a_preset(scene: Any, tmp_path: Any) -> None:
-    tools.cube_scene(scene)
-    blend, out = saved(tmp_path), tmp_path / "out"
-    arguments = ("--frames", "1-2", "--out", str(out), "--plot", "iso 128", "--page", "A5",
-                 "--order", "drawing", "--sequence", "svg")  # fmt: skip
-    ran = headless(blend, *arguments)
-    assert ran.returncode == 0, ran.stdout + ran.stderr
-    names = sorted(path.name for path in out.iterdir())
-    assert re.search(r"shot_0001.svg: \d layers, \d+ strokes, .* about \d+ min \d+ s", ran.stdout)
-    assert names == ["shot.svg", "shot_0001.svg", "shot_0002.svg"]
-    assert 'width="210mm" height="148mm"' in (out / names[1]).read_text()
-    assert "2 Hatching" in groups(out / names[1])
-    stamp = stamps.read_stamp(str(out / names[1]))
-    assert stamp["frame"] == 1
-    again = headless(blend, *arguments[:-2], "--skip-existing")
-    assert again.stdout.count("skipping existing frame") == 2
-    other = headless(blend, *arguments[:-4], "--order", "wet", "--skip-existing")
-    assert "skipping" not in other.stdout
-
-
-def test_headless_without_plots_is_as_before(scene: Any) -> None:
-    tools.cube_scene(scene)
-    before = stamps.stamp_of(scene, 200.0, "centerline")
-    scene.illustrate_plot.paper = "A0"
-    assert stamps.stamp_of(scene, 200.0, "centerline") == before
-    changed = stamps.stamp_of(scene, 200.0, "centerline", True)
-    scene.illustrate_plot.pens.add()
-    assert stamps.stamp_of(scene, 200.0, "centerline", True) != changed
-
-
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        (["--page", "A9"], "is no paper"),
-        (["--plot", "None such"], "There is no preset"),
-        (["--scale", "half"], "is no scale such as 1:50"),
-        (["--sequence", "png"], "is not one of pdf, svg"),
-    ],
-)
-def test_headless_says_what_is_wrong(
-    scene: Any, tmp_path: Any, arguments: list[str], words: str, capsys: Any
-) -> None:
-    tools.cube_scene(scene)
-    try:
-        code = illustrate.headless.main(["--out", str(tmp_path / "out"), *arguments])
-    except SystemExit as left:
-        code = left.code
-    assert code in (1, 2)
-    assert words in capsys.readouterr().err
-    assert not (tmp_path / "out").exists()

@@ -1,8 +1,8 @@
 """Runs every test suite, whatever the others do, and adds up their results.
 
 The suites: C++ (GoogleTest), the Python module, the job templates for farms, and the built packages
-in the oldest and the newest Blender of the matrix: one with Grease Pencil 2, one with extensions and
-Grease Pencil 3. The last line is the total.
+in the oldest and the newest Blender of the matrix: one with Grease Pencil 2, one with extensions
+and Grease Pencil 3. The last line is the total.
 """
 
 from __future__ import annotations

@@ -55,7 +55,8 @@ class CoarseBends {
     if (!(sagitta > nearest_)) return 0;
     if (!mesh_.cage && turn > fold_rad) return 1;
     // A level halves chords, and quarters how far they are from their arcs.
-    return std::min(highest_, static_cast<int>(std::ceil(std::log(sagitta / nearest_) / std::log(4))));
+    return std::min(highest_,
+                    static_cast<int>(std::ceil(std::log(sagitta / nearest_) / std::log(4))));
   }
 
   // How far the face reaches from the line of its half-edge.
