@@ -17,7 +17,8 @@ from illustrate.output import bake_drawings, fills, sheet_of
 from illustrate.plot import areas, plots
 from illustrate.running import illustration
 from test_headless import headless
-from test_plot import export, groups, saved
+from test_plot import export, groups
+from test_plot_headless import saved
 
 import tools
 
