@@ -316,7 +316,8 @@ def test_edits_in_edit_mode_are_read(scene: Any) -> None:
         bpy.ops.object.mode_set(mode="OBJECT")
 
 
-def test_the_colour_of_a_material_is_its_base_colour_or_in_the_viewport(scene: Any) -> None:
+@pytest.mark.usefixtures("scene")
+def test_the_colour_of_a_material_is_its_base_colour_or_in_the_viewport() -> None:
     assert colour_of(None) == NO_COLOUR
     made = bpy.data.materials.new("Red")
     made.diffuse_color = (1.0, 0.0, 0.0, 1.0)
