@@ -1,5 +1,6 @@
 #include "contour/exact/exact_segment.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace illustrate {
@@ -110,9 +111,11 @@ bool ExactSegment::needs_split(const ContourKnot& a, const ContourKnot& b) const
   return std::abs(c) > .7 * std::abs(s) && length > cusp_reach_px;
 }
 
+// The signs beside a cusp are those of its neighbours, whatever kappa was found there: the two may
+// agree, and kappa vanish beyond the ends, at any distance.
 ContourKnot ExactSegment::linear_cusp(const ContourKnot& a, const ContourKnot& b) const {
   const double span = a.sample.kappa - b.sample.kappa;
-  const double fraction = span != 0 ? a.sample.kappa / span : .5;
+  const double fraction = span != 0 ? std::clamp(a.sample.kappa / span, 0., 1.) : .5;
   ContourKnot cusp = fraction < .5 ? a : b;
   cusp.uv = a.uv + fraction * (b.uv - a.uv);
   cusp.sample.position = a.sample.position + fraction * (b.sample.position - a.sample.position);
@@ -131,6 +134,7 @@ ContourKnot ExactSegment::find_cusp(const ContourKnot& a, const ContourKnot& b,
   std::optional<ContourKnot> cusp;
   for (int i = 0; i < most_steps; ++i) {
     const double fraction = (low * high_kappa - high * low_kappa) / (high_kappa - low_kappa);
+    if (!(fraction >= 0 && fraction <= 1)) break;
     const auto middle = between(ptex_face_, a, b, fraction);
     if (!middle) break;
     cusp = middle;
