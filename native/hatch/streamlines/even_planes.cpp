@@ -38,7 +38,9 @@ class PlaneEvener {
     Eigen::SparseMatrix<double> matrix(count, count);
     matrix.setFromTriplets(terms_.begin(), terms_.end());
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
-    const Eigen::VectorXd moves = solver.solve(right_);
+    Eigen::VectorXd moves = solver.solve(right_);
+    // A plane seen edge-on has rates that no number holds.
+    if (solver.info() != Eigen::Success || !moves.allFinite()) moves.setZero();
     return {moves.data(), moves.data() + count};
   }
 
