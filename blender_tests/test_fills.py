@@ -30,6 +30,9 @@ def paint(thing: Any, *names: str) -> None:
     for name in names:
         material = bpy.data.materials.get(name) or bpy.data.materials.new(name)
         material.diffuse_color = COLOURS[name]
+        for node in material.node_tree.nodes if material.node_tree else ():  # new in Blender 5
+            if node.type == "BSDF_PRINCIPLED":
+                node.inputs["Base Color"].default_value = COLOURS[name]
         thing.data.materials.append(material)
 
 
