@@ -234,9 +234,8 @@ class View {
       Hatches all;
       for (std::size_t i = 0; i < scenes.size(); ++i) {
         const auto done = static_cast<double>(i);
-        append(all,
-               hatched(scenes[i], passes.empty() ? previous_ : lines_of_pass(previous_, passes[i]),
-                       hatching.part(done / count, (done + 1) / count)));
+        all.add(hatched(scenes[i], passes.empty() ? previous_ : lines_of_pass(previous_, passes[i]),
+                        hatching.part(done / count, (done + 1) / count)));
       }
       return all;
     });

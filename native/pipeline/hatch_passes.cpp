@@ -67,10 +67,4 @@ Ragged<SurfacePoint> lines_of_pass(const Ragged<SurfacePoint>& lines, const Hatc
   return own;
 }
 
-void append(Hatches& hatches, const Hatches& more) {
-  for (std::size_t i = 0; i < more.kinds.size(); ++i) {
-    hatches.add(more.curves[i], more.kinds[i], more.objects[i]);
-  }
-}
-
 }  // namespace illustrate

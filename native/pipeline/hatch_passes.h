@@ -31,7 +31,4 @@ std::vector<double> finest_radii(const std::vector<HatchScene>& scenes,
 // The lines that lie on a pass's own triangles with more than half of their points.
 Ragged<SurfacePoint> lines_of_pass(const Ragged<SurfacePoint>& lines, const HatchPass& pass);
 
-// Without what `more` was placed as.
-void append(Hatches& hatches, const Hatches& more);
-
 }  // namespace illustrate
