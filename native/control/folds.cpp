@@ -19,8 +19,7 @@ constexpr double rounding_px = 0.5;
 // Sharpness that the last of eight levels still shows.
 constexpr double sharpest_fold = 8;
 
-// Edges of hexagons are curves, those of squares are none.
-constexpr double curve_deg = 64, fold_deg = 76;
+constexpr double fold_deg = 76;
 // A triangle that is so pointed opposite an edge is a piece of a strip that comes to that edge.
 constexpr double strip_deg = 30;
 
@@ -46,6 +45,8 @@ struct Turn {
   double degrees = 0;
   Vec3 axis = Vec3::Zero();  // of any length
 };
+
+const Turn& greater(const Turn& a, const Turn& b) { return a.degrees < b.degrees ? b : a; }
 
 Turn turn_between(const Vec3& from, const Vec3& to) {
   return {degrees_between(from, to), from.cross(to)};
@@ -81,10 +82,12 @@ class FoldFinder {
   // How the surface turns on its way across an edge, from the face of the half-edge to its mate's:
   // as the faces do, or the strips that they are pieces of.
   Turn turn_at(int h, int mate) const {
-    const Vec3& here = normals_[idx(faces_.corner_faces[idx(h)])];
-    const Vec3& beyond = normals_[idx(faces_.corner_faces[idx(mate)])];
-    const Turn of_faces = turn_between(here, beyond), of_strips = mitred_turn(h, mate);
-    return of_faces.degrees < of_strips.degrees ? of_strips : of_faces;
+    return greater(turn_of_faces(h, mate), mitred_turn(h, mate));
+  }
+
+  Turn turn_of_faces(int h, int mate) const {
+    return turn_between(normals_[idx(faces_.corner_faces[idx(h)])],
+                        normals_[idx(faces_.corner_faces[idx(mate)])]);
   }
 
   // Of two strips that meet in a mitre, as mouldings and the bevels of letters do: at both ends of
@@ -143,15 +146,14 @@ class FoldFinder {
   double sharpness_of(int h) const {
     const int mate = edges_.mates[idx(h)];
     if (mate == none || edges_.is_sharp(h)) return 0;
-    const int face = faces_.corner_faces[idx(h)], other = faces_.corner_faces[idx(mate)];
-    const double faces_turn = degrees_between(normals_[idx(face)], normals_[idx(other)]);
-    const Turn turn = turn_at(h, mate);
+    const Turn of_faces = turn_of_faces(h, mate), turn = greater(of_faces, mitred_turn(h, mate));
     const double share =
         std::max({smoothstep(curve_deg, fold_deg, turn.degrees), lone_share(h, mate, turn),
-                  missed_share(h, faces_turn), folded_share(h), folded_share(mate)});
+                  missed_share(h, of_faces.degrees), folded_share(h), folded_share(mate)});
     if (share == 0) return 0;
     // A cubic spline's limit is a sixth of its control polygon's second difference inside it.
-    const double height = std::min(height_over(h), height_over(mate));
+    const double height = std::min(reach_of_face(edges_, mesh_.positions, h),
+                                   reach_of_face(edges_, mesh_.positions, mate));
     const double rounding = px_ * height * std::sin(std::min(turn.degrees, 90.) * pi / 180) / 6;
     if (!(rounding > rounding_px)) return 0;
     return share * std::min(sharpest_fold, std::log(rounding / rounding_px) / std::log(2.));
@@ -179,16 +181,6 @@ class FoldFinder {
         result[e] =
             std::min(result[e], first[idx(v)] > sharpness[e] ? first[idx(v)] : second[idx(v)]);
     return result;
-  }
-
-  // Of the face, from the line of the edge to its farthest corner.
-  double height_over(int h) const {
-    const Vec3& start = mesh_.positions[idx(faces_.corners[idx(h)])];
-    const Vec3 along = unit_or_zero(mesh_.positions[idx(faces_.head(h))] - start);
-    double height = 0;
-    for (const int v : faces_[faces_.corner_faces[idx(h)]])
-      height = std::max(height, (mesh_.positions[idx(v)] - start).cross(along).norm());
-    return height;
   }
 
   const SoundMesh& mesh_;

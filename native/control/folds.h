@@ -18,6 +18,10 @@
 
 namespace illustrate {
 
+// Edges of hexagons are curves, those of squares are none: what turns by less is samples of a
+// curve, as far as its angle tells.
+constexpr double curve_deg = 64;
+
 // A mesh with folds, as two meshes.
 struct FoldedMesh {
   SoundMesh soft;              // with its folds as semi-sharp edges

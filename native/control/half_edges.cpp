@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mesh/edge_table.h"
+#include "mesh/polygons.h"
 
 namespace illustrate {
 namespace {
@@ -40,6 +41,16 @@ HalfEdges::HalfEdges(const SoundMesh& mesh)
     const double given = known == none ? 0 : mesh.edge_sharpness[idx(known)];
     sharpness.push_back(mates[idx(h)] == none ? infinitely_sharp : given);
   }
+}
+
+double reach_of_face(const HalfEdges& half_edges, const Points& positions, int half_edge) {
+  const Faces& faces = half_edges.faces;
+  const Vec3& start = positions[idx(faces.corners[idx(half_edge)])];
+  const Vec3 along = unit_or_zero(positions[idx(faces.head(half_edge))] - start);
+  double reach = 0;
+  for (const int v : faces[faces.corner_faces[idx(half_edge)]])
+    reach = std::max(reach, (positions[idx(v)] - start).cross(along).norm());
+  return reach;
 }
 
 VertexSectors find_sectors(const HalfEdges& mesh, std::size_t vertex_count) {

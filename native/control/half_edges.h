@@ -23,6 +23,9 @@ struct HalfEdges {
   int next_round_vertex(int corner) const { return mates[idx(faces.previous(corner))]; }
 };
 
+// How far the face of a half-edge reaches from the half-edge's line.
+double reach_of_face(const HalfEdges& half_edges, const Points& positions, int half_edge);
+
 // The corners of each vertex between two sharp or open edges, in ascending order of their lowest
 // corners; counter-clockwise. The end of a single sharp edge has one sector all round.
 struct VertexSectors {

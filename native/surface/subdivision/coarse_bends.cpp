@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "control/half_edges.h"
+#include "control/folds.h"
 
 namespace illustrate {
 namespace {
 
 // Of the longest edge, which the add-on asks to be three pixels: .4 pixels.
 constexpr double chord_share = 1.0 / 8;
-// As folds begin (control/folds.cpp).
-constexpr double fold_rad = 64 * 3.14159265358979323846 / 180;
+constexpr double curve_rad = curve_deg * 3.14159265358979323846 / 180;
 
 class CoarseBends {
  public:
@@ -46,26 +45,19 @@ class CoarseBends {
   int level_of(int h) const {
     const int mate = edges_.mates[idx(h)];
     if (mate == none || edges_.is_sharp(h)) return 0;
-    const double reach = (reach_of(h) + reach_of(mate)) / 2;
+    const double reach =
+        (reach_of_face(edges_, mesh_.positions, h) + reach_of_face(edges_, mesh_.positions, mate)) /
+        2;
     if (!is_coarse(reach, median_)) return 0;
     const std::vector<int>& faces = edges_.faces.corner_faces;
     const Vec3 &a = normals_[idx(faces[idx(h)])], &b = normals_[idx(faces[idx(mate)])];
     const double turn = std::atan2(a.cross(b).norm(), a.dot(b));
     const double sagitta = reach * turn / 8;
     if (!(sagitta > nearest_)) return 0;
-    if (!mesh_.cage && turn > fold_rad) return 1;
+    if (!mesh_.cage && turn > curve_rad) return 1;
     // A level halves chords, and quarters how far they are from their arcs.
     return std::min(highest_,
                     static_cast<int>(std::ceil(std::log(sagitta / nearest_) / std::log(4))));
-  }
-
-  // How far the face reaches from the line of its half-edge.
-  double reach_of(int h) const {
-    const Vec3 along = (head(h) - start(h)).normalized();
-    double reach = 0;
-    for (const int v : edges_.faces[edges_.faces.corner_faces[idx(h)]])
-      reach = std::max(reach, (mesh_.positions[idx(v)] - start(h)).cross(along).norm());
-    return reach;
   }
 
   const SoundMesh& mesh_;
