@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
+#include "core/disjoint_sets.h"
 #include "hatch/greedy/neighbour_grid.h"
 #include "hatch/view/hatch_area.h"
 
@@ -24,25 +24,6 @@ constexpr std::size_t company = 2;
 // hatches by so many of those are a speck.
 constexpr double speck_length = 20;
 constexpr double speck_reach = 1.5;
-
-// Numbers that were joined have one root.
-class Roots {
- public:
-  explicit Roots(std::size_t count) : parents_(count) {
-    std::iota(parents_.begin(), parents_.end(), 0);
-  }
-  int of(int i) const {
-    while (parents_[idx(i)] != i) i = parents_[idx(i)];
-    return i;
-  }
-  void join(int a, int b) {
-    a = of(a), b = of(b);
-    parents_[idx(std::max(a, b))] = std::min(a, b);
-  }
-
- private:
-  std::vector<int> parents_;
-};
 
 class Sweeper {
  public:
@@ -141,7 +122,7 @@ class Sweeper {
   bool is_undercut(int hatch) const { return hatches_.kinds[idx(hatch)] == Kind::undercut; }
 
   // Of undercuts beside each other: their length in spacings, infinite where another hatch is near.
-  std::vector<double> lengths_of_patches(Roots& patches) const {
+  std::vector<double> lengths_of_patches(DisjointSets& patches) const {
     std::vector<double> lengths(is_kept_.size(), 0);
     const auto count = static_cast<int>(is_kept_.size());
     for (int h = 0; h < count; ++h) {
@@ -155,7 +136,7 @@ class Sweeper {
       });
     }
     for (int h = 0; h < count; ++h) {
-      if (patches.of(h) != h) lengths[idx(patches.of(h))] += lengths[idx(h)];
+      if (patches.root(h) != h) lengths[idx(patches.root(h))] += lengths[idx(h)];
     }
     return lengths;
   }
@@ -176,10 +157,10 @@ class Sweeper {
   }
 
   void leave_out_specks() {
-    Roots patches(is_kept_.size());
+    DisjointSets patches(is_kept_.size());
     const std::vector<double> lengths = lengths_of_patches(patches);
     for (int h = 0; h < static_cast<int>(is_kept_.size()); ++h) {
-      if (is_undercut(h) && lengths[idx(patches.of(h))] < speck_length) is_kept_[idx(h)] = 0;
+      if (is_undercut(h) && lengths[idx(patches.root(h))] < speck_length) is_kept_[idx(h)] = 0;
     }
   }
 

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
+
+#include "core/disjoint_sets.h"
 
 namespace illustrate {
 namespace {
@@ -159,24 +160,17 @@ class Patches {
 
   // Connected cells of one object and tone, numbered in the order of their first cells.
   void find_patches() {
-    std::vector<int> parent(level_.size());
-    std::iota(parent.begin(), parent.end(), 0);
-    const auto root = [&](std::size_t cell) {
-      int r = static_cast<int>(cell);
-      while (parent[idx(r)] != r) r = parent[idx(r)] = parent[idx(parent[idx(r)])];
-      return r;
-    };
+    DisjointSets joined(level_.size());
     visit_neighbours([&](std::size_t a, std::size_t b) {
       if (object_[a] != object_[b] || level_[a] != level_[b]) return;
-      const int ra = root(a), rb = root(b);
-      parent[idx(std::max(ra, rb))] = std::min(ra, rb);
+      joined.join(static_cast<int>(a), static_cast<int>(b));
     });
     patch_.assign(level_.size(), none);
     area_.clear();
     tone_.clear();
     for (std::size_t cell = 0; cell < level_.size(); ++cell) {
       if (object_[cell] == none) continue;
-      const auto first = idx(root(cell));
+      const auto first = idx(joined.root(static_cast<int>(cell)));
       if (first == cell) {
         patch_[cell] = static_cast<int>(area_.size());
         area_.push_back(0);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "core/disjoint_sets.h"
 #include "core/predicates.h"
 
 namespace illustrate {
@@ -37,11 +37,6 @@ constexpr double least_mean_normal = 0.05;
 
 bool are_equal(const std::array<int, 3>& sides) {
   return sides[0] != 0 && sides[0] == sides[1] && sides[1] == sides[2];
-}
-
-int root_of(std::vector<int>& parents, int i) {
-  while (parents[idx(i)] != i) i = parents[idx(i)] = parents[idx(parents[idx(i)])];
-  return i;
 }
 
 // 1 or -1 by the parity of the permutation that sorts four different numbers.
@@ -131,17 +126,13 @@ double CrossingTest::reach() const { return in_plane * inset_ * scale_; }
 
 // Part of each place, numbered by first place.
 std::vector<int> CrossingTest::parts() const {
-  std::vector<int> parents(vertices_.size());
-  std::iota(parents.begin(), parents.end(), 0);
+  DisjointSets joined(vertices_.size());
   for (const Triangle& t : triangles_)
-    for (const int place : t) {
-      const int a = root_of(parents, t[0]), b = root_of(parents, place);
-      parents[idx(std::max(a, b))] = std::min(a, b);
-    }
-  std::vector<int> numbers(parents.size());
+    for (const int place : t) joined.join(t[0], place);
+  std::vector<int> numbers(vertices_.size());
   int count = 0;
-  for (int i = 0; i < static_cast<int>(parents.size()); ++i) {
-    const int root = root_of(parents, i);
+  for (int i = 0; i < static_cast<int>(numbers.size()); ++i) {
+    const int root = joined.root(i);
     numbers[idx(i)] = root == i ? count++ : numbers[idx(root)];
   }
   return numbers;

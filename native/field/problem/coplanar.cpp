@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/disjoint_sets.h"
+
 namespace illustrate {
 namespace {
 
@@ -52,16 +54,11 @@ Eigen::AlignedBox1d extent(const PlaneFace& plane) {
   return {Point(plane.centre.x() - half), Point(plane.centre.x() + half)};
 }
 
-int root(std::vector<int>& parents, int i) {
-  while (parents[idx(i)] != i) i = parents[idx(i)] = parents[idx(parents[idx(i)])];
-  return i;
-}
-
 }  // namespace
 
 std::vector<int> coplanar_groups(const std::vector<PlaneFace>& planes, bool across_objects) {
-  std::vector<int> groups(planes.size()), order(planes.size());
-  std::iota(groups.begin(), groups.end(), 0);
+  DisjointSets groups(planes.size());
+  std::vector<int> order(planes.size());
   std::iota(order.begin(), order.end(), 0);
   const auto start = [&](int p) { return extent(planes[idx(p)]).min()[0]; };
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return start(a) < start(b); });
@@ -72,12 +69,12 @@ std::vector<int> coplanar_groups(const std::vector<PlaneFace>& planes, bool acro
       const PlaneFace& b = planes[idx(order[j])];
       if (!across_objects && a.object != b.object) continue;
       if (!is_coplanar(a, b) || !touch(a, b)) continue;
-      const int first = root(groups, order[i]), second = root(groups, order[j]);
-      groups[idx(std::max(first, second))] = std::min(first, second);
+      groups.join(order[i], order[j]);
     }
   }
-  for (int p = 0; p < static_cast<int>(groups.size()); ++p) groups[idx(p)] = root(groups, p);
-  return groups;
+  std::vector<int> roots(planes.size());
+  for (std::size_t p = 0; p < roots.size(); ++p) roots[p] = groups.root(static_cast<int>(p));
+  return roots;
 }
 
 }  // namespace illustrate

@@ -1,8 +1,8 @@
 #include "field/problem/starts.h"
 
 #include <algorithm>
-#include <numeric>
 
+#include "core/disjoint_sets.h"
 #include "core/parallel.h"
 
 namespace illustrate {
@@ -14,15 +14,6 @@ constexpr double least_projection = 1e-3;
 
 // Wanted crosses that cancel to less than this share of their weight prefer no angle.
 constexpr double least_agreement = 0.05;
-
-int root(std::vector<int>& parents, int i) {
-  while (parents[idx(i)] != i) {
-    int& parent = parents[idx(i)];
-    parent = parents[idx(parent)];
-    i = parent;
-  }
-  return i;
-}
 
 // Mean of 1 + e over the edges of each vertex, by their weights, in [0, 2].
 std::vector<double> mean_edge_energies(const std::vector<FieldEdge>& edges, const CrossNumbers& z,
@@ -46,17 +37,15 @@ std::vector<double> mean_edge_energies(const std::vector<FieldEdge>& edges, cons
 
 FieldParts connected_parts(std::size_t vertices, const std::vector<FieldEdge>& edges,
                            const Progress& progress) {
-  std::vector<int> parents(vertices);
-  std::iota(parents.begin(), parents.end(), 0);
+  DisjointSets joined(vertices);
   parallel_for(edges.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
-      const int a = root(parents, edges[e].from), b = root(parents, edges[e].to);
-      parents[idx(std::max(a, b))] = std::min(a, b);
+      joined.join(edges[e].from, edges[e].to);
     }
   });
   FieldParts parts{std::vector<int>(vertices), 0};
   for (std::size_t i = 0; i < vertices; ++i) {  // a root is the lowest vertex of its part
-    const auto r = idx(root(parents, static_cast<int>(i)));
+    const auto r = idx(joined.root(static_cast<int>(i)));
     parts.of_vertex[i] = r == i ? parts.count++ : parts.of_vertex[r];
   }
   return parts;

@@ -64,20 +64,16 @@ class PlaneEvener {
   }
 
  private:
-  int plane_of(const StreamlineNode& node) const {
-    const std::vector<int>& planes = surface().triangle_planes;
-    return planes.empty() ? none : planes[idx(node.on.triangle)];
-  }
   const Surface& surface() const { return view_.walker.on_surface().surface(); }
 
   // The unit direction in its plane that a streamline may move along, to its left; none where it is
   // on no flat face, or on two.
   std::optional<Vec3> way_of(const Streamline& streamline) const {
     if (streamline.is_fixed) return {};
-    const int plane = plane_of(streamline.nodes.front());
+    const int plane = view_.plane_of(streamline.nodes.front());
     if (plane == none) return {};
     for (const StreamlineNode& node : streamline.nodes) {
-      if (plane_of(node) != plane) return {};
+      if (view_.plane_of(node) != plane) return {};
     }
     const StreamlineNode& middle = streamline.nodes[streamline.nodes.size() / 2];
     const Vec3 way = surface().planes[idx(plane)].normal.cross(middle.tangent);
@@ -136,7 +132,8 @@ class PlaneEvener {
     SurfacePoint on = node.on;
     if (!view_.walker.on_surface().slide(on, by)) return {};
     const StreamlineNode next = view_.node(on, node.tangent);
-    if (plane_of(next) != plane_of(node) || view_.curves.separate(node.image, next.image))
+    if (view_.plane_of(next) != view_.plane_of(node) ||
+        view_.curves.separate(node.image, next.image))
       return {};
     return next;
   }

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
+
+#include "core/disjoint_sets.h"
 
 namespace illustrate {
 namespace {
@@ -49,12 +50,10 @@ class Merger {
   Merger(StreamlineSet& set, const HatchView& view, bool ruled)
       : set_(set),
         view_(view),
-        ruled_(ruled && !view.walker.on_surface().surface().planes.empty()),
+        ruled_(ruled),
         joins_(2 * set.streamlines.size()),
         yields_(set.streamlines.size(), 0),
-        groups_(set.streamlines.size()) {
-    std::iota(groups_.begin(), groups_.end(), 0);
-  }
+        groups_(set.streamlines.size()) {}
 
   void merge() {
     std::vector<EndPair> pairs = facing_pairs();
@@ -128,18 +127,12 @@ class Merger {
 
   // Whether an end is on a flat face and its streamline is seen as straight.
   bool is_ruled(int end) const {
-    const std::vector<int>& planes = view_.walker.on_surface().surface().triangle_planes;
-    return ruled_ && planes[idx(node_from(end, 0).on.triangle)] != none &&
+    return ruled_ && view_.plane_of(node_from(end, 0)) != none &&
            length_of(nodes_of(end)) > least_straight * spacing_of(end);
   }
 
-  int group_of(int streamline) const {
-    while (groups_[idx(streamline)] != streamline) streamline = groups_[idx(streamline)];
-    return streamline;
-  }
-
   void try_join(int a, int b) {
-    const int one = group_of(a / 2), other = group_of(b / 2);
+    const int one = groups_.root(a / 2), other = groups_.root(b / 2);
     if (joins_[idx(a)].mate != none || joins_[idx(b)].mate != none || one == other) return;
     if (set_.streamlines[idx(a / 2)].object != set_.streamlines[idx(b / 2)].object) return;
     const GivenUp given_up = nodes_to_give_up(a, b);
@@ -151,7 +144,7 @@ class Merger {
     joins_[idx(b)] = {a, given_up[1], bridge};
     std::reverse(joins_[idx(b)].bridge.begin(), joins_[idx(b)].bridge.end());
     joins_[idx(a)] = {b, given_up[0], std::move(bridge)};
-    groups_[idx(std::max(one, other))] = std::min(one, other);
+    groups_.join(one, other);
   }
 
   // Angles in the image from the ends' directions to the bridge, counted the same way round.
@@ -256,7 +249,7 @@ class Merger {
   std::vector<Join> joins_;  // of each end
   // Of each streamline: whether it goes where a long one beside its line will go on.
   std::vector<std::uint8_t> yields_;
-  std::vector<int> groups_;  // of each streamline, one of those it is joined with
+  DisjointSets groups_;  // of streamlines that are joined
 };
 
 // Turns tangents along the streamline.

@@ -168,10 +168,7 @@ class Relaxer {
     return pull;
   }
 
-  bool is_flat(const StreamlineNode& node) const {
-    const std::vector<int>& planes = view_.walker.on_surface().surface().triangle_planes;
-    return !planes.empty() && planes[idx(node.on.triangle)] != none;
-  }
+  bool is_flat(const StreamlineNode& node) const { return view_.plane_of(node) != none; }
 
   std::vector<Segment> segments_of(const Streamline& streamline) const {
     const double length = stiffness * streamline.spacing, least_px = 1e-3 * streamline.spacing;

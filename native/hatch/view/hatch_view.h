@@ -47,6 +47,11 @@ class HatchView {
   bool may_pass(const HatchPoint& point) const { return area.may_pass(point, where_); }
   bool is_wanted(const HatchPoint& point) const { return area.is_wanted(point, where_); }
   const Camera& camera() const { return scene_.camera; }
+  // The flat face that a node lies on (surface/planes/plane_faces.h), or none.
+  int plane_of(const StreamlineNode& node) const {
+    const std::vector<int>& planes = scene_.surface.triangle_planes;
+    return planes.empty() ? none : planes[idx(node.on.triangle)];
+  }
   bool is_hatched(int object) const { return scene_.is_hatched(object); }
 
   Kind kind() const { return where_ == Area::undercut ? Kind::undercut : Kind::hatch; }
