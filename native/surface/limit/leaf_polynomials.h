@@ -1,13 +1,14 @@
-// An irregular face of the limit surface (OpenSubdiv Bfr) is a tree of patches whose regular leaves
-// are polynomials: evaluated as such they take a tenth of the time. Each is made when it is first
-// asked for, the same whoever asks, and kept while there is room.
+// An irregular face of the limit surface (OpenSubdiv Bfr) is a tree of patches. The points of a
+// patch are worked out from the control points when it is asked for: of a triangle's tree that has
+// hundreds of points one patch needs twelve. Regular leaves are polynomials, which evaluated as
+// such take a tenth of the time. Each is made when it is first asked for, the same whoever asks,
+// and kept while there is room.
 #pragma once
 
 #include <opensubdiv/bfr/irregularPatchType.h>
 
 #include <atomic>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "surface/limit/polynomial_patch.h"
@@ -37,18 +38,17 @@ class LeafPolynomials {
  public:
   using Tree = OpenSubdiv::Bfr::internal::IrregularPatchSharedPtr;
 
-  // patch_points: three coordinates of each of the tree's points, control points first; they and
-  // the room are to outlive this.
-  LeafPolynomials(Tree tree, const std::vector<double>& patch_points, LeafRoom& room);
+  // controls: the tree's control points. The room is to outlive this.
+  LeafPolynomials(Tree tree, Points controls, LeafRoom& room);
   ~LeafPolynomials();
 
-  // At uv of the face, or of its sub-face, as the tree has them. Nothing where the leaf is no
-  // polynomial (next to an extraordinary vertex), or beyond the 64 leaves that may be kept. Safe
-  // between threads.
-  std::optional<LimitPoint> evaluate(int sub_face, const Vec2& uv) const;
+  // At uv of the face, or of its sub-face, as the tree has them. Safe between threads.
+  LimitPoint evaluate(int sub_face, const Vec2& uv) const;
 
-  // What the slots take, without the polynomials.
-  std::size_t bytes() const { return sizeof(*this) + sizeof(leaves_[0]) * leaves_.size(); }
+  // Without the polynomials.
+  std::size_t bytes() const {
+    return sizeof(*this) + sizeof(leaves_[0]) * leaves_.size() + sizeof(Vec3) * controls_.size();
+  }
 
  private:
   // The leaf's own coordinates are (uv - first) / side; side is negative in a triangle turned over.
@@ -62,12 +62,11 @@ class LeafPolynomials {
 
   LimitPoint make_and_evaluate(int index, const Vec2& uv) const;
   std::unique_ptr<const Leaf> make(int index) const;
-  LimitPoint evaluate_tree(int index, const Vec2& uv) const;
-  Vec3 position_in_tree(int index, const Vec2& uv) const;
-  Vec3 sum(int index, const std::array<double, 16>& weights) const;
+  LimitPoint evaluate_patch(int index, const Vec2& uv) const;
+  Vec3 tree_point(int index) const;
 
   Tree tree_;
-  const std::vector<double>& patch_points_;
+  Points controls_;
   LeafRoom& room_;
   bool triangular_;
   mutable std::vector<std::atomic<const Leaf*>> leaves_;

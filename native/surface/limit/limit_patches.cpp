@@ -60,8 +60,8 @@ class PatchTrees : public Bfr::SurfaceFactoryCache {
   mutable LeafPolynomials::Tree last_;
 };
 
-// What OpenSubdiv makes for one face: its surface, the tree that is shared with faces of its kind,
-// if there is one, and the bytes of what was made for it first.
+// What OpenSubdiv makes for one face: its surface, and where that is irregular the tree that is
+// shared with faces of its kind, and the bytes of what was made for it first.
 struct FaceSurface {
   Bfr::Surface<double> surface;
   LeafPolynomials::Tree tree;
@@ -98,95 +98,78 @@ class SurfaceMaker {
   std::optional<Bfr::RefinerSurfaceFactory<>> factory_;
 };
 
+// Beyond a border OpenSubdiv repeats a control point where there is none.
+bool all_differ(std::vector<int> controls) {
+  std::sort(controls.begin(), controls.end());
+  return std::adjacent_find(controls.begin(), controls.end()) == controls.end();
+}
+
+template <std::size_t count>
+std::array<Vec3, count> first_of(const Points& points) {
+  std::array<Vec3, count> result;
+  std::copy_n(points.begin(), count, result.begin());
+  return result;
+}
+
+// A regular face as one polynomial.
+PolynomialPatch polynomial_of(const Bfr::Surface<double>& surface, const std::vector<int>& indices,
+                              const Points& controls) {
+  const bool is_quad = surface.GetFaceSize() == 4;
+  if (all_differ(indices)) {
+    return is_quad ? PolynomialPatch::b_spline(first_of<16>(controls))
+                   : PolynomialPatch::box_spline(first_of<12>(controls));
+  }
+  const double* points = controls.front().data();
+  const auto at = [&](const Vec2& uv) {
+    LimitPoint p;
+    surface.Evaluate(uv.data(), points, 3, p.position.data(), p.du.data(), p.dv.data(),
+                     p.duu.data(), p.duv.data(), p.dvv.data());
+    return p;
+  };
+  if (!is_quad) return PolynomialPatch::quartic([&](const Vec2& uv) { return at(uv).position; });
+  return PolynomialPatch::bicubic({at({0, 0}), at({1, 0}), at({0, 1}), at({1, 1})});
+}
+
 // The surface of one base face.
 class FacePatches {
  public:
   // Points are taken from the first of them, so that nothing is lost far from the world's origin.
   FacePatches(FaceSurface made, LeafRoom& room, const Points& points)
-      : surface_(made.surface), shared_bytes_(made.shared_bytes) {
-    if (!surface_.IsValid()) return;
-    std::vector<int> controls(idx(surface_.GetNumControlPoints()));
-    surface_.GetControlPointIndices(controls.data());
-    origin_ = points[idx(controls[0])];
-    patch_points_.resize(3 * idx(surface_.GetNumPatchPoints()));
-    for (std::size_t i = 0; i < controls.size(); ++i) {
-      Eigen::Map<Vec3>(patch_points_.data() + 3 * i) = points[idx(controls[i])] - origin_;
-    }
-    surface_.ComputePatchPoints(patch_points_.data(), 3);
-    if (surface_.IsRegular()) {
-      simplify(std::move(controls));
-    } else if (made.tree) {
-      leaves_ = std::make_unique<const LeafPolynomials>(std::move(made.tree), patch_points_, room);
+      : shared_bytes_(made.shared_bytes) {
+    const Bfr::Surface<double>& surface = made.surface;
+    if (!surface.IsValid()) return;
+    std::vector<int> indices(idx(surface.GetNumControlPoints()));
+    surface.GetControlPointIndices(indices.data());
+    origin_ = points[idx(indices[0])];
+    Points controls;
+    controls.reserve(indices.size());
+    for (const int i : indices) controls.push_back(points[idx(i)] - origin_);
+    if (surface.IsRegular()) {
+      polynomial_ =
+          std::make_unique<const PolynomialPatch>(polynomial_of(surface, indices, controls));
+    } else {
+      leaves_ =
+          std::make_unique<const LeafPolynomials>(std::move(made.tree), std::move(controls), room);
     }
   }
 
-  bool is_valid() const { return polynomial_ || surface_.IsValid(); }
+  bool is_valid() const { return polynomial_ || leaves_; }
 
   std::size_t bytes() const {
-    return sizeof(*this) + shared_bytes_ + sizeof(double) * patch_points_.size() +
+    return sizeof(*this) + shared_bytes_ + (polynomial_ ? sizeof(*polynomial_) : 0) +
            (leaves_ ? leaves_->bytes() : 0);
   }
 
   LimitPoint evaluate(int sub_face, const Vec2& uv) const {
-    LimitPoint p = polynomial_ ? polynomial_->evaluate(uv) : evaluate_leaf(sub_face, uv);
+    LimitPoint p = polynomial_ ? polynomial_->evaluate(uv) : leaves_->evaluate(sub_face, uv);
     p.position += origin_;
     return p;
   }
 
  private:
-  LimitPoint evaluate_leaf(int sub_face, const Vec2& uv) const {
-    if (!leaves_) return evaluate_patches(sub_face, uv);
-    const std::optional<LimitPoint> p = leaves_->evaluate(sub_face, uv);
-    return p ? *p : evaluate_patches(sub_face, uv);
-  }
-
-  LimitPoint evaluate_patches(int sub_face, const Vec2& uv) const {
-    std::array<double, 2> at{uv.x(), uv.y()};
-    const Bfr::Parameterization parameters = surface_.GetParameterization();
-    if (parameters.HasSubFaces()) {
-      parameters.ConvertNormalizedSubFaceToCoord(sub_face, uv.data(), at.data());
-    }
-    LimitPoint p;
-    surface_.Evaluate(at.data(), patch_points_.data(), 3, p.position.data(), p.du.data(),
-                      p.dv.data(), p.duu.data(), p.duv.data(), p.dvv.data());
-    if (parameters.HasSubFaces()) halve_parameters(p);
-    return p;
-  }
-
-  // OpenSubdiv gives the sub-face of a corner half of the length of a quad.
-  static void halve_parameters(LimitPoint& p) {
-    for (Vec3* first : {&p.du, &p.dv}) *first /= 2;
-    for (Vec3* second : {&p.duu, &p.duv, &p.dvv}) *second /= 4;
-  }
-
-  // Beyond a border OpenSubdiv repeats a control point where there is none.
-  static bool all_differ(std::vector<int> controls) {
-    std::sort(controls.begin(), controls.end());
-    return std::adjacent_find(controls.begin(), controls.end()) == controls.end();
-  }
-
-  void simplify(std::vector<int> controls) {
-    if (surface_.GetFaceSize() == 4 && all_differ(std::move(controls))) {
-      std::array<Vec3, 16> points;
-      std::copy_n(patch_points_.data(), 48, points[0].data());
-      polynomial_ = PolynomialPatch::b_spline(points);
-    } else if (surface_.GetFaceSize() == 4) {
-      polynomial_ =
-          PolynomialPatch::bicubic({evaluate_patches(0, {0, 0}), evaluate_patches(0, {1, 0}),
-                                    evaluate_patches(0, {0, 1}), evaluate_patches(0, {1, 1})});
-    } else {
-      polynomial_ = PolynomialPatch::quartic(
-          [&](const Vec2& uv) { return evaluate_patches(0, uv).position; });
-    }
-    surface_.Clear();
-    patch_points_ = {};
-  }
-
   Vec3 origin_ = Vec3::Zero();
-  std::optional<PolynomialPatch> polynomial_;
-  Bfr::Surface<double> surface_;
   std::size_t shared_bytes_;
-  std::vector<double> patch_points_;
+  std::unique_ptr<const PolynomialPatch> polynomial_;
   std::unique_ptr<const LeafPolynomials> leaves_;
 };
 

@@ -13,6 +13,26 @@ constexpr Mat4x4 hermite{{{1, 0, 0, 0}, {0, 0, 1, 0}, {-3, 3, -2, -1}, {2, -2, 1
 // From four control points of a uniform B-spline, six times.
 constexpr Mat4x4 spline{{{1, 4, 1, 0}, {-3, 0, 3, 0}, {3, -6, 3, 0}, {-1, 3, -3, 1}}};
 
+// From the twelve control points of Loop's box spline (Stam 1998, "Evaluation of Loop subdivision
+// surfaces") to the coefficients of its quartic, twelve times.
+constexpr std::array<std::array<double, 12>, 15> box{{
+    {1, 1, 0, 1, 6, 1, 0, 1, 1, 0, 0, 0},
+    {-4, -2, 0, -2, 0, 2, 0, 2, 4, 0, 0, 0},
+    {6, 0, 0, 0, -12, 0, 0, 0, 6, 0, 0, 0},
+    {-4, 2, 0, 2, 8, -4, 0, -4, -4, 2, 2, 0},
+    {1, -1, 0, -1, -1, 2, 0, 2, -1, -1, -1, 1},
+    {-2, 2, 0, -4, 0, 4, 0, -2, 2, 0, 0, 0},
+    {6, -6, 0, 6, -12, 6, 0, -6, 6, 0, 0, 0},
+    {-6, 6, 0, 0, 12, -12, 0, 0, -6, 6, 0, 0},
+    {2, -2, 0, -2, -2, 4, 0, 4, -2, -2, -2, 2},
+    {0, 0, 0, 6, -12, 6, 0, 0, 0, 0, 0, 0},
+    {0, 0, 0, -6, 12, -6, 0, 6, -12, 6, 0, 0},
+    {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
+    {2, -4, 2, -4, 8, -4, 0, 2, -4, 2, 0, 0},
+    {-2, 4, -2, 2, -2, -2, 2, -2, 4, -2, 0, 0},
+    {-1, 2, -1, 1, -1, -1, 1, -1, 2, -1, 0, 0},
+}};
+
 // The coefficients of a cubic from four points that lie `step` apart.
 std::array<Vec3, 4> spline_cubic(const Vec3* controls, std::size_t step) {
   std::array<Vec3, 4> cubic;
@@ -126,6 +146,19 @@ PolynomialPatch PolynomialPatch::b_spline(const std::array<Vec3, 16>& controls) 
   for (std::size_t j = 0; j < 4; ++j) {
     const std::array<Vec3, 4> cubic = spline_cubic(rows.data() + 4 * j, 1);
     std::copy(cubic.begin(), cubic.end(), patch.coefficients_.begin() + static_cast<int>(4 * j));
+  }
+  return patch;
+}
+
+PolynomialPatch PolynomialPatch::box_spline(const std::array<Vec3, 12>& controls) {
+  PolynomialPatch patch;
+  patch.triangular_ = true;
+  patch.coefficients_.fill(Vec3::Zero());
+  for (std::size_t c = 0; c < box.size(); ++c) {
+    for (std::size_t p = 0; p < controls.size(); ++p) {
+      patch.coefficients_[c] += box[c][p] * controls[p];
+    }
+    patch.coefficients_[c] /= 12;
   }
   return patch;
 }

@@ -13,6 +13,10 @@ class PolynomialPatch {
   // The bicubic of a uniform B-spline's 16 control points, four of each row in direction u.
   static PolynomialPatch b_spline(const std::array<Vec3, 16>& controls);
 
+  // The quartic of a box spline's 12 control points, in OpenSubdiv's order: those of the triangle
+  // are 4, 5 and 8, at (0, 0), (1, 0) and (0, 1).
+  static PolynomialPatch box_spline(const std::array<Vec3, 12>& controls);
+
   // A bicubic is known by position, du, dv and duv at (0, 0), (1, 0), (0, 1), (1, 1).
   static PolynomialPatch bicubic(const std::array<LimitPoint, 4>& corners);
 
