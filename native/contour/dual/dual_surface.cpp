@@ -168,10 +168,11 @@ DualSurface::DualSurface(const Surface& surface, int threads, const Progress& pr
   }
 }
 
-std::vector<int> DualSurface::find(const Camera& camera, bool smooth) const {
+std::vector<int> DualSurface::find(const Camera& camera, Sort sort) const {
+  const bool wants_smooth = sort == Sort::smooth;
   std::vector<int> found;
   for (const Part& part : parts_) {
-    if (part.is_smooth != smooth) continue;
+    if (part.is_smooth != wants_smooth) continue;
     Vec4 viewpoint = camera.viewpoint();
     if (camera.is_perspective()) {
       viewpoint.head<3>() = (viewpoint.head<3>() - part.origin) / part.unit;
@@ -179,15 +180,17 @@ std::vector<int> DualSurface::find(const Camera& camera, bool smooth) const {
     const double farthest = viewpoint.head<3>().norm() + viewpoint[3];
     part.tree.find(viewpoint, tolerance::facing_noise * farthest * (1 + rounding), found);
   }
-  sort_unique(found, smooth ? triangles_ : 3 * triangles_);
+  sort_unique(found, wants_smooth ? triangles_ : 3 * triangles_);
   return found;
 }
 
-std::vector<int> DualSurface::triangles(const Camera& camera) const { return find(camera, true); }
+std::vector<int> DualSurface::triangles(const Camera& camera) const {
+  return find(camera, Sort::smooth);
+}
 
 std::vector<EdgeSide> DualSurface::edges(const Camera& camera) const {
   std::vector<EdgeSide> sides;
-  for (const int edge : find(camera, false)) sides.push_back({edge / 3, edge % 3});
+  for (const int edge : find(camera, Sort::faceted)) sides.push_back({edge / 3, edge % 3});
   return sides;
 }
 

@@ -36,7 +36,9 @@ class DualSurface {
     bool is_smooth;
     DualTree tree;  // of triangles t, or of edges 3 t + corner
   };
-  std::vector<int> find(const Camera& camera, bool smooth) const;
+  // Of the parts of either sort, the items that their trees find.
+  enum class Sort : std::uint8_t { smooth, faceted };
+  std::vector<int> find(const Camera& camera, Sort sort) const;
 
   std::vector<Part> parts_;
   std::size_t triangles_ = 0;  // of the surface
