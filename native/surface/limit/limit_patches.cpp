@@ -24,10 +24,10 @@ constexpr int patch_level_smooth = 7, patch_level_sharp = 10;
 
 constexpr int most_edges = 100;
 
-// What is kept for good of one mesh; beyond, only what was asked for last. All of a scan of 100,000
-// irregular faces would take five times as much.
+// What is kept for good of one mesh; beyond, only what was asked for last. A face takes .8 kB: all
+// of a scan of 100,000 irregular ones take half of it.
 constexpr std::size_t most_kept_bytes = std::size_t{160} << 20;
-constexpr std::size_t recent_faces = 4096;  // more than a long contour passes, 30 MB of them
+constexpr std::size_t recent_faces = 4096;  // more than a long contour passes, 3 MB of them
 // Of trees that wait for other faces of the same kind. Where every edge is semi-sharp in its own
 // way each face has one of its own, of about a megabyte.
 constexpr std::size_t most_tree_bytes = std::size_t{128} << 20;
