@@ -103,3 +103,24 @@ def turned_to(mesh: Mesh, axis: str, centre: Sequence[float] = (0, 0, 0)) -> Mes
     """What was made along z, along 'x' or 'y' instead, its origin moved to the centre."""
     order = {"x": [2, 0, 1], "y": [1, 2, 0], "z": [0, 1, 2]}[axis]
     return np.asarray(mesh[0], float)[:, order] + np.array(centre, float), mesh[1]
+
+
+def blocks(cells: Sequence[tuple[int, int, int]]) -> Mesh:
+    """What bounds a heap of unit cubes, each given by its lowest corner."""
+    heap, numbers, faces = set(cells), {}, []
+    for cell in sorted(heap):
+        for axis, beyond in ((axis, beyond) for axis in range(3) for beyond in (0, 1)):
+            neighbour = list(cell)
+            neighbour[axis] += 2 * beyond - 1
+            if tuple(neighbour) in heap:
+                continue
+            ring = ((0, 0), (1, 0), (1, 1), (0, 1)) if beyond else ((0, 0), (0, 1), (1, 1), (1, 0))
+            face = []
+            for steps in ring:
+                corner = list(cell)
+                corner[axis] += beyond
+                for other, step in zip((axis + 1, axis + 2), steps, strict=True):
+                    corner[other % 3] += step
+                face.append(numbers.setdefault(tuple(corner), len(numbers)))
+            faces.append(face)
+    return np.array(list(numbers), float), faces

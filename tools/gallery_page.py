@@ -7,7 +7,8 @@ import shutil
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-PAPER = "klein_bottle torus_knot bent_torus directions smooth_corner drapes four_surfaces"
+PAPER = """klein_bottle torus_knot bent_torus directions smooth_corner cylinder_joints drapes
+    four_surfaces"""
 OWN = """portrait_bust machine vehicle interior plant drapery anatomy map_relief text glass night
     motion_strip"""
 MOST_BYTES = 200_000

@@ -1,8 +1,8 @@
 """Where hatches run (paper, figure 8).
 
 From left to right: silhouettes alone; hatches near the raw directions of curvature, restless
-wherever the surface bends alike in both directions; those directions kept only where they are
-reliable; all of them smoothed.
+wherever the surface bends alike in both directions; directions kept where one curvature is at most
+two thirds of the other; only where they are reliable; all of them smoothed.
 """
 
 from typing import Any
@@ -13,6 +13,7 @@ import scenes
 PANELS: tuple[dict[str, Any], ...] = (
     {"hatching": False},
     {"parabolic_ratio": 1.0, "largest_energy": 2.0, "least_curvature": 0.0},
+    {"parabolic_ratio": 0.67, "largest_energy": 1.0},
     {},
     {"parabolic_ratio": 0.0},
 )
