@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/parallel.h"
 #include "mesh/polygons.h"
@@ -33,7 +32,8 @@ constexpr double least_area = 1e-3;
 
 // Faces in one plane.
 struct Piece {
-  Vec3 twice_area = Vec3::Zero();
+  Vec3 twice_area;
+  int seed;
   double rim = 0;         // length
   double smooth_rim = 0;  // of it
 
@@ -46,17 +46,23 @@ class PlaneFinder {
   PlaneFinder(const SoundMesh& mesh, int threads)
       : base_(mesh), mesh_(polygonal_mesh(mesh, threads)), tolerance_(near_plane * diagonal()) {
     measure_faces(threads);
+    find_lone_faces(threads);
   }
 
-  // (f) pieces, in the order of their largest faces.
+  // (f) pieces. They grow from their largest faces, the largest of all first. Most faces of a scan
+  // are pieces of their own, and stand behind the others.
   void divide() {
     pieces_of_.assign(mesh_.face_count(), none);
-    std::vector<int> seeds(mesh_.face_count());
-    std::iota(seeds.begin(), seeds.end(), 0);
-    std::stable_sort(seeds.begin(), seeds.end(),
-                     [&](int a, int b) { return sizes_[idx(a)] > sizes_[idx(b)]; });
+    std::vector<int> seeds;
+    for (int f = 0; f < static_cast<int>(is_lone_.size()); ++f) {
+      if (!is_lone_[idx(f)] && !is_hole(f)) seeds.push_back(f);
+    }
+    std::sort(seeds.begin(), seeds.end(), [&](int a, int b) { return grows_before(a, b); });
     for (const int seed : seeds) {
-      if (pieces_of_[idx(seed)] == none && !is_hole(seed)) grow(seed);
+      if (pieces_of_[idx(seed)] == none) grow(seed);
+    }
+    for (int f = 0; f < static_cast<int>(is_lone_.size()); ++f) {
+      if (pieces_of_[idx(f)] == none && !is_hole(f)) start_piece(f);
     }
   }
 
@@ -83,16 +89,14 @@ class PlaneFinder {
 
   // Numbers the flat faces among the pieces from `first`; (f) the number of each face.
   std::vector<PlaneFace> flat_faces(int object, int first, std::vector<int>& numbers) const {
-    const std::vector<std::uint8_t> is_flat = flat_pieces();
     std::vector<int> of_piece(pieces_.size(), none);
     std::vector<PlaneFace> planes;
-    for (std::size_t p = 0; p < pieces_.size(); ++p) {
-      if (!is_flat[p]) continue;
-      of_piece[p] = first + static_cast<int>(planes.size());
+    for (const int p : flat_pieces()) {
+      of_piece[idx(p)] = first + static_cast<int>(planes.size());
       PlaneFace plane;
       plane.object = object;
-      plane.normal = unit_or_zero(pieces_[p].twice_area);
-      plane.ends_sharply = is_sharp(pieces_[p]);
+      plane.normal = unit_or_zero(pieces_[idx(p)].twice_area);
+      plane.ends_sharply = is_sharp(pieces_[idx(p)]);
       planes.push_back(plane);
     }
     numbers.assign(mesh_.face_count(), none);
@@ -124,17 +128,45 @@ class PlaneFinder {
         }
         twice_areas_[idx(f)] = sum;
         normals_[idx(f)] = unit_or_zero(sum);
-        sizes_[idx(f)] = sum.norm();
+        sizes_[idx(f)] = std::max(0., sum.norm());  // not a number where coordinates are huge
         thicknesses_[idx(f)] = longest > 0 ? sizes_[idx(f)] / longest : 0;
       }
     });
   }
 
-  void grow(int seed) {
+  // Faces in whose plane no neighbour lies, and that lie in the plane of none.
+  void find_lone_faces(int threads) {
+    is_lone_.assign(mesh_.face_count(), 1);
+    parallel_for(mesh_.face_count(), threads, [&](std::size_t begin, std::size_t end) {
+      for (int f = static_cast<int>(begin); f < static_cast<int>(end); ++f) {
+        for (int c = mesh_.first(f); c < mesh_.first(f + 1) && is_lone_[idx(f)]; ++c) {
+          const int other = mesh_.mate(c) == none ? none : mesh_.face(mesh_.mate(c));
+          if (other != none && (extends(f, other) || extends(other, f))) is_lone_[idx(f)] = 0;
+        }
+      }
+    });
+  }
+
+  bool extends(int face, int other) const {
+    const Vec3& normal = normals_[idx(face)];
+    return lies_in_plane(other, normal, height_of(mesh_.point(mesh_.first(face)), normal));
+  }
+
+  bool grows_before(int a, int b) const {
+    const double of_a = sizes_[idx(a)], of_b = sizes_[idx(b)];
+    return of_a != of_b ? of_a > of_b : a < b;
+  }
+
+  int start_piece(int seed) {
     const int number = static_cast<int>(pieces_.size());
-    Piece piece;
-    piece.twice_area = twice_areas_[idx(seed)];
+    pieces_.push_back({twice_areas_[idx(seed)], seed});
     pieces_of_[idx(seed)] = number;
+    return number;
+  }
+
+  void grow(int seed) {
+    const int number = start_piece(seed);
+    Piece& piece = pieces_.back();
     members_.assign(1, seed);
     Vec3 normal = normals_[idx(seed)];
     double height = height_of(mesh_.point(mesh_.first(seed)), normal);
@@ -145,20 +177,24 @@ class PlaneFinder {
       normal = unit_or_zero(piece.twice_area);
       height = mean_height(normal);
     }
-    pieces_.push_back(piece);
   }
 
   void add_neighbours(const Vec3& normal, double height, int number, Piece& piece) {
     for (std::size_t i = 0; i < members_.size(); ++i) {
       for (int c = mesh_.first(members_[i]); c < mesh_.first(members_[i] + 1); ++c) {
         const int other = mesh_.mate(c) == none ? none : mesh_.face(mesh_.mate(c));
-        if (other == none || pieces_of_[idx(other)] != none || is_hole(other)) continue;
+        if (other == none || is_taken(other, piece.seed) || is_hole(other)) continue;
         if (!lies_in_plane(other, normal, height)) continue;
         pieces_of_[idx(other)] = number;
         piece.twice_area += twice_areas_[idx(other)];
         members_.push_back(other);
       }
     }
+  }
+
+  // Of another piece, or a lone face that had its turn before the seed.
+  bool is_taken(int face, int seed) const {
+    return pieces_of_[idx(face)] != none || (is_lone_[idx(face)] && grows_before(face, seed));
   }
 
   double height_of(const Vec3& point, const Vec3& normal) const {
@@ -220,7 +256,8 @@ class PlaneFinder {
     return piece.smooth_rim <= (1 - sharp_share) * piece.rim;
   }
 
-  std::vector<std::uint8_t> flat_pieces() const {
+  // In the order in which they grew.
+  std::vector<int> flat_pieces() const {
     std::vector<double> thin_rim(pieces_.size(), 0);
     for_each_rim_edge([&](int corner, int other, double length) {
       const int own = pieces_of_[idx(mesh_.face(corner))];
@@ -232,15 +269,18 @@ class PlaneFinder {
     });
     double whole = 0;
     for (const Piece& piece : pieces_) whole += piece.twice_area.norm();
-    std::vector<std::uint8_t> result(pieces_.size(), 0);
-    for (std::size_t p = 0; p < pieces_.size(); ++p) {
-      const Piece& piece = pieces_[p];
+    std::vector<int> result;
+    for (int p = 0; p < static_cast<int>(pieces_.size()); ++p) {
+      const Piece& piece = pieces_[idx(p)];
       const double size = piece.twice_area.norm();
       if (!(size > 0) || !std::isfinite(size)) continue;
       const bool is_large =
-          size >= least_area * whole && thin_rim[p] >= thin_share * piece.smooth_rim;
-      result[p] = is_sharp(piece) || is_large;
+          size >= least_area * whole && thin_rim[idx(p)] >= thin_share * piece.smooth_rim;
+      if (is_sharp(piece) || is_large) result.push_back(p);
     }
+    std::sort(result.begin(), result.end(), [&](int a, int b) {
+      return grows_before(pieces_[idx(a)].seed, pieces_[idx(b)].seed);
+    });
     return result;
   }
 
@@ -260,6 +300,7 @@ class PlaneFinder {
   std::vector<Vec3> twice_areas_;  // (f) along the normals
   std::vector<Vec3> normals_;
   std::vector<double> sizes_, thicknesses_;  // (f) twice the area, and that by the longest edge
+  std::vector<std::uint8_t> is_lone_;        // (f)
   std::vector<int> pieces_of_;               // (f)
   std::vector<int> members_;                 // faces of the piece that grows
   std::vector<Piece> pieces_;
