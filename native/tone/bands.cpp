@@ -16,6 +16,11 @@ namespace {
 constexpr double behind = 3;
 constexpr double recession = 3;
 
+// A fold that is an edge has a face of its own, which may go on beside the end of the edge: what
+// lies in the face's plane, by as much, is no other surface. Of a face seen this steeply nothing is
+// known.
+constexpr double least_facing = 0.2;
+
 constexpr double usual_gap = 0.25;   // of a part's diagonal, at which undercuts end
 constexpr double whole_share = 0.2;  // of that, up to which they are whole
 
@@ -28,10 +33,19 @@ struct FoldSample {
   double cell;             // world length of a cell there
   int triangle;            // on the fold
   double undercut_px = 0;  // how wide the undercut is
+  Vec3 position;
+  Vec3 face_normal = Vec3::Zero();  // of the near face of an edge; zero: not known
 };
 
 // To the left of a curve as the viewer sees it run, y pointing down.
 Vec2 left_of(const Vec2& heading) { return {heading.y(), -heading.x()}; }
+
+Vec3 plane_normal(const Surface& surface, int triangle) {
+  const Triangle& t = surface.triangles[idx(triangle)];
+  const Vec3& a = surface.positions[idx(t[0])];
+  const Vec3& b = surface.positions[idx(t[1])];
+  return (b - a).cross(surface.positions[idx(t[2])] - a).stableNormalized();
+}
 
 class BandMarker {
  public:
@@ -60,6 +74,9 @@ class BandMarker {
       const double gap = meets ? depth_at(sample, 2) - sample.depth : gap_beyond(sample);
       if (!std::isfinite(gap)) continue;
       sample.undercut_px = options_.undercut_px * (meets ? 1 : closeness(gap, sample.triangle));
+      if (data.kind == Kind::crease || data.kind == Kind::boundary) {
+        sample.face_normal = near_face_normal(sample);
+      }
       mark_round(sample, meets ? -std::numeric_limits<double>::infinity() : behind);
     }
   }
@@ -84,7 +101,7 @@ class BandMarker {
                  const Vec3 p = a + at.fraction * (points[next].position - a);
                  samples.push_back({at.image, left_of(at.heading), camera_.project(p).depth,
                                     visible_.cell_px * camera_.pixel_size(p),
-                                    points[at.segment].on.triangle});
+                                    points[at.segment].on.triangle, 0, p});
                });
     return samples;
   }
@@ -103,6 +120,23 @@ class BandMarker {
       if (std::isfinite(gap) && gap > behind * sample.cell) return gap;
     }
     return std::numeric_limits<double>::infinity();
+  }
+
+  // Of the face that is seen just before the edge.
+  Vec3 near_face_normal(const FoldSample& sample) const {
+    const int cell = visible_.cell_of(sample.image - 2 * visible_.cell_px * sample.beyond);
+    if (cell == none || visible_.triangle[cell] == none) return Vec3::Zero();
+    const Vec3 normal = plane_normal(surface_, visible_.triangle[cell]);
+    const Vec3 to_eye = camera_.to_eye(sample.position);
+    return std::abs(normal.dot(to_eye)) < least_facing * to_eye.norm() ? Vec3::Zero() : normal;
+  }
+
+  // Whether what is seen at a cell lies in the plane of the face that ends at the edge.
+  bool is_of_face(const FoldSample& sample, const Vec2& centre, int cell) const {
+    if (sample.face_normal.isZero()) return false;
+    const SurfacePoint at = surface_point_under(surface_, map_, visible_.triangle[cell], centre);
+    const Vec3 off = position_at(surface_, at) - sample.position;
+    return std::abs(sample.face_normal.dot(off)) <= behind * sample.cell;
   }
 
   // 1 where what lies beyond a fold is so near that its undercut is whole, 0 where it has none.
@@ -158,7 +192,9 @@ class BandMarker {
     const bool is_undercut = is_beyond && deeper > least_depth;
     Band mark = Band::nothing;
     if (is_fold && distance <= options_.mach_band_px) mark = Band::mach_band;
-    if (is_undercut && distance <= sample.undercut_px) mark = Band::undercut;
+    if (is_undercut && distance <= sample.undercut_px && !is_of_face(sample, centre, cell)) {
+      mark = Band::undercut;
+    }
     if (mark == Band::nothing) return;
     band_[cell] = mark;
     nearest_[cell] = static_cast<float>(distance);
