@@ -1,7 +1,9 @@
-"""Draws a mesh file as SVG, with the module alone: draw_file.py MESH.obj DRAWING.svg [--cage].
+"""Draws a mesh file as SVG, with the module alone: draw_file.py MESH DRAWING.svg [--cage].
 
-A file with normals is drawn as it is shaded: sharp where its normals differ, its vertices on the
-surface. Without normals, or with --cage, its vertices are a cage, which the surface goes near.
+MESH: .obj, .ply or .stl. A file with normals is drawn as it is shaded: sharp where its normals
+differ, its vertices on the surface; so is one of triangles, sharp where they meet at more than 30
+degrees. Of others without normals, or with --cage, the vertices are a cage, which the surface goes
+near.
 """
 
 import pathlib
@@ -12,16 +14,22 @@ import numpy as np
 from illustrate_native import svg
 from mesh_files import read_corner_normals, read_mesh
 
+if len(sys.argv) < 3:
+    sys.exit("draw_file.py MESH DRAWING.svg [--cage]")
 path = pathlib.Path(sys.argv[1])
-positions, faces = read_mesh(path)
-normals = None if "--cage" in sys.argv else read_corner_normals(path)
+try:
+    positions, faces = read_mesh(path)
+    normals = None if "--cage" in sys.argv else read_corner_normals(path)
+except (OSError, ValueError) as error:
+    sys.exit(f"draw_file.py: {error}")
+cage = "--cage" in sys.argv or (normals is None and any(len(face) > 3 for face in faces))
 mesh = ill.PolygonMesh(
     positions,
     list(map(len, faces)),
     np.concatenate(faces),
     corner_normals=normals,
-    cage=normals is None,
-    crease_angle_deg=180 if normals is None else 30,
+    cage=cage,
+    crease_angle_deg=180 if cage else 30,
 )
 prepared = ill.prepare([mesh])
 middle = (np.max(positions, axis=0) + np.min(positions, axis=0)) / 2

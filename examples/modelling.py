@@ -107,7 +107,8 @@ def turned_to(mesh: Mesh, axis: str, centre: Sequence[float] = (0, 0, 0)) -> Mes
 
 def blocks(cells: Sequence[tuple[int, int, int]]) -> Mesh:
     """What bounds a heap of unit cubes, each given by its lowest corner."""
-    heap, numbers, faces = set(cells), {}, []
+    heap, faces = set(cells), []
+    numbers: dict[tuple[int, ...], int] = {}
     for cell in sorted(heap):
         for axis, beyond in ((axis, beyond) for axis in range(3) for beyond in (0, 1)):
             neighbour = list(cell)
