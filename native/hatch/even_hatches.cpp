@@ -79,6 +79,15 @@ Ragged<SurfacePoint> places_of(const Streamlines& streamlines) {
   return places;
 }
 
+// What the last drawing left free where nothing has changed stays free.
+std::vector<StreamlineNode> without_resting(std::vector<StreamlineNode> seeds,
+                                            const HatchView& view) {
+  seeds.erase(std::remove_if(seeds.begin(), seeds.end(),
+                             [&](const StreamlineNode& seed) { return view.rests(seed.image); }),
+              seeds.end());
+  return seeds;
+}
+
 // Right up to what ends the streamlines, and into what is left.
 void finish_ends(StreamlineSet& set, const HatchView& view,
                  const std::vector<StreamlineNode>& seeds, const std::vector<SurfacePoint>& strips,
@@ -88,8 +97,8 @@ void finish_ends(StreamlineSet& set, const HatchView& view,
   merge_streamlines(set, view, true);
   set.drop_shorter(even_rules.least_tip);
   fill_streamlines(set, view, seeds, even_rules.rests(), progress.part(0.3, 0.6));
-  fill_streamlines(set, view, edge_seeds(set, view, strips), even_rules.strips(),
-                   progress.part(0.6, 0.9));
+  fill_streamlines(set, view, without_resting(edge_seeds(set, view, strips), view),
+                   even_rules.strips(), progress.part(0.6, 0.9));
   merge_streamlines(set, view, true);
   thin_streamlines(set, view, even_rules.last_thin);
   extend_tips(set, view, even_rules.tip_step_test, even_rules.tip_test);
@@ -108,7 +117,8 @@ class GroupHatcher {
         tone_(broadened(scene.tone, even_rules.midtone_margin * options.spacing_px,
                         even_rules.shadow_margin * options.spacing_px)),
         view_({scene.surface, scene.field, scene.families, scene.camera, scene.visible, tone_,
-               scene.graph, scene.curves, scene.spacing_scale, scene.unhatched},
+               scene.graph, scene.curves, scene.spacing_scale, scene.unhatched, nullptr,
+               scene.resting},
               options),
         undercuts_(scene, options) {}
 
@@ -117,7 +127,8 @@ class GroupHatcher {
 
   Hatches hatches(const HatchGroup& group, int threads, std::int64_t& steps,
                   const Progress& progress) const {
-    const std::vector<StreamlineNode> seeds = surface_seeds(scene_, view_, group.curves);
+    const std::vector<StreamlineNode> seeds =
+        without_resting(surface_seeds(scene_, view_, group.curves), view_);
     StreamlineSet set(view_);
     const Progress placing = progress.part(0.1, 0.7);
     if (follows_) {

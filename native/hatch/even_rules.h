@@ -75,6 +75,7 @@ struct EvenRules {
   PlaceRules kept() const {
     PlaceRules rules{kept_test, kept_clear, kept_least};
     rules.straight = true;  // they were relaxed off the cross
+    rules.holds = true;
     return rules;
   }
 };

@@ -10,11 +10,14 @@ namespace {
 constexpr double reach = 0.4;
 constexpr double depth_reach = 3;
 constexpr double step = 0.25;
+// Of a hatch that has not moved: more than half a step, less than points of hatches are apart.
+constexpr double resting_reach = 0.15;
 
 }  // namespace
 
-LastHatches::LastHatches(const Ragged<Vec3>& strokes, const Camera& camera, double spacing_px)
-    : camera_(camera), grid_(camera.width_px(), camera.height_px(), spacing_px) {
+LastHatches::LastHatches(const Ragged<Vec3>& strokes, const Camera& camera, double spacing_px,
+                         const RestingPlaces* resting)
+    : camera_(camera), resting_(resting), grid_(camera.width_px(), camera.height_px(), spacing_px) {
   for (std::size_t s = 0; s < strokes.size(); ++s) {
     const Span<const Vec3> line = strokes[s];
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
@@ -35,10 +38,12 @@ LastHatches::LastHatches(const Ragged<Vec3>& strokes, const Camera& camera, doub
 bool LastHatches::was_at(const HatchPoint& point, const Vec3& tangent, double spacing_px) const {
   const double depth = camera_.depth(point.position);
   const double most = depth_reach * spacing_px * camera_.pixel_size(point.position);
-  return grid_.any_within(point.image, reach * spacing_px, [&](const HatchNode& node) {
-    const double cosine = tangent.dot(node.tangent);
-    return 2 * cosine * cosine > 1 && std::abs(depths_[idx(node.point)] - depth) < most;
-  });
+  const bool rests = resting_ && resting_->rests(point.image);
+  return grid_.any_within(
+      point.image, (rests ? resting_reach : reach) * spacing_px, [&](const HatchNode& node) {
+        const double cosine = tangent.dot(node.tangent);
+        return 2 * cosine * cosine > 1 && std::abs(depths_[idx(node.point)] - depth) < most;
+      });
 }
 
 bool LastHatches::was_along(Span<const HatchPoint> points, double spacing_px) const {

@@ -5,6 +5,7 @@
 #include "core/ragged.h"
 #include "hatch/greedy/neighbour_grid.h"
 #include "hatch/hatches.h"
+#include "hatch/view/resting.h"
 #include "view/camera.h"
 
 namespace illustrate {
@@ -14,16 +15,20 @@ constexpr double least_lived = 1;
 
 class LastHatches {
  public:
-  // strokes: their points where the surface has them now, world. Refers to the camera.
-  LastHatches(const Ragged<Vec3>& strokes, const Camera& camera, double spacing_px);
+  // strokes: their points where the surface has them now, world. Refers to the camera and to where
+  // the view rests (null: nowhere).
+  LastHatches(const Ragged<Vec3>& strokes, const Camera& camera, double spacing_px,
+              const RestingPlaces* resting = nullptr);
 
-  // Whether a hatch was drawn there: a parallel one near enough that no other fits between.
+  // Whether a hatch was drawn there: a parallel one near enough that no other fits between; where
+  // the view rests, through the very point.
   bool was_at(const HatchPoint& point, const Vec3& tangent, double spacing_px) const;
   // Whether it was for most of these points.
   bool was_along(Span<const HatchPoint> points, double spacing_px) const;
 
  private:
   const Camera& camera_;
+  const RestingPlaces* resting_;
   NeighbourGrid grid_;
   std::vector<double> depths_;  // by HatchNode::point
 };

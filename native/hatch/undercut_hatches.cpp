@@ -1,6 +1,7 @@
 #include "hatch/undercut_hatches.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "hatch/streamlines/cut_streamlines.h"
 #include "hatch/streamlines/edge_seeds.h"
@@ -26,6 +27,19 @@ bool has_undercuts(const ToneMap& tone) {
   return std::find(tone.band.begin(), tone.band.end(), Band::undercut) != tone.band.end();
 }
 
+// In an order that tells nothing of how they were placed: undercuts between streamlines that have
+// stayed are then the same.
+void fix_all(StreamlineSet& set) {
+  const auto start = [](const Streamline& streamline) {
+    const SurfacePoint& on = streamline.nodes.front().on;
+    return std::make_tuple(on.triangle, on.b1, on.b2);
+  };
+  std::sort(set.streamlines.begin(), set.streamlines.end(),
+            [&](const Streamline& a, const Streamline& b) { return start(a) < start(b); });
+  for (Streamline& streamline : set.streamlines) streamline.is_fixed = true;
+  set.rebuild();
+}
+
 }  // namespace
 
 UndercutHatcher::UndercutHatcher(const HatchScene& scene, const HatchOptions& options)
@@ -38,7 +52,7 @@ std::vector<SurfacePoint> UndercutHatcher::strips() const {
 void UndercutHatcher::add(Hatches& hatches, StreamlineSet& set, const HatchGroup& group,
                           int threads, const Progress& progress) const {
   if (!is_needed_) return;
-  for (Streamline& streamline : set.streamlines) streamline.is_fixed = true;
+  fix_all(set);
   const std::vector<StreamlineNode> seeds = surface_seeds(scene_, view_, group.curves);
   fill_streamlines(set, view_, seeds, gaps, progress.part(0, 0.3));
   relax_streamlines(set, view_, first_sweeps, threads, progress.part(0.3, 0.6));

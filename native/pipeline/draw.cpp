@@ -133,7 +133,8 @@ class View {
     const SameObjects same(*previous.surface, whole);
     if (!same.any()) return;
     previous_ = scene_.seen_parts(moved_lines(placed_of(previous), same));
-    last_.emplace(drawn_hatches(previous, same), camera_, options_.hatch.spacing_px);
+    last_drawn_ = drawn_hatches(previous, same);
+    last_tiles_ = previous.tiles;
     follows_.assign(scene_.meshes().size(), 0);
     for (const SurfacePoint& on : previous_.values) {
       follows_[idx(scene_.surface().triangle_objects[idx(on.triangle)])] = 1;
@@ -164,17 +165,18 @@ class View {
     const CriticalCurves curves = timed(result_.timings["hatch"], [&] {
       return CriticalCurves(result_.graph, camera_.width_px(), camera_.height_px());
     });
-    const HatchScene whole{surface,
-                           field,
-                           families,
-                           camera_,
-                           visible,
-                           result_.tone,
-                           result_.graph,
-                           curves,
-                           spacing_scale,
-                           unhatched,
-                           last_ ? &*last_ : nullptr};
+    HatchScene whole{surface,      field,         families, camera_,       visible,
+                     result_.tone, result_.graph, curves,   spacing_scale, unhatched};
+    tiles_ = timed(result_.timings["hatch"], [&] {
+      return std::make_shared<const ImageTiles>(
+          image_tiles(whole, options_.hatch, options_.threads));
+    });
+    std::optional<RestingPlaces> resting;
+    if (last_tiles_) whole.resting = &resting.emplace(*last_tiles_, *tiles_);
+    std::optional<LastHatches> last;
+    if (last_drawn_) {
+      whole.last = &last.emplace(*last_drawn_, camera_, options_.hatch.spacing_px, whole.resting);
+    }
     hatch_in_passes(whole, progress.part(0.3, 1));
   }
 
@@ -197,6 +199,7 @@ class View {
     scene_.restore_triangles(result_.drawing.on);
     result_.drawing.placed = std::move(placed_);
     scene_.restore_triangles(result_.drawing.placed.values);
+    result_.drawing.tiles = std::move(tiles_);
     progress.report(1);
     return std::move(result_);
   }
@@ -289,8 +292,9 @@ class View {
   const DrawOptions& options_;
   const MaterialMarks materials_;
   Ragged<SurfacePoint> previous_, placed_;
-  std::optional<LastHatches> last_;
-  std::vector<std::uint8_t> follows_;  // (objects) 1: has hatches of the last drawing
+  std::optional<Ragged<Vec3>> last_drawn_;  // hatches
+  std::vector<std::uint8_t> follows_;       // (objects) 1: has hatches of the last drawing
+  std::shared_ptr<const ImageTiles> last_tiles_, tiles_;
   CurvesOfObjects curves_;
   Hatches hatches_;
   DrawResult result_;

@@ -9,6 +9,7 @@
 
 namespace illustrate {
 
+struct ImageTiles;
 struct Surface;
 
 // Strokes as they live through the frames of a sequence (stroke/tracks.h).
@@ -35,10 +36,11 @@ struct Drawing {
   std::vector<int> pens;             // (s) as the styles of objects and materials have it
   StrokeTracks tracks;
 
-  // What the next frame starts from: the surface that `on` is of, and its hatches before they were
-  // cut to their tones (Hatches::placed).
+  // What the next frame starts from: the surface that `on` is of, its hatches before they were cut
+  // to their tones (Hatches::placed), and what they were placed on (hatch/view/resting.h).
   std::shared_ptr<const Surface> surface;
   Ragged<SurfacePoint> placed;
+  std::shared_ptr<const ImageTiles> tiles;
 };
 
 }  // namespace illustrate

@@ -38,6 +38,7 @@ class Cutter {
  private:
   bool stays(const Streamline& streamline, int number, int index) const {
     const StreamlineNode& node = streamline.nodes[idx(index)];
+    if (node.is_held) return true;
     if (!view_.may_pass(node, streamline.spacing)) return false;
     const double radius = test_ * streamline.spacing;
     return !set_.grid.any_near(node.image, radius, [&](const GridNode& other) {
@@ -60,7 +61,8 @@ class Cutter {
       Streamline piece{{streamline.nodes.begin() + from, streamline.nodes.begin() + to},
                        streamline.object,
                        streamline.spacing};
-      if (to - from >= 2 && length_of(piece.nodes) >= least_length_ * streamline.spacing) {
+      const bool is_long = length_of(piece.nodes) >= least_length_ * streamline.spacing;
+      if (to - from >= 2 && (is_long || any_is_held(piece.nodes))) {
         pieces.push_back(std::move(piece));
       } else {
         std::fill(alive.begin() + from, alive.begin() + to, std::uint8_t{0});
@@ -72,6 +74,7 @@ class Cutter {
   bool are_joined(const Streamline& streamline, int index) const {
     const StreamlineNode& a = streamline.nodes[idx(index - 1)];
     const StreamlineNode& b = streamline.nodes[idx(index)];
+    if (a.is_held && b.is_held) return true;
     const Vec3 way = b.position - a.position;
     const double along = least_straightness * way.norm();
     return (b.image - a.image).norm() < most_gap * streamline.spacing * node_step &&

@@ -106,7 +106,7 @@ void grow_new(StreamlineSet& set, const HatchView& view, const StreamlineNode& f
   set.streamlines.push_back(std::move(streamline));
 }
 
-// Calls use(tip, nodes, index, way, spacing) for both ends of all streamlines.
+// Calls use(tip, nodes, index, way, spacing) for both ends of all streamlines, but those held.
 template <class Use>
 void at_all_ends(StreamlineSet& set, const HatchView& view, const Use& use) {
   for (std::size_t s = 0; s < set.streamlines.size(); ++s) {
@@ -114,7 +114,8 @@ void at_all_ends(StreamlineSet& set, const HatchView& view, const Use& use) {
     if (streamline.is_fixed) continue;
     const Tip tip(view, set, static_cast<int>(s), streamline.spacing);
     const int last = static_cast<int>(streamline.nodes.size()) - 1;
-    use(tip, streamline.nodes, last, 1, streamline.spacing);
+    if (!streamline.nodes.back().is_held) use(tip, streamline.nodes, last, 1, streamline.spacing);
+    if (streamline.nodes.front().is_held) continue;
     turn(streamline.nodes);
     use(tip, streamline.nodes, 0, -1, streamline.spacing);
     turn(streamline.nodes);

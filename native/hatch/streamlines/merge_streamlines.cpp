@@ -84,9 +84,12 @@ class Merger {
   std::vector<EndPair> facing_pairs() {
     StreamlineGrid ends = view_.empty_grid();
     const int count = static_cast<int>(joins_.size());
-    for (int end = 0; end < count; ++end) ends.add(outward(end), 0, end / 2, end);
+    for (int end = 0; end < count; ++end) {
+      if (!node_from(end, 0).is_held) ends.add(outward(end), 0, end / 2, end);
+    }
     std::vector<EndPair> pairs;
     for (int end = 0; end < count; ++end) {
+      if (node_from(end, 0).is_held) continue;
       const StreamlineNode node = outward(end);
       const bool ruled = is_ruled(end);
       const double spacing = set_.streamlines[idx(end / 2)].spacing;
@@ -260,6 +263,28 @@ void orient(Nodes& nodes) {
   }
 }
 
+// Nodes along a line, about a step apart, but its ends.
+void add_between(const Nodes& line, double spacing, const HatchView& view, Nodes& nodes) {
+  const double length = length_of(line);
+  const int parts = std::max(1, static_cast<int>(std::lround(length / (spacing * node_step))));
+  double passed = 0;  // up to node `i`
+  std::size_t i = 0;
+  for (int k = 1; k < parts; ++k) {
+    const double target = length * k / parts;
+    double step = (line[i + 1].image - line[i].image).norm();
+    for (; i + 2 < line.size() && passed + step < target;) {
+      passed += step;
+      ++i;
+      step = (line[i + 1].image - line[i].image).norm();
+    }
+    const double share = step > 0 ? std::clamp((target - passed) / step, 0.0, 1.0) : 0;
+    const Vec3 run = line[i + 1].position - line[i].position;
+    SurfacePoint on = line[i].on;
+    view.walker.on_surface().slide(on, share * run);
+    nodes.push_back(view.node(on, run));
+  }
+}
+
 }  // namespace
 
 void merge_streamlines(StreamlineSet& set, const HatchView& view, bool ruled) {
@@ -268,28 +293,19 @@ void merge_streamlines(StreamlineSet& set, const HatchView& view, bool ruled) {
 
 void resample(Streamline& streamline, const HatchView& view) {
   const Nodes old = std::move(streamline.nodes);
-  const double length = length_of(old);
-  const int parts =
-      std::max(1, static_cast<int>(std::lround(length / (streamline.spacing * node_step))));
-  streamline.nodes.assign(1, old.front());
-  double passed = 0;  // up to node `i`
-  std::size_t i = 0;
-  for (int k = 1; k < parts; ++k) {
-    const double target = length * k / parts;
-    double step = (old[i + 1].image - old[i].image).norm();
-    for (; i + 2 < old.size() && passed + step < target;) {
-      passed += step;
-      ++i;
-      step = (old[i + 1].image - old[i].image).norm();
-    }
-    const double share = step > 0 ? std::clamp((target - passed) / step, 0.0, 1.0) : 0;
-    const Vec3 run = old[i + 1].position - old[i].position;
-    SurfacePoint on = old[i].on;
-    view.walker.on_surface().slide(on, share * run);
-    streamline.nodes.push_back(view.node(on, run));
+  Nodes& nodes = streamline.nodes;
+  nodes.assign(1, old.front());
+  for (std::size_t from = 0; from + 1 < old.size();) {
+    std::size_t to = from + 1;
+    while (to + 1 < old.size() && !old[to].is_held) ++to;
+    const bool stays = old[from].is_held && to == from + 1;
+    const Nodes stretch(old.begin() + static_cast<std::ptrdiff_t>(from),
+                        old.begin() + static_cast<std::ptrdiff_t>(to) + 1);
+    if (!stays) add_between(stretch, streamline.spacing, view, nodes);
+    nodes.push_back(old[to]);
+    from = to;
   }
-  streamline.nodes.push_back(old.back());
-  orient(streamline.nodes);
+  orient(nodes);
 }
 
 }  // namespace illustrate

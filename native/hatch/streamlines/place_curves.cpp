@@ -38,6 +38,7 @@ class CurvePlacer {
     Vec3 position;
     Vec2 image;
     double facing;
+    bool is_held;
     bool is_seen;
   };
 
@@ -50,6 +51,8 @@ class CurvePlacer {
     if (!(h[2] > 0)) return false;
     place.image = h.head<2>() / h[2];
     place.facing = view_.walker.facing_at(on);
+    place.is_held = rules_.holds && view_.rests(place.image);
+    if (place.is_held) return true;
     return view_.area.is_in_frame({place.position, on, place.image}) && place.facing != 0;
   }
 
@@ -59,8 +62,10 @@ class CurvePlacer {
     if (!project(on, place)) return false;
     if (!run_.empty()) {
       const double gap = (place.image - run_.back().image).norm() / (spacing_ * node_step);
-      if (gap < least_gap && next) return true;
-      if (gap > most_gap) add_between(place, std::min(std::ceil(gap), most_between));
+      if (gap < least_gap && next && !place.is_held) return true;
+      if (gap > most_gap && !(place.is_held && run_.back().is_held)) {
+        add_between(place, std::min(std::ceil(gap), most_between));
+      }
       if (!run_.empty() && !joins(place)) place_run();
     }
     run_.push_back(place);
@@ -68,6 +73,7 @@ class CurvePlacer {
   }
 
   bool joins(const Place& place) const {
+    if (place.is_held && run_.back().is_held) return true;
     return place.facing * run_.back().facing > 0 &&
            !view_.curves.separate(run_.back().image, place.image);
   }
@@ -92,7 +98,8 @@ class CurvePlacer {
   // What lies between two critical curves is seen or hidden as a whole.
   void place_run() {
     std::size_t seen = 0;
-    for (Place& place : run_) seen += place.is_seen = view_.area.is_seen(point(place));
+    for (Place& place : run_)
+      seen += place.is_seen = place.is_held || view_.area.is_seen(point(place));
     if (run_.size() > 1 && 2 * seen > run_.size()) {
       for (std::size_t i = 0; i < run_.size(); ++i) {
         const std::size_t other = i + 1 < run_.size() ? i + 1 : i - 1;
@@ -105,17 +112,26 @@ class CurvePlacer {
   }
 
   void try_node(const Place& place, const Vec3& towards) {
-    if (!place.is_seen || !view_.is_wanted(point(place))) return finish();
-    const StreamlineNode node = view_.node(place.on, towards);
-    if (!view_.runs_well(node, spacing_)) return finish();
-    const double distance = view_.nearest(set_.grid, node, spacing_, rules_.clear * spacing_);
-    if (distance < rules_.test * spacing_) return finish();
-    is_clear_ = is_clear_ || distance >= rules_.clear * spacing_;
+    if (!place.is_seen) return finish();
+    StreamlineNode node = view_.node(place.on, towards);
+    node.is_held = place.is_held;
+    if (!node.is_held && !has_room(place, node)) return finish();
+    is_clear_ = is_clear_ || node.is_held;
     streamline_.nodes.push_back(node);
   }
 
+  // Takes note where it is clear, too.
+  bool has_room(const Place& place, const StreamlineNode& node) {
+    if (!view_.is_wanted(point(place)) || !view_.runs_well(node, spacing_)) return false;
+    const double distance = view_.nearest(set_.grid, node, spacing_, rules_.clear * spacing_);
+    is_clear_ = is_clear_ || distance >= std::max(rules_.clear, rules_.test) * spacing_;
+    return distance >= rules_.test * spacing_;
+  }
+
   void finish() {
-    if (is_clear_ && length_of(streamline_.nodes) >= rules_.least_length * spacing_) {
+    const std::vector<StreamlineNode>& nodes = streamline_.nodes;
+    const bool is_long = length_of(nodes) >= rules_.least_length * spacing_;
+    if (is_clear_ && (is_long || any_is_held(nodes))) {
       streamline_.object = object_;
       streamline_.spacing = spacing_;
       set_.add(std::move(streamline_));

@@ -15,6 +15,7 @@ struct PlaceRules {
   double clear = 0.75;
   double least_length = 1.5;
   bool straight = false;  // between points of a curve; else along the cross
+  bool holds = false;     // nodes where the view rests are held, however near to others
 };
 
 // In the order of the curves. Nodes come to lie .5 to about 1 `node_step` apart: curves with closer

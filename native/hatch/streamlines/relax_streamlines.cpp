@@ -66,6 +66,7 @@ class Relaxer {
     const int count = static_cast<int>(streamline.nodes.size());
     std::vector<Pull> pulls;
     pulls.reserve(streamline.nodes.size());
+    if (are_all_held(streamline.nodes)) return streamline.nodes;
     for (int i = 0; i < count; ++i) {
       const bool is_drawn = (i + sweep_) % 2 == 0 || count == 2;
       pulls.push_back(is_drawn ? pull_at(streamline, number, i) : Pull{});
@@ -94,6 +95,9 @@ class Relaxer {
  private:
   std::vector<StreamlineNode> moved(const Streamline& streamline, std::vector<Pull> pulls,
                                     double least_move) const {
+    for (std::size_t i = 0; i < pulls.size(); ++i) {
+      if (streamline.nodes[i].is_held) pulls[i] = {0, holding_weight};
+    }
     std::vector<Segment> segments = segments_of(streamline);
     std::vector<double> shift = solve(segments, pulls);
     if (stiffen(segments, shift)) shift = solve(segments, pulls);
@@ -104,9 +108,10 @@ class Relaxer {
       if (i + nodes_ahead < streamline.nodes.size()) {
         view_.walker.fetch(streamline.nodes[i + nodes_ahead].on);
       }
+      const StreamlineNode& node = streamline.nodes[i];
       const double most = most_move * streamline.spacing;
-      nodes.push_back(
-          shifted(streamline.nodes[i], std::clamp(share_moved * shift[i], -most, most)));
+      const double px = std::clamp(share_moved * shift[i], -most, most);
+      nodes.push_back(node.is_held ? node : shifted(node, px));
     }
     return nodes;
   }
@@ -131,7 +136,7 @@ class Relaxer {
   void drop_stuck_ends(const std::vector<StreamlineNode>& from,
                        std::vector<StreamlineNode>& to) const {
     const auto is_stuck = [&](std::size_t i) {
-      return is_flat(from[i]) && from[i].image == to[i].image;
+      return is_flat(from[i]) && from[i].image == to[i].image && !from[i].is_held;
     };
     std::size_t begin = 0, end = to.size();
     while (begin < end && is_stuck(begin)) ++begin;
@@ -166,6 +171,11 @@ class Relaxer {
     }
     pull.by = std::clamp(pull.by, -most, most);
     return pull;
+  }
+
+  static bool are_all_held(const std::vector<StreamlineNode>& nodes) {
+    return std::all_of(nodes.begin(), nodes.end(),
+                       [](const StreamlineNode& node) { return node.is_held; });
   }
 
   bool is_flat(const StreamlineNode& node) const { return view_.plane_of(node) != none; }

@@ -17,4 +17,9 @@ double length_of(const std::vector<StreamlineNode>& nodes) {
   return length;
 }
 
+bool any_is_held(const std::vector<StreamlineNode>& nodes) {
+  return std::any_of(nodes.begin(), nodes.end(),
+                     [](const StreamlineNode& node) { return node.is_held; });
+}
+
 }  // namespace illustrate

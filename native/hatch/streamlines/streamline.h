@@ -15,6 +15,9 @@ struct StreamlineNode {
   double pixel;        // world length of a pixel at that depth
   Vec3 aside;          // tangent move of one pixel to the left of `heading`; zero at outlines
   double angle_ratio;  // angle in the tangent plane for a small angle in the image
+  // Of the last drawing, where nothing has changed: it neither moves nor goes, and an end goes on
+  // from there no farther.
+  bool is_held = false;
 
   Vec2 left() const { return {-heading.y(), heading.x()}; }
 };
@@ -40,5 +43,6 @@ inline void turn(StreamlineNode& node) {
 void turn(std::vector<StreamlineNode>& nodes);
 
 double length_of(const std::vector<StreamlineNode>& nodes);  // px, of the image
+bool any_is_held(const std::vector<StreamlineNode>& nodes);
 
 }  // namespace illustrate

@@ -24,7 +24,7 @@ class StreamlineSet {
   // Shorter ones, in spacings, go.
   void drop_shorter(double least) {
     for (Streamline& streamline : streamlines) {
-      if (streamline.is_fixed) continue;
+      if (streamline.is_fixed || any_is_held(streamline.nodes)) continue;
       if (length_of(streamline.nodes) < least * streamline.spacing) streamline.nodes.clear();
     }
     rebuild();

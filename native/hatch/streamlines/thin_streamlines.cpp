@@ -37,7 +37,7 @@ class Thinner {
     for (std::size_t s = 0; s < set_.streamlines.size(); ++s) {
       const Streamline& streamline = set_.streamlines[s];
       const double length = length_of(streamline.nodes) / streamline.spacing;
-      if (length < most_length && !is_whole(streamline))
+      if (length < most_length && !is_whole(streamline) && !any_is_held(streamline.nodes))
         result.emplace_back(length, static_cast<int>(s));
     }
     std::sort(result.begin(), result.end());

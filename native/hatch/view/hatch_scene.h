@@ -4,6 +4,7 @@
 #include "field/families/families.h"
 #include "hatch/last_hatches.h"
 #include "hatch/view/critical_curves.h"
+#include "hatch/view/resting.h"
 #include "tone/tone_regions.h"
 
 namespace illustrate {
@@ -21,6 +22,7 @@ struct HatchScene {
   const std::vector<double>& spacing_scale;    // one factor per object, empty: 1
   const std::vector<std::uint8_t>& unhatched;  // one flag per object, empty: all are hatched
   const LastHatches* last = nullptr;           // what the frame before drew; null: nothing
+  const RestingPlaces* resting = nullptr;      // where it showed the same; null: nowhere
 
   bool is_hatched(int object) const { return unhatched.empty() || !unhatched[idx(object)]; }
   // `spacing_px` on one object; never less than a pixel.

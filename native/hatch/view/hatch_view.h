@@ -53,6 +53,8 @@ class HatchView {
     return planes.empty() ? none : planes[idx(node.on.triangle)];
   }
   bool is_hatched(int object) const { return scene_.is_hatched(object); }
+  // Whether what the last drawing placed there is to stay.
+  bool rests(const Vec2& image) const { return scene_.resting && scene_.resting->rests(image); }
 
   Kind kind() const { return where_ == Area::undercut ? Kind::undercut : Kind::hatch; }
   double spacing_px() const {

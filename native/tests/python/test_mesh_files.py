@@ -12,7 +12,7 @@ import pytest
 EXAMPLES = Path(__file__).parents[3] / "examples"
 Read = Callable[[Path], tuple[list[list[float]], list[list[int]]]]
 
-POINTS = [[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1]]
+POINTS: list[list[float]] = [[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1]]
 FACES = [[0, 1, 2, 3], [0, 1, 4]]
 HEADER = """ply
 format {} 1.0
