@@ -15,6 +15,9 @@ namespace {
 constexpr double least_length = 2.05;
 constexpr double end_reach = 0.75;
 
+// So far from the end of a crumb another hatch ends it, in spacings.
+constexpr double rung_reach = 1.2;
+
 // A hatch shorter than this, in spacings, needs so many others beside it, so near.
 constexpr double short_length = 4;
 constexpr double company_reach = 2.2;
@@ -39,7 +42,8 @@ class Sweeper {
       const bool is_crumb = length(h) < (has_lived(h) ? least_lived : least_length) * spacing(h);
       if (!is_crumb || !(starts_with_tone(h) || ends_with_tone(h))) keep(h);
     }
-    leave_out_lone();
+    leave_out(least_length, [&](int h) { return is_rung(h); });
+    leave_out(short_length, [&](int h) { return !has_company(h); });
     leave_out_specks();
     return kept();
   }
@@ -93,14 +97,32 @@ class Sweeper {
 
   // Of those that there are now, all at once: one that goes takes no other with it, whatever their
   // order.
-  void leave_out_lone() {
-    std::vector<int> lone;
+  template <class Goes>
+  void leave_out(double longest, const Goes& goes) {
+    std::vector<int> gone;
     for (int h = 0; h < static_cast<int>(is_kept_.size()); ++h) {
-      const bool is_short = is_kept_[idx(h)] && hatches_.kinds[idx(h)] != Kind::undercut &&
-                            length(h) < short_length * spacing(h) && !has_lived(h);
-      if (is_short && !has_company(h)) lone.push_back(h);
+      const bool is_short =
+          is_kept_[idx(h)] && !is_undercut(h) && length(h) < longest * spacing(h) && !has_lived(h);
+      if (is_short && goes(h)) gone.push_back(h);
     }
-    for (const int h : lone) is_kept_[idx(h)] = 0;
+    for (const int h : gone) is_kept_[idx(h)] = 0;
+  }
+
+  // Where there is one family, whether a hatch across ends this one.
+  bool is_rung(int hatch) const {
+    const std::size_t last = curve(hatch).size() - 1;
+    return region_of(scene_.tone, curve(hatch)[last / 2].image) == Region::single &&
+           (is_crossed_at(hatch, 0) || is_crossed_at(hatch, last));
+  }
+
+  bool is_crossed_at(int hatch, std::size_t end) const {
+    const HatchPoint& at = curve(hatch)[end];
+    const Vec3 along = tangent(hatch, end), normal = normal_at(scene_.surface, at.on);
+    return grid_.any_within(at.image, rung_reach * spacing(hatch), [&](const HatchNode& node) {
+      return node.point != hatch && is_kept_[idx(node.point)] &&
+             !are_parallel(along, normal, node.tangent) &&
+             !scene_.curves.separate(at.image, node.image);
+    });
   }
 
   bool has_company(int hatch) const {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "surface/parts.h"
+#include "tone/fold_extents.h"
 #include "tone/step_along.h"
 
 namespace illustrate {
@@ -23,17 +24,19 @@ constexpr double least_facing = 0.2;
 
 constexpr double usual_gap = 0.25;   // of a part's diagonal, at which undercuts end
 constexpr double whole_share = 0.2;  // of that, up to which they are whole
+constexpr double fade_slope = 0.7;   // how fast they widen from where their fold ends
 
-enum class Side : std::uint8_t { neither, left, right };
+enum class Side : std::uint8_t { left, right };
 
 struct FoldSample {
   Vec2 image;
   Vec2 beyond;  // unit, across the curve, away from the fold
-  double depth;
-  double cell;             // world length of a cell there
-  int triangle;            // on the fold
-  double undercut_px = 0;  // how wide the undercut is
   Vec3 position;
+  double depth;
+  double cell;                      // world length of a cell there
+  double along;                     // px along the curve
+  int triangle;                     // on the fold
+  double undercut_px = 0;           // how wide the undercut is
   Vec3 face_normal = Vec3::Zero();  // of the near face of an edge; zero: not known
 };
 
@@ -50,30 +53,32 @@ Vec3 plane_normal(const Surface& surface, int triangle) {
 class BandMarker {
  public:
   BandMarker(const Surface& surface, const VisibleImage& visible, const LabelledGraph& graph,
-             const Camera& camera, const ToneOptions& options, std::vector<Band>& band)
+             const Camera& camera, const std::vector<Light>& lights, const ToneOptions& options,
+             std::vector<Band>& band)
       : surface_(surface),
         visible_(visible),
         graph_(graph),
         camera_(camera),
+        lights_(lights),
         options_(options),
         band_(band),
         map_(image_map(camera)),
-        parts_(options.undercuts && options.undercut_contact > 0 ? surface_parts(surface)
-                                                                 : SurfaceParts{}),
+        is_anywhere_(!options.undercuts || options.undercut_contact == 0),
+        parts_(is_anywhere_ ? SurfaceParts{} : surface_parts(surface)),
+        extents_(is_anywhere_ ? FoldExtents{} : fold_extents(graph, camera)),
         nearest_(band.size(), std::numeric_limits<float>::infinity()) {}
 
   void mark(int arc) {
     const GraphArc& data = graph_.arcs[arc];
-    if (data.invisibility != 0 || data.kind == Kind::seam) return;
+    if (!is_visible_fold(data)) return;
     const bool meets = data.kind == Kind::intersection;
     const std::vector<FoldSample> samples = samples_of(arc);
     const Side beyond = meets ? side_turned_away(samples) : side_beyond(data);
-    if (beyond == Side::neither) return;
     for (FoldSample sample : samples) {
       if (beyond == Side::right) sample.beyond = -sample.beyond;
       const double gap = meets ? depth_at(sample, 2) - sample.depth : gap_beyond(sample);
       if (!std::isfinite(gap)) continue;
-      sample.undercut_px = options_.undercut_px * (meets ? 1 : closeness(gap, sample.triangle));
+      sample.undercut_px = undercut_width(arc, sample, meets ? 0 : gap);
       if (data.kind == Kind::crease || data.kind == Kind::boundary) {
         sample.face_normal = near_face_normal(sample);
       }
@@ -83,7 +88,6 @@ class BandMarker {
 
  private:
   static Side side_beyond(const GraphArc& arc) {
-    if (arc.left_layers == arc.right_layers) return Side::neither;
     return arc.left_layers > arc.right_layers ? Side::right : Side::left;
   }
 
@@ -94,14 +98,19 @@ class BandMarker {
     const Frame frame{Vec2::Constant(-margin), size + Vec2::Constant(margin)};
     const Span<const CurvePoint> points = graph_.points[arc];
     std::vector<FoldSample> samples;
+    std::size_t segment = 0;
+    double passed = 0;  // px up to its start
     step_along(graph_.image[arc], graph_.arcs[arc].start_node == none, visible_.cell_px, frame,
                [&](const CurveSample& at) {
                  const std::size_t next = at.segment + 1 == points.size() ? 0 : at.segment + 1;
                  const Vec3& a = points[at.segment].position;
                  const Vec3 p = a + at.fraction * (points[next].position - a);
-                 samples.push_back({at.image, left_of(at.heading), camera_.project(p).depth,
+                 for (; segment < at.segment; ++segment)
+                   passed += (graph_.image[arc][segment + 1] - graph_.image[arc][segment]).norm();
+                 samples.push_back({at.image, left_of(at.heading), p, camera_.project(p).depth,
                                     visible_.cell_px * camera_.pixel_size(p),
-                                    points[at.segment].on.triangle, 0, p});
+                                    passed + (at.image - graph_.image[arc][segment]).norm(),
+                                    points[at.segment].on.triangle});
                });
     return samples;
   }
@@ -139,13 +148,27 @@ class BandMarker {
     return std::abs(sample.face_normal.dot(off)) <= behind * sample.cell;
   }
 
+  // gap: to what lies beyond the fold, which `beyond` of the sample points to.
+  double undercut_width(int arc, const FoldSample& sample, double gap) const {
+    if (is_anywhere_) return options_.undercut_px;
+    const double fade = fade_slope * extents_.to_end(arc, sample.along);
+    return std::min(options_.undercut_px * closeness(sample, gap), fade);
+  }
+
   // 1 where what lies beyond a fold is so near that its undercut is whole, 0 where it has none.
-  double closeness(double gap, int triangle) const {
+  double closeness(const FoldSample& sample, double gap) const {
     const double contact = options_.undercut_contact;
-    if (parts_.diagonals.empty() || triangle == none) return 1;
-    const double size = parts_.diagonals[idx(parts_.of_triangle[idx(triangle)])];
-    const double end = usual_gap * size * (1 - contact) / contact;
+    if (sample.triangle == none || gap <= 0) return 1;
+    const double size = parts_.diagonals[idx(parts_.of_triangle[idx(sample.triangle)])];
+    const double end = usual_gap * size * (1 - contact) / contact * (1 - light_beyond(sample));
     return end > 0 ? std::clamp((1 - gap / end) / (1 - whole_share), 0.0, 1.0) : 0;
+  }
+
+  // How far the light comes from the side beyond the fold: 1: all, -1: all comes from the fold's.
+  double light_beyond(const FoldSample& sample) const {
+    const Vec3 in_view(sample.beyond.x(), -sample.beyond.y(), 0);
+    const Vec3 outward = camera_.view().topLeftCorner<3, 3>().transpose() * in_view;
+    return light_side(lights_, camera_, sample.position).dot(outward);
   }
 
   // |n . view| of what is seen at an image point, 1 where nothing is.
@@ -204,18 +227,22 @@ class BandMarker {
   const VisibleImage& visible_;
   const LabelledGraph& graph_;
   const Camera& camera_;
+  const std::vector<Light>& lights_;
   const ToneOptions& options_;
   std::vector<Band>& band_;
   ImageMap map_;
-  SurfaceParts parts_;          // empty: undercuts are anywhere, or nowhere
+  bool is_anywhere_;    // undercuts are the same beyond all folds
+  SurfaceParts parts_;  // empty then, as are the extents
+  FoldExtents extents_;
   std::vector<float> nearest_;  // distance to the curve that marked a cell
 };
 
 }  // namespace
 
 void mark_bands(const Surface& surface, const VisibleImage& visible, const LabelledGraph& graph,
-                const Camera& camera, const ToneOptions& options, std::vector<Band>& band) {
-  BandMarker marker(surface, visible, graph, camera, options, band);
+                const Camera& camera, const std::vector<Light>& lights, const ToneOptions& options,
+                std::vector<Band>& band) {
+  BandMarker marker(surface, visible, graph, camera, lights, options, band);
   for (int arc = 0; arc < static_cast<int>(graph.arcs.size()); ++arc) marker.mark(arc);
   for (Band& mark : band) {
     const bool wanted = mark == Band::mach_band ? options.mach_bands : options.undercuts;

@@ -12,13 +12,17 @@ namespace illustrate {
 //
 // The farther the surface beyond is behind, the narrower its undercut, until there is none: light
 // gets in between. How far is measured against the part that folds: at undercut_contact c there are
-// none from a gap of (1 - c) / c quarters of its diagonal on, and whole ones up to a fifth of that.
+// none from a gap of (1 - c) / c quarters of its diagonal on, and whole ones up to a fifth of that;
+// up to twice as far on the side away from the light (light_side in tone/light.h), and less far on
+// the side that it comes from. Towards the end of its fold an undercut tapers, and round a small
+// loop it is narrow (tone/fold_extents.h). At c = 0, as in the paper, all are whole.
 //
 // A visible self-intersection hides nothing: two sheets meet there. Over the whole arc the sheet
 // that is turned farther from the viewer takes the undercut, the other one the Mach band.
 //
 // band: (height * width), set to Band::nothing by the caller.
 void mark_bands(const Surface& surface, const VisibleImage& visible, const LabelledGraph& graph,
-                const Camera& camera, const ToneOptions& options, std::vector<Band>& band);
+                const Camera& camera, const std::vector<Light>& lights, const ToneOptions& options,
+                std::vector<Band>& band);
 
 }  // namespace illustrate

@@ -116,6 +116,17 @@ Vec3 side_direction(const Light& light, const Camera& camera) {
   return unit(camera.view().topLeftCorner<3, 3>().transpose() * light.vector);
 }
 
+namespace {
+
+// Unit, from a point towards a light; of ambient light zero.
+Vec3 direction_to(const Light& light, const Camera& camera, const Vec3& position) {
+  if (light.kind == LightKind::head) return unit(camera.to_eye(position));
+  if (light.kind == LightKind::side) return side_direction(light, camera);
+  return unit(has_place(light.kind) ? Vec3(light.vector - position) : light.vector);
+}
+
+}  // namespace
+
 double received(const Light& light, const Camera& camera, const Vec3& position,
                 const Vec3& normal) {
   if (light.kind == LightKind::ambient) return light.strength;
@@ -123,10 +134,20 @@ double received(const Light& light, const Camera& camera, const Vec3& position,
     const double light_there = from_lamp(light, position, normal);
     return std::isfinite(light_there) ? light_there : 0;
   }
-  const Vec3 towards = light.kind == LightKind::head   ? unit(camera.to_eye(position))
-                       : light.kind == LightKind::side ? side_direction(light, camera)
-                                                       : unit(light.vector);
-  return light.strength * std::max(0.0, normal.dot(towards));
+  return light.strength * std::max(0.0, normal.dot(direction_to(light, camera, position)));
+}
+
+Vec3 light_side(const std::vector<Light>& lights, const Camera& camera, const Vec3& position) {
+  Vec3 sum = Vec3::Zero();
+  double all = 0;
+  for (const Light& light : lights) {
+    const Vec3 towards = direction_to(light, camera, position);
+    const double strength = received(light, camera, position, towards);
+    const bool has_side = light.kind != LightKind::head && light.kind != LightKind::ambient;
+    if (has_side) sum += strength * towards;
+    all += strength;
+  }
+  return all > 0 ? Vec3(sum / all) : Vec3::Zero();
 }
 
 double brightness(const std::vector<Light>& lights, const Camera& camera, const Vec3& position,

@@ -46,6 +46,11 @@ double received(const Light& light, const Camera& camera, const Vec3& position, 
 double brightness(const std::vector<Light>& lights, const Camera& camera, const Vec3& position,
                   const Vec3& normal);
 
+// Where the light at a point comes from: the mean of the unit directions towards the lights, each
+// as strong as it is there; shorter than 1 the more sides it comes from, zero in the dark.
+// Headlights and ambient light count, but come from no side. No lights: zero.
+Vec3 light_side(const std::vector<Light>& lights, const Camera& camera, const Vec3& position);
+
 // World direction towards a side light.
 Vec3 side_direction(const Light& light, const Camera& camera);
 

@@ -26,6 +26,17 @@ class Crumbs : public testing::Test {
     hatches.objects.push_back(0);
   }
 
+  // A hatch along y.
+  void add_across(const Vec3& from, double length) {
+    const std::size_t first = hatches.curves.values.size();
+    add(Vec3::Zero(), length);
+    for (std::size_t i = first; i < hatches.curves.values.size(); ++i) {
+      HatchPoint& point = hatches.curves.values[i];
+      point.position = from + Vec3(0, point.position.x(), 0);
+      point.image = scene.camera.project(point.position).xy;
+    }
+  }
+
   // A crumb with long neighbours above and below, which give it company.
   void add_in_company(const Vec3& from, double length, Kind kind = Kind::hatch) {
     add(from + Vec3(-0.2, 0.08, 0), 0.6);
@@ -76,6 +87,15 @@ TEST_F(Crumbs, StayBetweenCriticalCurves) {
   add(Vec3(0, 0, 0), 0.1);
   add(Vec3(0, -0.08, 0), 0.1);
   EXPECT_EQ(count_left(), 3U);
+}
+
+TEST_F(Crumbs, RungsGo) {
+  scene.add_arc(Kind::crease, {Vec3(-0.02, -1, 0), Vec3(-0.02, 1, 0)});
+  for (const double y : {-0.08, 0.0, 0.08}) add(Vec3(0, y, 0), 0.1);
+  add_across(Vec3(0.16, -0.3, 0), 0.6);
+  EXPECT_EQ(count_left(), 4U) << "in shadows hatches cross";
+  for (Tone& level : scene.tone.level) level = Tone::midtone;
+  EXPECT_EQ(count_left(), 1U);
 }
 
 TEST_F(Crumbs, LoneTicksGo) {

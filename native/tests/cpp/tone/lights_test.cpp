@@ -53,6 +53,26 @@ double integrated(const Light& light, const Vec3& position, const Vec3& normal, 
   return sum / (steps * steps);
 }
 
+TEST(Lights, ComeFromTheirMeanSide) {
+  const auto of_kind = [](LightKind kind, const Vec3& vector) {
+    Light light;
+    light.kind = kind;
+    light.vector = vector;
+    return light;
+  };
+  const Light right = of_kind(LightKind::sun, Vec3(2, 0, 0)),
+              head = of_kind(LightKind::head, Vec3::Zero());
+  const auto side = [](const std::vector<Light>& lights) -> Vec3 {
+    return light_side(lights, above(), Vec3::Zero());
+  };
+  EXPECT_EQ(side({}), Vec3::Zero());
+  EXPECT_EQ(side({head}), Vec3::Zero());
+  EXPECT_EQ(side({right}), Vec3::UnitX());
+  EXPECT_EQ(side({right, of_kind(LightKind::ambient, Vec3::Zero())}), Vec3(0.5, 0, 0));
+  EXPECT_EQ(side({right, of_kind(LightKind::sun, Vec3(-1, 0, 0))}), Vec3::Zero());
+  EXPECT_EQ(side({of_kind(LightKind::point, Vec3(0, -3, 0))}), Vec3(0, -1, 0));
+}
+
 TEST(Lights, FallWithTheSquareOfTheDistance) {
   Light light = lamp(LightKind::point, 2, 8);
   EXPECT_NEAR(floor_light(light, 0), 2, 1e-12);

@@ -229,18 +229,20 @@ TEST(ToneRegions, LevelsOfASphereUnderAHeadlight) {
   EXPECT_EQ(std::count(dark.level.begin(), dark.level.end(), Tone::highlight), 0);
 }
 
-// One straight visible arc on the line x = 0 from (0, -1, z) to (0, 1, z).
-LabelledGraph straight_arc(const Camera& camera, Kind kind, double z, int left, int right) {
+// One straight visible arc on the line x = 0 from (0, -end, z) to (0, end, z).
+LabelledGraph straight_arc(const Camera& camera, Kind kind, double z, int left, int right,
+                           double end = 1) {
   LabelledGraph graph;
   graph.nodes.resize(2);
   GraphArc arc{kind, 0, 0, 0, 1};
   arc.left_layers = left;
   arc.right_layers = right;
   graph.arcs.push_back(arc);
-  for (const double y : {-1.0, 1.0}) {
+  for (const double y : {-end, end}) {
     const Vec3 p(0, y, z);
     graph.points.push({p, {}});
     graph.image.push(camera.project(p).xy);
+    graph.nodes[y < 0 ? 0 : 1].image = camera.project(p).xy;
   }
   graph.points.close_list();
   graph.image.close_list();
@@ -257,19 +259,20 @@ struct Fold {
   std::vector<std::uint8_t> hidden;
 
   double contact = 0;
+  std::vector<Light> lights;
 
   ToneMap tone(const LabelledGraph& graph, ToneOptions options = {}) const {
     options.undercut_contact = contact;
-    return tone_regions(surface, render_visible(surface, camera, 1, hidden, 1), graph, camera, {},
-                        options);
+    return tone_regions(surface, render_visible(surface, camera, 1, hidden, 1), graph, camera,
+                        lights, options);
   }
 };
 
-// Columns of the middle row that carry a band.
-std::pair<int, int> columns(const ToneMap& tone, Band band) {
+// Columns of a row that carry a band.
+std::pair<int, int> columns(const ToneMap& tone, Band band, int row = 100) {
   int first = tone.width, last = -1;
   for (int i = 0; i < tone.width; ++i) {
-    if (tone.band[100 * tone.width + i] != band) continue;
+    if (tone.band[row * tone.width + i] != band) continue;
     first = std::min(first, i);
     last = i;
   }
@@ -308,6 +311,47 @@ TEST(Bands, UndercutsNarrowAsTheGapGrows) {
   EXPECT_EQ(width(0.7), 0);
   EXPECT_EQ(width(1), 0);
   EXPECT_EQ(columns(fold.tone(edge), Band::mach_band), std::make_pair(100, 105));
+}
+
+// The same fold: on the side of the light the gap that ends undercuts is 1 - sin 45 degrees of what
+// it is without a side, on the other one 1 + sin 45 degrees.
+TEST(Bands, UndercutsAreOnTheFarSideOfTheLightFirst) {
+  Fold fold;
+  fold.contact = 0.5;
+  LabelledGraph edge = straight_arc(fold.camera, Kind::boundary, 0.5, 0, 1);
+  for (CurvePoint& p : edge.points.values) {
+    p.on.triangle = static_cast<int>(fold.surface.triangles.size()) - 1;
+  }
+  const auto width = [&](const Vec3& towards) {
+    Light sun;
+    sun.kind = LightKind::sun;
+    sun.vector = towards;
+    fold.lights = {sun};
+    const auto [first, last] = columns(fold.tone(edge), Band::undercut);
+    return last < 0 ? 0 : last - first + 1;
+  };
+  const double end = 0.25 * std::sqrt(8.0), side = std::sqrt(0.5);
+  EXPECT_NEAR(width(Vec3(0, 0, 1)), 14 * (1 - 0.5 / end) / 0.8, 1);
+  EXPECT_NEAR(width(Vec3(1, 0, 1)), 14 * (1 - 0.5 / (end * (1 + side))) / 0.8, 1);
+  EXPECT_EQ(width(Vec3(-1, 0, 1)), 0);
+  fold.contact = 0;
+  EXPECT_EQ(width(Vec3(-1, 0, 1)), 14) << "as in the paper";
+}
+
+// Circles round the places of the fold whose radii are .7 of the distance from its end touch two
+// lines through that: .7 / sqrt(1 - .7^2) px aside for each px along it.
+TEST(Bands, UndercutsTaperTowardsTheEndOfTheirFold) {
+  Fold fold;
+  const LabelledGraph edge = straight_arc(fold.camera, Kind::boundary, 0.5, 0, 1, 0.5);
+  const auto width = [&](int row) {
+    const auto [first, last] = columns(fold.tone(edge), Band::undercut, row);
+    return last < 0 ? 0 : last - first + 1;
+  };
+  EXPECT_EQ(width(53), 14) << "whole where undercuts are anywhere";
+  fold.contact = 0.1;
+  EXPECT_EQ(width(49), 0);
+  for (const int row : {53, 57, 60}) EXPECT_NEAR(width(row), 0.98 * (row - 49.5), 1) << row;
+  EXPECT_EQ(width(100), 14);
 }
 
 TEST(Bands, OptionsAndCurvesThatCoverNothing) {
