@@ -89,6 +89,25 @@ def test_a_view_that_moves_has_no_drawing_until_it_rests(scene: Any) -> None:
     assert drawn(changed=False).drawing_of(WHOLE) is not None and LIVE.prepared is prepared
 
 
+def test_lines_alone_come_first_where_hatches_take_long(scene: Any) -> None:
+    tools.cube_scene(scene)
+    seen = drawn()
+    for whole_s, first in ((10.0, LINES), (0.0, WHOLE)):
+        LIVE.whole_s, seen.whole_of, seen.lines_of = whole_s, None, None
+        LIVE.tick(bpy.context)
+        assert LIVE.running is not None and LIVE.running.part == first
+        assert drawn(changed=False).drawing_of(WHOLE) is not None
+
+
+def test_reading_and_preparing_are_looks_of_their_own(scene: Any) -> None:
+    tools.cube_scene(scene)
+    LIVE.look(1, camera_view(scene))
+    LIVE.tick(bpy.context)
+    assert LIVE.read is not None and LIVE.running is None and not LIVE.is_idle()
+    LIVE.tick(bpy.context)
+    assert LIVE.read is None and LIVE.running is not None
+
+
 def test_a_view_that_moves_on_stops_its_drawing(scene: Any) -> None:
     tools.cube_scene(scene)
     seen = drawn()
