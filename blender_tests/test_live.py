@@ -11,8 +11,9 @@ from illustrate.reading.scene import read_camera
 from illustrate.running import illustration
 from illustrate.viewport import live_view
 from illustrate.viewport.live import LINES, LIVE, REST_S, WHOLE, Seen
+from illustrate.viewport.live_strokes import has_others
 from illustrate.viewport.ribbons import ribbons_of
-from illustrate.viewport.views import View, view_of
+from illustrate.viewport.views import AHEAD, FOREMOST, View, depths_of, view_of
 
 import tools
 
@@ -87,6 +88,25 @@ def test_a_view_that_moves_has_no_drawing_until_it_rests(scene: Any) -> None:
     assert LIVE.running is None, "it does not rest yet"
     prepared = LIVE.prepared
     assert drawn(changed=False).drawing_of(WHOLE) is not None and LIVE.prepared is prepared
+
+
+def test_lines_alone_come_first_where_hatches_take_long(scene: Any) -> None:
+    tools.cube_scene(scene)
+    seen = drawn()
+    for whole_s, first in ((10.0, LINES), (0.0, WHOLE)):
+        LIVE.whole_s, seen.whole_of, seen.lines_of = whole_s, None, None
+        LIVE.tick(bpy.context)
+        assert LIVE.running is not None and LIVE.running.part == first
+        assert drawn(changed=False).drawing_of(WHOLE) is not None
+
+
+def test_reading_and_preparing_are_looks_of_their_own(scene: Any) -> None:
+    tools.cube_scene(scene)
+    LIVE.look(1, camera_view(scene))
+    LIVE.tick(bpy.context)
+    assert LIVE.read is not None and LIVE.running is None and not LIVE.is_idle()
+    LIVE.tick(bpy.context)
+    assert LIVE.read is None and LIVE.running is not None
 
 
 def test_a_view_that_moves_on_stops_its_drawing(scene: Any) -> None:
@@ -250,3 +270,31 @@ def test_ribbons_close_bend_and_keep_apart() -> None:
 def test_no_strokes_are_no_ribbons() -> None:
     ribbons = ribbons_of(np.zeros((0, 2)), [], [0], [], np.zeros((0, 4)))
     assert len(ribbons.points) == len(ribbons.triangles) == 0
+
+
+def test_depths_are_ahead_of_points_by_a_share_of_their_distance() -> None:
+    near, far = 0.5, 100.0
+    projection = np.diag([1.0, 1, -(far + near) / (far - near), 0])
+    projection[2, 3], projection[3, 2] = -2 * far * near / (far - near), -1
+    distances = np.array([near, 1.0, 10.0, far])
+    points = np.array([[0.3, 0.1, 5 - z] for z in distances])
+    view = np.eye(4)
+    view[2, 3] = -5
+    found = depths_of(points, projection, view)
+    z = np.maximum(distances * (1 - AHEAD), near)
+    assert found == pytest.approx((far + near - 2 * far * near / z) / (far - near))
+    assert found[0] == FOREMOST and (np.diff(found) > 0).all()
+    parallel = np.diag([1 / 3, 1 / 3, -2 / far, 1.0])
+    parallel[2, 3] = -1
+    found = depths_of(points, parallel, view)
+    assert found == pytest.approx(2 * (distances - 3 * AHEAD) / far - 1)
+
+
+def test_things_that_are_not_drawn_may_hide_what_is(scene: Any) -> None:
+    cube = tools.cube_scene(scene)
+    assert not has_others(scene, {cube.name})
+    other = bpy.data.objects.new("Other", cube.data)
+    scene.collection.objects.link(other)
+    assert has_others(scene, {cube.name}) and not has_others(scene, {cube.name, "Other"})
+    other.hide_set(True)
+    assert not has_others(scene, {cube.name})

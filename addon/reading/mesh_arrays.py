@@ -7,6 +7,7 @@ import bpy
 import numpy as np
 
 INFINITELY_SHARP = 10.0
+SMALLEST_FACE = 3  # corners
 
 
 @dataclass
@@ -54,28 +55,33 @@ def read_mesh(mesh: Any, name: str, cage: bool) -> MeshArrays:
     surface itself, with the normals that it is shaded with; a mesh that is shaded flat all over
     has none, and its sharp edges count as creases.
     """
-    edges = _held(mesh, ".edge_verts", mesh.edges, "vertices", np.int32, 2)
-    sharpness = _sharpness(_edge_creases(mesh))
-    sizes = _get(mesh.polygons, "loop_total", np.int32)
-    arrays = MeshArrays(
+    sizes, edge_corners = _face_sizes(mesh), _edges_of_corners(mesh)
+    corners = _held(mesh, ".corner_vert", mesh.loops, "vertex_index", np.int32)
+    sharpness, normals = _sharpness(_edge_creases(mesh)), None
+    if not cage:
+        is_smooth = _is_smooth(mesh)
+        normals = _corner_normals(mesh, corners, is_smooth)
+        if not is_smooth.all():
+            is_flat = np.repeat(~is_smooth, sizes)
+            sharpness[_marks_at(mesh, edge_corners[is_flat])] = INFINITELY_SHARP
+    is_creased = sharpness > 0
+    creased, marked, loose = _ends_of(
+        mesh, is_creased, _freestyle_marks(mesh), _is_loose(mesh, edge_corners)
+    )
+    return MeshArrays(
         name=name,
         positions=_held(mesh, "position", mesh.vertices, "co", np.float32, 3).astype(float),
         face_sizes=sizes,
-        corner_vertices=_held(mesh, ".corner_vert", mesh.loops, "vertex_index", np.int32),
-        edge_vertices=edges,
-        edge_sharpness=sharpness,
+        corner_vertices=corners,
+        edge_vertices=creased,
+        edge_sharpness=sharpness[is_creased],
         vertex_sharpness=_vertex_sharpness(mesh),
-        marked_edges=edges[_freestyle_marks(mesh)],
+        marked_edges=marked,
         face_materials=_face_materials(mesh),
         cage=cage,
-        loose_edges=edges[_is_loose(mesh)],
+        corner_normals=normals,
+        loose_edges=loose,
     )
-    if not cage:
-        arrays.corner_normals = _corner_normals(mesh)
-        sharpness[_marks_at_flat_faces(mesh)] = INFINITELY_SHARP
-    creased = sharpness > 0
-    arrays.edge_vertices, arrays.edge_sharpness = edges[creased], sharpness[creased]
-    return arrays
 
 
 def _get(collection: Any, name: str, dtype: Any, columns: int = 1) -> Any:
@@ -99,6 +105,22 @@ def _attribute(mesh: Any, name: str, dtype: Any, count: int) -> Any:
     return np.zeros(count, dtype) if attribute is None else _get(attribute.data, "value", dtype)
 
 
+def _face_sizes(mesh: Any) -> Any:
+    """(f,) corners of each face."""
+    count = len(mesh.polygons)
+    if len(mesh.loops) == SMALLEST_FACE * count:  # no face has fewer
+        return np.full(count, SMALLEST_FACE, np.int32)
+    return _get(mesh.polygons, "loop_total", np.int32)
+
+
+def _ends_of(mesh: Any, *chosen: Any) -> list[Any]:
+    """(m, 2) the vertices of edges, for each (e,) bool; most meshes have none to be looked up."""
+    if not any(each.any() for each in chosen):
+        return [np.zeros((0, 2), np.int32) for _ in chosen]
+    edges = _held(mesh, ".edge_verts", mesh.edges, "vertices", np.int32, 2)
+    return [edges[each] for each in chosen]
+
+
 def _sharpness(crease: Any) -> Any:
     """OpenSubdiv's sharpness of Blender's creases (0 .. 1), as its Subdivision modifier has it."""
     return (INFINITELY_SHARP * crease.astype(float) ** 2).clip(0, INFINITELY_SHARP)
@@ -106,7 +128,8 @@ def _sharpness(crease: Any) -> Any:
 
 def _edge_creases(mesh: Any) -> Any:
     if bpy.app.version < (4, 0, 0):
-        return _get(mesh.edges, "crease", np.float32)
+        has_creases = mesh.has_crease_edge
+        return _get(mesh.edges, "crease", np.float32) if has_creases else np.zeros(len(mesh.edges))
     return _attribute(mesh, "crease_edge", np.float32, len(mesh.edges))
 
 
@@ -122,8 +145,6 @@ def _vertex_sharpness(mesh: Any) -> Any:
 
 def _face_materials(mesh: Any) -> Any:
     """(f,) index of each face's material."""
-    if bpy.app.version < (4, 0, 0):
-        return _get(mesh.polygons, "material_index", np.int32)
     return _attribute(mesh, "material_index", np.int32, len(mesh.polygons))
 
 
@@ -135,10 +156,10 @@ def _freestyle_marks(mesh: Any) -> Any:
     return _attribute(mesh, "freestyle_edge", bool, len(mesh.edges))
 
 
-def _is_loose(mesh: Any) -> Any:
+def _is_loose(mesh: Any, edge_corners: Any) -> Any:
     """(e,) bool: edges of no face."""
     loose = np.ones(len(mesh.edges), bool)
-    loose[_edges_of_corners(mesh)] = False
+    loose[edge_corners] = False
     return loose
 
 
@@ -147,16 +168,25 @@ def _edges_of_corners(mesh: Any) -> Any:
     return _held(mesh, ".corner_edge", mesh.loops, "edge_index", np.int32)
 
 
-def _corner_normals(mesh: Any) -> Any:
+def _is_smooth(mesh: Any) -> Any:
+    """(f,) bool: faces that are not shaded flat."""
+    if bpy.app.version < (4, 1, 0):
+        return _get(mesh.polygons, "use_smooth", bool)
+    return ~_attribute(mesh, "sharp_face", bool, len(mesh.polygons))
+
+
+def _corner_normals(mesh: Any, corners: Any, is_smooth: Any) -> Any:
     """(corners, 3) normals that the mesh is shaded with; None where all of it is shaded flat.
 
     They hold whatever makes an edge look hard: flat faces, sharp edges, an angle of auto smooth,
     custom and weighted normals, vertices that an importer has split.
     """
-    if not _get(mesh.polygons, "use_smooth", bool).any():
+    if not is_smooth.any():
         return None
     if hasattr(mesh, "corner_normals"):  # from 4.1
         return _get(mesh.corner_normals, "vector", np.float32, 3)
+    if is_smooth.all() and not mesh.use_auto_smooth:  # nothing makes corners differ
+        return _get(mesh.vertex_normals, "vector", np.float32, 3)[corners]
     # Before, the normals of loops are zero.
     mesh.calc_normals_split()
     try:
@@ -165,11 +195,8 @@ def _corner_normals(mesh: Any) -> Any:
         mesh.free_normals_split()
 
 
-def _marks_at_flat_faces(mesh: Any) -> Any:
-    """(e,) bool: edges marked sharp where a face is shaded flat, which normals do not tell."""
-    is_flat = ~_get(mesh.polygons, "use_smooth", bool)
-    sizes = _get(mesh.polygons, "loop_total", np.int32)
-    edges = _edges_of_corners(mesh)
-    at_flat = np.zeros(len(mesh.edges), bool)
-    at_flat[edges[np.repeat(is_flat, sizes)]] = True
-    return at_flat & _get(mesh.edges, "use_edge_sharp", bool)
+def _marks_at(mesh: Any, edges: Any) -> Any:
+    """(e,) bool: those of `edges` marked sharp, which normals of flat faces do not tell."""
+    is_asked = np.zeros(len(mesh.edges), bool)
+    is_asked[edges] = True
+    return is_asked & _get(mesh.edges, "use_edge_sharp", bool)

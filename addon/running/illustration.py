@@ -282,7 +282,7 @@ def native_meshes(ill: Any, arrays: SceneArrays) -> list[Any]:
         for mesh in arrays.meshes
         for texture in mesh.textures
     }
-    if not arrays.copies:
+    if len(arrays.copies) < 2:
         return [_native_mesh(ill, mesh, textures) for mesh in arrays.meshes]
     keys = [digest(copy.mesh.shape, copy.mesh.look) for copy in arrays.copies]
     counts, originals, meshes = Counter(keys), {}, []

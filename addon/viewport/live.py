@@ -2,12 +2,12 @@
 
 `LiveDrawing` knows what is stale and goes, one job at a time, through reading, preparing and
 drawing; `live_view.py` shows what is there. While a view moves its rough lines are shown; when it
-rests its exact lines are drawn, then its hatches. Until the next is whole the last one stays. What
-changes faster than it can be drawn is skipped, never queued.
+rests its exact lines are drawn, then its hatches; both at once where that is soon. Until the next
+is whole the last one stays. What changes faster than it can be drawn is skipped, never queued.
 """
 
 import time
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from .. import native
@@ -26,7 +26,8 @@ from ..running.jobs import let_go
 from ..settings import scene_settings as settings
 from .views import View
 
-REST_S = 0.08  # that a view must rest before it is drawn
+REST_S = 0.05  # that a view must rest before it is drawn
+SOON_S = 0.25  # the last whole drawing took: the next is not kept waiting by one of lines alone
 READING_SHARE = 2.0  # of the time that reading took until it is read again
 PREPARE, LINES, WHOLE = "prepare", "lines", "whole"
 
@@ -64,6 +65,7 @@ class Running:
     seen: Seen | None = None
     key: bytes = b""
     request: Any = None
+    begun_at: float = field(default_factory=time.monotonic)
 
 
 class LiveDrawing:
@@ -79,7 +81,8 @@ class LiveDrawing:
         self.views: dict[int, Seen] = {}
         self.prepared: Any = None
         self.features: Any = None
-        self.arrays: SceneArrays | None = None
+        self.arrays: SceneArrays | None = None  # what was prepared
+        self.read: SceneArrays | None = None  # what is to be prepared next
         self.problem = ""
         self.version = 0  # of the scene: shapes, lights, settings
         self.shapes_are_stale = True
@@ -87,6 +90,7 @@ class LiveDrawing:
         self.chosen: Any = None  # values of the settings
         self.reading_s = 0.0
         self.read_at = float("-inf")
+        self.whole_s = float("inf")  # that the last whole drawing took
 
     def _drop_job(self) -> None:
         if self.running is not None:
@@ -110,6 +114,7 @@ class LiveDrawing:
         """True when everything is drawn as the scene and the views are."""
         return (
             self.running is None
+            and self.read is None
             and not (self.shapes_are_stale or self.look_is_stale)
             and self._next_part(time.monotonic() + REST_S) is None
         )
@@ -175,13 +180,17 @@ class LiveDrawing:
         made = Illustration(drawing, self.prepared, running.arrays, running.request.warnings)
         if running.part == WHOLE:
             seen.whole, seen.whole_of = made, of
+            self.whole_s = time.monotonic() - running.begun_at
         seen.lines, seen.lines_of = made, of
 
     def _start_next(self, context: Any) -> None:
         now = time.monotonic()
+        if self.read is not None:
+            self._prepare(context.scene)
+            return
         if self.shapes_are_stale:
             if now >= self.read_at + READING_SHARE * self.reading_s:
-                self._prepare(context)
+                self._read(context)
             return
         if self.look_is_stale and self.arrays is not None:
             self.look_is_stale = False
@@ -192,8 +201,8 @@ class LiveDrawing:
         if wanted is not None:
             self._draw(context.scene, *wanted)
 
-    def _prepare(self, context: Any) -> None:
-        """Reads the scene and starts to prepare it."""
+    def _read(self, context: Any) -> None:
+        """Reads the scene, in a look of its own: Blender draws before the next."""
         start = time.perf_counter()
         self.shapes_are_stale = self.look_is_stale = False
         camera = next((seen.view.camera for seen in self.views.values()), None)
@@ -202,18 +211,23 @@ class LiveDrawing:
             return
         try:
             depsgraph = context.evaluated_depsgraph_get()
-            arrays = read_arrays(context.scene, depsgraph, camera)
-            job = _start_preparing(context.scene, arrays, self.prepared)
+            self.read = read_arrays(context.scene, depsgraph, camera)
         finally:
             self.reading_s, self.read_at = time.perf_counter() - start, time.monotonic()
+
+    def _prepare(self, scene: Any) -> None:
+        """Starts to prepare what has been read."""
+        arrays, self.read = self.read, None
+        assert arrays is not None
+        job = _start_preparing(scene, arrays, self.prepared)
         self.running = Running(job, PREPARE, self.version, arrays)
 
     def _next_part(self, now: float) -> tuple[Seen, str] | None:
-        """What is to be drawn next: lines of all views before hatches of any."""
+        """What is to be drawn next: lines of all views before hatches of any that take long."""
         if self.prepared is None:
             return None
         resting = [seen for seen in self.views.values() if now - seen.moved_at >= REST_S]
-        for part in (LINES, WHOLE):
+        for part in (WHOLE,) if self.whole_s < SOON_S else (LINES, WHOLE):
             for seen in resting:
                 of = seen.lines_of if part == LINES else seen.whole_of
                 if of != (self.version, seen.key):

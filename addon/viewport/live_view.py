@@ -12,14 +12,12 @@ from bpy.app.handlers import persistent
 
 from .. import native, output
 from ..messages import IllustrateError, counted
-from ..output.pens import PENS
-from ..output.strokes import pen_of
 from ..plot.areas import fills_of
 from ..reading.scene import CameraArrays, camera_problem, read_camera
 from ..settings.guides import is_guide
 from ..settings.scene_settings import draw_values
 from .live import LINES, LIVE, WHOLE, Seen
-from .ribbons import ribbons_of
+from .live_strokes import has_others, inks_of, strokes_as_ribbons
 from .shown import redraw, viewports
 from .views import View, view_of
 
@@ -39,7 +37,7 @@ class LiveView:
     def __init__(self) -> None:
         self.seconds: list[float] = []  # of the last redraws, our part
         self.blocks: list[float] = []  # of the last looks at the scene
-        self._handles: list[Any] = []
+        self._handle: Any = None
         self._batches: dict[tuple[int, str], tuple[Any, Any]] = {}
         self._depth: tuple[Any, Any] = (None, None)
         self._seen: Any = None
@@ -48,7 +46,7 @@ class LiveView:
     @property
     def is_on(self) -> bool:
         """True while the drawing is shown."""
-        return bool(self._handles)
+        return self._handle is not None
 
     def switch(self, on: bool) -> None:
         """Shows the drawing, or stops."""
@@ -63,18 +61,15 @@ class LiveView:
     def _start(self) -> None:
         self.seconds, self.blocks = [], []
         view = bpy.types.SpaceView3D
-        self._handles = [
-            view.draw_handler_add(self._draw_lines, (), "WINDOW", "POST_VIEW"),
-            view.draw_handler_add(self._draw_strokes, (), "WINDOW", "POST_PIXEL"),
-        ]
+        # Before gizmos and texts, which stay on top.
+        self._handle = view.draw_handler_add(self._draw, (), "WINDOW", "POST_VIEW")
         for handlers, function in HANDLERS:
             handlers.append(function)
         bpy.app.timers.register(self._tick_again, first_interval=0.0)
 
     def _stop(self) -> None:
-        for handle in self._handles:
-            bpy.types.SpaceView3D.draw_handler_remove(handle, "WINDOW")
-        self._handles = []
+        bpy.types.SpaceView3D.draw_handler_remove(self._handle, "WINDOW")
+        self._handle = None
         for handlers, function in HANDLERS:
             if function in handlers:
                 handlers.remove(function)
@@ -111,36 +106,35 @@ class LiveView:
         depsgraph = context.evaluated_depsgraph_get()
         return view_of(context.scene, depsgraph, context.region, context.region_data)
 
-    def _draw_lines(self) -> None:
-        """Called by Blender for each viewport: rough lines where there are no exact ones yet."""
-        from . import overlay
-
+    def _draw(self) -> None:
+        """Called by Blender for each viewport."""
         start, context = time.perf_counter(), bpy.context
         view = self._view(context)
         if view is None:
             return
-        seen = LIVE.look(context.region.as_pointer(), view)
-        eye = _seen_from(context)
-        is_bare = seen.drawing_of(LINES) is None or eye is not None
-        if LIVE.prepared is not None and is_bare:
-            if not context.space_data.show_object_viewport_mesh:
-                overlay.draw_depth(self._surface())
-            overlay.draw_rough(_rough(context, view, eye), context.region, context.region_data)
+        seen, eye = LIVE.look(context.region.as_pointer(), view), _seen_from(context)
+        if LIVE.prepared is not None and (seen.drawing_of(LINES) is None or eye is not None):
+            self._draw_lines(context, view, eye)
+        if eye is None:
+            self._draw_strokes(context, seen)
         _note(self.seconds, start)
 
-    def _draw_strokes(self) -> None:
-        """Called by Blender for each viewport: what is drawn of its view."""
+    def _draw_lines(self, context: Any, view: View, eye: CameraArrays | None) -> None:
+        """Rough lines, where there are no exact ones yet."""
         from . import overlay
 
-        start, context = time.perf_counter(), bpy.context
-        seen = LIVE.views.get(context.region.as_pointer())
-        if seen is None or _seen_from(context) is not None:
-            return
+        if not context.space_data.show_object_viewport_mesh:
+            overlay.draw_depth(self._surface())
+        overlay.draw_rough(_rough(context, view, eye), context.region, context.region_data)
+
+    def _draw_strokes(self, context: Any, seen: Seen) -> None:
+        """What is drawn of a view."""
+        from . import overlay
+
         for part in (WHOLE, LINES):
             batch = self._batch(context, seen, part)
             if batch is not None:
-                overlay.draw_ribbons(batch)
-        _note(self.seconds, start)
+                overlay.draw_ribbons(batch, context.region)
 
     def _batch(self, context: Any, seen: Seen, part: str) -> Any:
         """Hatches of the last whole drawing, lines of the last lines; made once."""
@@ -150,11 +144,12 @@ class LiveView:
         if made is None:
             return None
         inks = inks_of(context.scene.illustrate)
-        is_same = (id(made), tuple(seen.view.origin), seen.view.zoom, repr(inks))
+        hiding = context.region_data if has_others(context.scene, set(made.names)) else None
+        is_same = (id(made), tuple(seen.view.origin), seen.view.zoom, repr(inks), hiding is None)
         key = context.region.as_pointer(), part
         known, batch = self._batches.get(key, (None, None))
         if known != is_same:
-            ribbons = strokes_as_ribbons(made.drawing, seen.view, inks, part == WHOLE)
+            ribbons = strokes_as_ribbons(made.drawing, seen.view, inks, part == WHOLE, hiding)
             batch = overlay.ribbon_batch(ribbons)
             self._batches[key] = (is_same, batch)
         return batch
@@ -172,27 +167,6 @@ class LiveView:
 
 VIEW = LiveView()
 """The live view of this Blender."""
-
-
-def strokes_as_ribbons(drawing: Any, view: View, inks: dict[str, Any], hatches: bool) -> Any:
-    """Ribbons of the hatches of a drawing, or of all else, the lowest first."""
-    parts = native.load_part("line_groups")
-    groups = [g for g in parts.line_groups(drawing) if g.is_hatching == hatches]
-    strokes = np.concatenate([g.strokes for g in groups]) if groups else np.zeros(0, np.intp)
-    colours = [inks[pen_of(g)] for g in groups for _ in g.strokes]
-    chosen, sizes = parts.points_of(drawing, strokes)
-    return ribbons_of(
-        view.to_region(np.asarray(drawing.image)[chosen]),
-        np.asarray(drawing.widths)[chosen] * view.zoom,
-        np.concatenate([[0], np.cumsum(sizes)]),
-        np.asarray(drawing.closed)[strokes],
-        np.array(colours, np.float32).reshape(-1, 4),
-    )
-
-
-def inks_of(chosen: Any) -> dict[str, Any]:
-    """(4,) colours of the pens."""
-    return {pen: tuple(getattr(chosen, name)) for pen, name in PENS.items()}
 
 
 def _note(times: list[float], start: float) -> None:

@@ -12,6 +12,7 @@ import bpy
 import gpu
 import numpy as np
 from gpu_extras.batch import batch_for_shader
+from mathutils import Matrix
 
 # Blender 4 took the prefix off the names of its shaders.
 PREFIX = "" if bpy.app.version >= (4, 0, 0) else "3D_"
@@ -32,7 +33,7 @@ class Marks:
 
 def draw(marks: Iterable[Marks], region: Any, view_data: Any, in_front: bool = False) -> None:
     """Draws marks into the region, hidden by what is before them unless in_front."""
-    with _state(view_data, in_front):
+    with _state(_nearer(view_data.window_matrix), in_front):
         for mark in marks:
             if len(mark.points):
                 _draw(mark, region)
@@ -56,7 +57,7 @@ def draw_rough(rough: Rough, region: Any, view_data: Any) -> None:
     behind = [
         Marks(m.shape, m.points, rough.hidden, m.size * scale) for m in rough.marks if len(m.points)
     ]
-    with _state(view_data, False):
+    with _state(_nearer(view_data.window_matrix), False):
         gpu.state.depth_test_set("GREATER")
         for mark in behind:
             _draw(mark, region)
@@ -88,11 +89,13 @@ def ribbon_batch(ribbons: Any) -> Any:
     return batch_for_shader(shader, "TRIS", values, indices=ribbons.triangles)
 
 
-def draw_ribbons(batch: Any) -> None:
-    """Draws ribbons over a region, in its own pixels."""
-    gpu.state.blend_set("ALPHA")
-    batch.draw(_shader("SMOOTH_COLOR"))
-    gpu.state.blend_set("NONE")
+def draw_ribbons(batch: Any, region: Any) -> None:
+    """Draws ribbons over a region, in its own pixels, hidden by what is before their depths."""
+    width, height = region.width, region.height
+    pixels = Matrix(((2 / width, 0, 0, -1), (0, 2 / height, 0, -1), (0, 0, 1, 0), (0, 0, 0, 1)))
+    with _state(pixels, False), gpu.matrix.push_pop():
+        gpu.matrix.load_matrix(Matrix.Identity(4))
+        batch.draw(_shader("SMOOTH_COLOR"))
 
 
 def _draw(mark: Marks, region: Any) -> None:
@@ -116,13 +119,13 @@ def _shader(name: str) -> Any:
 
 
 @contextmanager
-def _state(view_data: Any, in_front: bool) -> Any:
-    """Blending and depth for marks that lie on surfaces."""
+def _state(projection: Any, in_front: bool) -> Any:
+    """Blending and depth for what lies on surfaces."""
     gpu.state.blend_set("ALPHA")
     gpu.state.depth_test_set("NONE" if in_front else "LESS_EQUAL")
     gpu.state.depth_mask_set(False)
     gpu.matrix.push_projection()
-    gpu.matrix.load_projection_matrix(_nearer(view_data.window_matrix))
+    gpu.matrix.load_projection_matrix(projection)
     try:
         yield
     finally:

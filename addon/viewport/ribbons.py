@@ -20,16 +20,18 @@ IS_INSIDE = np.array([0.0, 1.0, 1.0, 0.0])
 class Ribbons:
     """Triangles in the region."""
 
-    points: Any  # (n, 3) float32 px
+    points: Any  # (n, 3) float32 px, depth
     colours: Any  # (n, 4) float32
     triangles: Any  # (t, 3) int32
 
 
-def ribbons_of(points: Any, widths: Any, offsets: Any, closed: Any, colours: Any) -> Ribbons:
+def ribbons_of(
+    points: Any, widths: Any, offsets: Any, closed: Any, colours: Any, depths: Any = 0.0
+) -> Ribbons:
     """Ribbons of strokes.
 
     points: (p, 2) px. widths: (p,) px. offsets: (s + 1,) stroke i is points[offsets[i]] and on.
-    closed: (s,) the last point is joined to the first. colours: (s, 4).
+    closed: (s,) the last point is joined to the first. colours: (s, 4). depths: (p,) of any kind.
     """
     points, offsets = np.asarray(points, float), np.asarray(offsets, np.intp)
     sizes = np.diff(offsets)
@@ -40,6 +42,7 @@ def ribbons_of(points: Any, widths: Any, offsets: Any, closed: Any, colours: Any
     offset = (SIDES * reach)[:, :, None] * mitres[:, None, :]
     vertices = np.zeros((len(points), ACROSS, 3), np.float32)
     vertices[:, :, :2] = points[:, None, :] + offset
+    vertices[:, :, 2] = np.broadcast_to(depths, len(points))[:, None]
     inks = np.repeat(np.repeat(np.asarray(colours, np.float32), sizes, axis=0), ACROSS, axis=0)
     inks = inks.reshape(-1, ACROSS, 4).copy()
     inks[:, :, 3] *= IS_INSIDE * np.minimum(widths, 1.0)[:, None]

@@ -36,6 +36,26 @@ class View:
         return float(abs(self.scale[0]))
 
 
+FOREMOST = -1.0  # depth of the near plane
+AHEAD = 0.02  # of the distance to the eye: surfaces of the viewport are not quite those drawn
+
+
+def depths_of(points: Any, projection: Any, view: Any) -> Any:
+    """(n,) depths -1 .. 1 of points (n, 3) in the world, AHEAD of where they are.
+
+    projection, view: (4, 4) clip from view from world. In parallel views AHEAD is a share of half
+    the width.
+    """
+    projection = np.array(projection, float)
+    seen = np.c_[np.asarray(points, float), np.ones(len(points))] @ np.array(view, float).T
+    if projection[3, 3] == 0:
+        seen[:, :3] *= 1 - AHEAD
+    else:
+        seen[:, 2] += AHEAD / abs(projection[0, 0])
+    depths = (seen @ projection[2]) / (seen @ projection[3])
+    return np.clip(depths, FOREMOST, 1.0)
+
+
 def view_of(scene: Any, depsgraph: Any, region: Any, region_data: Any) -> View | None:
     """The view of a region: the scene's camera at its own size where the region looks through it.
 

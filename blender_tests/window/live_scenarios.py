@@ -10,7 +10,7 @@ import hands
 import numpy as np
 from illustrate.viewport.live import LINES, LIVE, WHOLE
 from illustrate.viewport.live_view import VIEW
-from mathutils import Quaternion
+from mathutils import Matrix, Quaternion
 from staging import Steps, new_scene, pencils, strokes
 
 
@@ -128,6 +128,87 @@ def next_frame(scene: Any) -> None:
     scene.frame_set(2)
 
 
+def what_stands_before_hides_the_drawing(out: pathlib.Path) -> Steps:
+    """A thing that is not drawn hides what lies behind it, and nothing where it stands behind."""
+    new_scene()
+    hands.show_side_panel(False)
+    hands.manager().illustrate_live = True
+    hands.redraw()
+    yield is_whole
+    bare = dark(hands.picture(out / "23_nothing_before.png"))
+    with hands.override():
+        bpy.ops.mesh.primitive_plane_add(size=1.2)
+    screen = hands.window().view_layer.objects.active
+    screen.hide_render = True
+    screen.select_set(False)
+    counts = {}
+    for place, distance in (("before", 3.0), ("behind", 9.0)):
+        eye = region_view().view_matrix.inverted()
+        screen.matrix_world = eye @ Matrix.Translation((0.6, 0, -distance))
+        hands.redraw()
+        yield is_whole
+        counts[place] = dark(hands.picture(out / f"24_something_{place}.png"))
+    assert 0.2 * bare < counts["before"] < 0.8 * bare, (bare, counts)
+    assert counts["behind"] > 0.9 * bare, (bare, counts)
+    hands.manager().illustrate_live = False
+
+
+def sculpt(_scene: Any) -> None:
+    """A stroke of the brush across the monkey's face."""
+    plain = {"name": "", "mouse_event": (0.0, 0.0), "pen_flip": False, "x_tilt": 0.0, "y_tilt": 0.0}
+    view = hands.region("WINDOW")
+    with hands.override():
+        bpy.ops.object.mode_set(mode="SCULPT")
+        places = [(view.width / 2 + 6 * i, view.height / 2) for i in range(8)]
+        stroke = [
+            plain
+            | {"location": (0.05 * i, -0.8, 0.2), "mouse": place, "pressure": 0.2, "size": 50.0}
+            | {"time": 0.01 * i, "is_start": i == 0}
+            for i, place in enumerate(places)
+        ]
+        bpy.ops.sculpt.brush_stroke(stroke=stroke)
+
+
+def pose(_scene: Any) -> None:
+    """The bone turns that the monkey hangs on."""
+    monkey = bpy.data.objects["Suzanne"]
+    with hands.override():
+        bpy.ops.object.mode_set(mode="OBJECT")
+        bpy.ops.object.armature_add()
+        armature = hands.window().view_layer.objects.active
+        monkey.modifiers.new("Bones", "ARMATURE").object = armature
+        group = monkey.vertex_groups.new(name=armature.data.bones[0].name)
+        group.add(range(len(monkey.data.vertices)), 1.0, "ADD")
+        bpy.ops.object.mode_set(mode="POSE")
+    bone = armature.pose.bones[0]
+    bone.rotation_mode, bone.rotation_euler = "XYZ", (0.0, 0.6, 0.0)
+
+
+def live_drawing_follows_modes(out: pathlib.Path) -> Steps:
+    """Sculpting and posing are followed while their modes are on."""
+    scene = new_scene(0)
+    hands.show_side_panel(False)
+    hands.manager().illustrate_live = True
+    hands.redraw()
+    yield is_whole
+    for change, mode in ((sculpt, "SCULPT"), (pose, "POSE")):
+        before = seen().drawing_of(WHOLE)
+        change(scene)
+        hands.redraw()
+        yield lambda before=before: is_whole() and is_another(before)
+        assert hands.window().view_layer.objects.active.mode == mode
+        hands.picture(out / f"26_live_{mode.lower()}.png")
+    with hands.override():
+        bpy.ops.object.mode_set(mode="OBJECT")
+    hands.manager().illustrate_live = False
+
+
+def is_another(before: Any) -> bool:
+    """The drawing has other points than one before."""
+    after = seen().drawing_of(WHOLE)
+    return after is not None and not np.array_equal(after.drawing.points, before.drawing.points)
+
+
 def live_drawing_skips_frames(_out: pathlib.Path) -> Steps:
     """Playback goes on while drawings are made of some of its frames, and none waits in line."""
     scene = new_scene(1)
@@ -185,6 +266,8 @@ def live_drawing_ends_with_the_file(_out: pathlib.Path) -> Steps:
 ALL = [
     live_lines_follow_the_view,
     live_drawing_follows_the_scene,
+    what_stands_before_hides_the_drawing,
+    live_drawing_follows_modes,
     live_drawing_skips_frames,
     what_is_seen_is_kept,
     live_drawing_ends_with_the_file,
