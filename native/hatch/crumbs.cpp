@@ -12,7 +12,7 @@ namespace {
 
 // In spacings: the shortest hatch, of which strokes lose a little; how far beyond an end the edge
 // of its tone is looked for.
-constexpr double least_length = 2.05;
+constexpr double least_new_length = 2.05;
 constexpr double end_reach = 0.75;
 
 // A hatch shorter than this, in spacings, needs so many others beside it, so near.
@@ -36,7 +36,8 @@ class Sweeper {
 
   Hatches run() {
     for (int h = 0; h < static_cast<int>(is_kept_.size()); ++h) {
-      const bool is_crumb = length(h) < (has_lived(h) ? least_lived : least_length) * spacing(h);
+      const bool is_crumb =
+          length(h) < (has_lived(h) ? least_lived : least_new_length) * spacing(h);
       if (!is_crumb || !(starts_with_tone(h) || ends_with_tone(h))) keep(h);
     }
     leave_out_lone();

@@ -4,12 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "core/pi.h"
 #include "mesh/creases.h"
 
 namespace illustrate {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // A value on an edge between two vertices of the input, and whether the sound mesh has the edge.
 struct Tag {
