@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/pi.h"
 #include "mesh/polygons.h"
 
 namespace illustrate {
@@ -128,7 +129,6 @@ class Bender {
   // Where the sphere through the edges' arcs has the middle of a regular polygon: the polygon's
   // height of arc is 1 / sin^2(pi / n) times that of its sides.
   Vec3 face_point(int face) const {
-    constexpr double pi = 3.14159265358979323846;
     constexpr double most_sides = 6;  // beyond it sags of sides say little about the middle
     Vec3 mean = Vec3::Zero(), sag = Vec3::Zero(), normal = Vec3::Zero();
     const auto n = static_cast<double>(faces_[face].size());

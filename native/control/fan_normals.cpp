@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/pi.h"
 #include "mesh/polygons.h"
 #include "mesh/shading.h"
 
 namespace illustrate {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // The face's area vector times the angle of each of its corners.
 Points corner_weights(const SoundMesh& mesh, const Faces& faces) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "control/smoothstep.h"
+#include "core/pi.h"
 #include "mesh/edge_table.h"
 #include "mesh/polygons.h"
 
@@ -14,7 +15,6 @@ namespace {
 // them a view takes minutes.
 constexpr std::ptrdiff_t most_folds = 20'000;
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double rounding_px = 0.5;
 // Sharpness that the last of eight levels still shows.
 constexpr double sharpest_fold = 8;

@@ -2,12 +2,11 @@
 
 #include <cmath>
 
+#include "core/pi.h"
 #include "mesh/polygons.h"
 
 namespace illustrate {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 using Rule = LimitPlaces::Rule;
 

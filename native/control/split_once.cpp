@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "control/limit_masks.h"
+#include "core/pi.h"
 #include "mesh/edge_table.h"
 
 namespace illustrate {
@@ -183,7 +185,7 @@ class Splitter {
 };
 
 // How the scheme treats a vertex, or the two extremes between which a semi-sharp one lies.
-enum class Rule : std::uint8_t { smooth, crease, corner };
+using Rule = LimitPlaces::Rule;
 
 // What is round a vertex.
 struct Surroundings {
@@ -283,7 +285,6 @@ class CagePoints {
     const Surroundings& round = round_[v];
     const double n = round.edges;
     if (quads_) return (n - 2) / n * p_[v] + (round.edge_ends + round.face_centres) / (n * n);
-    constexpr double pi = 3.14159265358979323846;
     const double c = 3. / 8 + std::cos(2 * pi / n) / 4, beta = (5. / 8 - c * c) / n;
     return (1 - n * beta) * p_[v] + beta * round.edge_ends;
   }

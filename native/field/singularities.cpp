@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "core/parallel.h"
+#include "core/pi.h"
 
 namespace illustrate {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double quarter_turn = pi / 2;
 
 // How much the cross turns from one end of an edge to the other, in the frame of the first.

@@ -12,7 +12,7 @@ namespace {
 
 // In spacings: the shortest hatch, of which strokes lose a little; how far beyond an end the edge
 // of its tone is looked for.
-constexpr double least_length = 2.05;
+constexpr double least_new_length = 2.05;
 constexpr double end_reach = 0.75;
 
 // So far from the end of a crumb another hatch ends it, in spacings.
@@ -39,10 +39,11 @@ class Sweeper {
 
   Hatches run() {
     for (int h = 0; h < static_cast<int>(is_kept_.size()); ++h) {
-      const bool is_crumb = length(h) < (has_lived(h) ? least_lived : least_length) * spacing(h);
+      const bool is_crumb =
+          length(h) < (has_lived(h) ? least_lived : least_new_length) * spacing(h);
       if (!is_crumb || !(starts_with_tone(h) || ends_with_tone(h))) keep(h);
     }
-    leave_out(least_length, [&](int h) { return is_rung(h); });
+    leave_out(least_new_length, [&](int h) { return is_rung(h); });
     leave_out(short_length, [&](int h) { return !has_company(h); });
     leave_out_specks();
     return kept();

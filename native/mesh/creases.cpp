@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/pi.h"
+
 namespace illustrate {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 // Where a crease fades out one edge differs, where two meet two do: three are a cone's. Not all of
 // a cone's edges need to differ, since its sides may be cut into triangles that agree.
 constexpr int fewest_edges_of_tip = 3;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/pi.h"
 #include "mesh/creases.h"
 
 namespace illustrate {

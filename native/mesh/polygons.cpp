@@ -9,7 +9,7 @@ namespace illustrate {
 namespace {
 
 // Twice the area of a triangle; zero where it is straight but for rounding.
-double cross(const Vec2& a, const Vec2& b, const Vec2& c) {
+double clear_area(const Vec2& a, const Vec2& b, const Vec2& c) {
   const Vec2 ab = b - a, ac = c - a;
   const double area = ab.x() * ac.y() - ab.y() * ac.x();
   const double least = tolerance::straight_rad * std::sqrt(ab.squaredNorm() * ac.squaredNorm());
@@ -85,7 +85,7 @@ class EarClipper {
   int& next(int i) { return next_[idx(i)]; }
   int& previous(int i) { return previous_[idx(i)]; }
   const Vec2& point(int i) const { return points_[idx(i)]; }
-  double turn(int i) { return cross(point(previous(i)), point(i), point(next(i))); }
+  double turn(int i) { return clear_area(point(previous(i)), point(i), point(next(i))); }
 
   // A polygon that crosses itself may have no ear: then the most convex corner goes.
   int find_ear(int start, std::size_t left) {
@@ -108,7 +108,7 @@ class EarClipper {
       const Vec2& p = point(r);
       // Where a bridge leads to a hole two corners are at one place: that touches the ear, no more.
       if (r == i || r == previous(i) || r == next(i) || p == a || p == b || p == c) return false;
-      return cross(a, b, p) >= 0 && cross(b, c, p) >= 0 && cross(c, a, p) >= 0;
+      return clear_area(a, b, p) >= 0 && clear_area(b, c, p) >= 0 && clear_area(c, a, p) >= 0;
     });
   }
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "core/pi.h"
+
 namespace illustrate {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // What coordinates may be off by, as a share of the largest: files in print have six digits, and
 // single precision after a few transformations has no more.

@@ -8,7 +8,8 @@
 namespace illustrate {
 namespace {
 
-constexpr double least_cosine = 0.866;  // of 30 degrees, between two lines that go on as one
+constexpr double least_continued_cosine =
+    0.866;  // of 30 degrees, between two lines that go on as one
 
 struct End {
   std::size_t path;
@@ -98,7 +99,7 @@ class Continuations {
     const Vec2 foot = a + nearest_share(a, b, end.place) * along;
     if ((foot - end.place).norm() > std::max(near_, path.points[i].width / 2)) return false;
     const double cosine = end.outward.dot(along) / std::sqrt(square);
-    return std::abs(cosine) >= least_cosine && runs_on(path, i, foot, cosine > 0, reach_);
+    return std::abs(cosine) >= least_continued_cosine && runs_on(path, i, foot, cosine > 0, reach_);
   }
 
   void stop_taper(const End& end) {

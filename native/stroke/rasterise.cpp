@@ -41,9 +41,9 @@ double cover(const Vec2& off, const Vec2& direction, double width) {
 using Wide = std::array<double, 4>;  // red, green, blue times alpha, and alpha
 
 // Some rows of the picture, painted stroke by stroke.
-class Band {
+class PaperRows {
  public:
-  Band(int width, int first_row, int last_row, const Colour& paper)
+  PaperRows(int width, int first_row, int last_row, const Colour& paper)
       : width_(width), first_(first_row), last_(last_row) {
     const std::size_t count = idx(width) * idx(last_row - first_row);
     const double alpha = paper[3] / 255.0;
@@ -143,7 +143,7 @@ std::vector<Colour> rasterise(const RoundStrokes& strokes, int width, int height
   parallel_each(bands, threads, progress, [&](std::size_t i) {
     const int first = static_cast<int>(i * rows_in_band);
     const int last = std::min(height, first + static_cast<int>(rows_in_band));
-    Band band(width, first, last, paper);
+    PaperRows band(width, first, last, paper);
     for (std::size_t s = 0; s < rows.size(); ++s) {
       if (rows[s][0] < last && rows[s][1] > first) band.paint(strokes, s);
     }

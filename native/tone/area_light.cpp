@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/pi.h"
+
 namespace illustrate {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr int ellipse_sides = 24;
 constexpr int spread_samples = 6;  // along each side of an area
 

@@ -20,7 +20,7 @@ constexpr double recession = 3;
 // A fold that is an edge has a face of its own, which may go on beside the end of the edge: what
 // lies in the face's plane, by as much, is no other surface. Of a face seen this steeply nothing is
 // known.
-constexpr double least_facing = 0.2;
+constexpr double least_face_facing = 0.2;
 
 constexpr double usual_gap = 0.25;   // of a part's diagonal, at which undercuts end
 constexpr double whole_share = 0.2;  // of that, up to which they are whole
@@ -137,7 +137,7 @@ class BandMarker {
     if (cell == none || visible_.triangle[cell] == none) return Vec3::Zero();
     const Vec3 normal = plane_normal(surface_, visible_.triangle[cell]);
     const Vec3 to_eye = camera_.to_eye(sample.position);
-    return std::abs(normal.dot(to_eye)) < least_facing * to_eye.norm() ? Vec3::Zero() : normal;
+    return std::abs(normal.dot(to_eye)) < least_face_facing * to_eye.norm() ? Vec3::Zero() : normal;
   }
 
   // Whether what is seen at a cell lies in the plane of the face that ends at the edge.

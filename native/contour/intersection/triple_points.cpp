@@ -8,7 +8,7 @@
 namespace illustrate {
 namespace {
 
-struct Segment {
+struct CurveSegment {
   int curve;
   int segment;
   std::array<int, 2> sheets;  // its two triangles
@@ -44,7 +44,7 @@ class TriplePointFinder {
   }
 
  private:
-  void add(const Segment& segment) {
+  void add(const CurveSegment& segment) {
     const int number = static_cast<int>(segments_.size());
     segments_.push_back(segment);
     for (const int sheet : segment.sheets) on_triangle_[sheet].push_back(number);
@@ -53,7 +53,7 @@ class TriplePointFinder {
 
   // Two segments that cross on one triangle: its sheet and the other one of each meet there.
   void meet(int triangle, int first, int second) {
-    const Segment &s = segments_[idx(first)], &t = segments_[idx(second)];
+    const CurveSegment &s = segments_[idx(first)], &t = segments_[idx(second)];
     const int b = s.sheets[s.sheets[0] == triangle ? 1 : 0];
     const int c = t.sheets[t.sheets[0] == triangle ? 1 : 0];
     double f, h;
@@ -71,20 +71,21 @@ class TriplePointFinder {
   }
 
   // Where a segment comes nearest to a point.
-  static Passage passage(const Segment& s, const Vec3& point, int through) {
+  static Passage passage(const CurveSegment& s, const Vec3& point, int through) {
     const Vec3 along = s.end - s.start;
     const double square = along.squaredNorm();
     const double f = square > 0 ? (point - s.start).dot(along) / square : 0;
     return {s.curve, s.segment, std::clamp(f, 0.0, 1 - 1e-9), through};
   }
 
-  bool cross(int triangle, const Segment& s, const Segment& t, double& f, double& h) const {
+  bool cross(int triangle, const CurveSegment& s, const CurveSegment& t, double& f,
+             double& h) const {
     const auto place = [&](const Vec3& p) { return barycentrics(surface_, triangle, p); };
     return segments_cross(place(s.start), place(s.end), place(t.start), place(t.end), f, h);
   }
 
   const Surface& surface_;
-  std::vector<Segment> segments_;
+  std::vector<CurveSegment> segments_;
   std::map<int, std::vector<int>> on_triangle_;
   std::map<std::pair<int, int>, int> of_pair_;
   std::map<std::array<int, 3>, TriplePoint> found_;

@@ -9,7 +9,7 @@ namespace illustrate {
 namespace {
 
 // From a guide to the surface, and along a guide that is farther away; of the scene's diagonal.
-constexpr double reach = 0.05;
+constexpr double guide_reach = 0.05;
 constexpr double step_beyond_reach = 0.01;
 
 // Samples of a guide: two for the shortest side of the triangle they fall on, but no more than this
@@ -18,7 +18,7 @@ constexpr double samples_per_side = 2;
 constexpr double most_samples = 20000;
 
 // A projection shorter than this (of unit length before) has no direction to speak of.
-constexpr double least_projection = 0.2;
+constexpr double least_guide_projection = 0.2;
 
 double length_of(const Points& points) {
   double length = 0;
@@ -72,7 +72,7 @@ class Tracer {
     if (!(length > 0)) return;
     const Vec3 along = (to - from) / length;
     for (double at = 0; at <= length;) {
-      const SurfacePoint foot = bvh_.nearest(from + at * along, reach * surface_.diagonal);
+      const SurfacePoint foot = bvh_.nearest(from + at * along, guide_reach * surface_.diagonal);
       const double wanted = foot.triangle == none
                                 ? step_beyond_reach * surface_.diagonal
                                 : shortest_side(surface_, foot.triangle) / samples_per_side;
@@ -86,7 +86,8 @@ class Tracer {
   void add(const SurfacePoint& at, const Vec3& along, double length) {
     for (const int vertex : surface_.triangles[idx(at.triangle)]) {
       const std::size_t i = idx(vertex);
-      const CrossNumber direction = direction_in_frame(frames_, i, along, 0, least_projection);
+      const CrossNumber direction =
+          direction_in_frame(frames_, i, along, 0, least_guide_projection);
       if (direction == CrossNumber(0)) continue;
       sums_[i] += length * fourth_power(direction);
       weights_[i] += length;

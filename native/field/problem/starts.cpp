@@ -10,7 +10,7 @@ namespace {
 
 // A direction that is shorter than this after projection (of unit length before) is taken for the
 // normal.
-constexpr double least_projection = 1e-3;
+constexpr double least_start_projection = 1e-3;
 
 // Wanted crosses that cancel to less than this share of their weight prefer no angle.
 constexpr double least_agreement = 0.05;
@@ -88,7 +88,7 @@ CrossNumbers default_crosses(const TangentFrames& frames, const Vec3& direction,
   parallel_for(z.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const CrossNumber instead = direction_in_frame(frames, i, second);
-      z[i] = fourth_power(direction_in_frame(frames, i, first, instead, least_projection));
+      z[i] = fourth_power(direction_in_frame(frames, i, first, instead, least_start_projection));
     }
   });
   return z;

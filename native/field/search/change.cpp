@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t coarse_size = 500;
 constexpr int coarse_sweeps = 100;
-constexpr int sweeps_per_level = 3;
+constexpr int sweeps_of_change = 3;
 
 // Rounds over all scales, until one gains less than this share of the energy.
 constexpr int most_rounds = 4;
@@ -67,7 +67,7 @@ CrossNumbers change_of(const FieldGraph& graph, const CrossNumbers& z, const Pro
   for (std::size_t level = hierarchy.coarsest(); level-- > 0;) {
     w = hierarchy.prolonged(w, level);
     lengthen(hierarchy.graph(level), finer, w);
-    sweep(hierarchy.graph(level), sweeps_per_level, w, level == 0 ? finest : finer);
+    sweep(hierarchy.graph(level), sweeps_of_change, w, level == 0 ? finest : finer);
   }
   return w;
 }

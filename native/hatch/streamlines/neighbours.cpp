@@ -7,8 +7,8 @@ namespace illustrate {
 namespace {
 
 // In spacings.
-constexpr double near_reach = 1.25;  // most are found so near
-constexpr double far_reach = 2;      // of all
+constexpr double near_reach = 1.25;    // most are found so near
+constexpr double neighbour_reach = 2;  // of all
 
 constexpr double band = 0.55;  // half a neighbour's piece of line, in node steps
 
@@ -49,7 +49,7 @@ std::array<Neighbour, 2> neighbours(const StreamlineSet& set, int number, int in
   const double spacing = set.streamlines[idx(number)].spacing;
   const auto near = neighbours_within(set, number, index, near_reach * spacing);
   if (near[0].streamline != none && near[1].streamline != none) return near;
-  return neighbours_within(set, number, index, far_reach * spacing);
+  return neighbours_within(set, number, index, neighbour_reach * spacing);
 }
 
 double curve_beside(const HatchView& view, const StreamlineNode& node, const Vec2& side,

@@ -8,7 +8,7 @@ namespace {
 
 // In node steps: nearer points of a curve are left out, farther ones get others between.
 constexpr double least_gap = 0.7;
-constexpr double most_gap = 1.6;
+constexpr double most_curve_gap = 1.6;
 
 // No drawing needs more between two points of a curve.
 constexpr double most_between = 1000;
@@ -63,7 +63,7 @@ class CurvePlacer {
     if (!run_.empty()) {
       const double gap = (place.image - run_.back().image).norm() / (spacing_ * node_step);
       if (gap < least_gap && next && !place.is_held) return true;
-      if (gap > most_gap && !(place.is_held && run_.back().is_held)) {
+      if (gap > most_curve_gap && !(place.is_held && run_.back().is_held)) {
         add_between(place, std::min(std::ceil(gap), most_between));
       }
       if (!run_.empty() && !joins(place)) place_run();

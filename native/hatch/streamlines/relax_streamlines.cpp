@@ -10,10 +10,10 @@ namespace illustrate {
 namespace {
 
 // In spacings.
-constexpr double curve_reach = 1.5;  // of critical curves
+constexpr double relax_curve_reach = 1.5;  // of critical curves
 constexpr double most_pull = 0.4;
-constexpr double most_move = 0.19;  // in a sweep
-constexpr double stiffness = 2.4;   // length over which a streamline bends
+constexpr double most_sweep_move = 0.19;  // in a sweep
+constexpr double stiffness = 2.4;         // length over which a streamline bends
 
 constexpr double share_moved = 0.75;  // of the solution, in a sweep
 
@@ -109,7 +109,7 @@ class Relaxer {
         view_.walker.fetch(streamline.nodes[i + nodes_ahead].on);
       }
       const StreamlineNode& node = streamline.nodes[i];
-      const double most = most_move * streamline.spacing;
+      const double most = most_sweep_move * streamline.spacing;
       const double px = std::clamp(share_moved * shift[i], -most, most);
       nodes.push_back(node.is_held ? node : shifted(node, px));
     }
@@ -150,7 +150,7 @@ class Relaxer {
   // it.
   double mirrored(const StreamlineNode& node, const Vec2& side, double distance,
                   double spacing) const {
-    const double most = curve_reach * spacing, far = std::min(distance, most);
+    const double most = relax_curve_reach * spacing, far = std::min(distance, most);
     const double at = curve_beside(view_, node, side, far);
     return at <= far ? std::clamp(2 * at, 0.5 * spacing, most) : distance;
   }

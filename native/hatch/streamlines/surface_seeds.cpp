@@ -13,7 +13,7 @@ namespace {
 constexpr double seeds_per_square = 3;
 
 // Of the lattice of the image that helps where seeds on the surface are too few, in spacings.
-constexpr double lattice_step = 0.5;
+constexpr double surface_lattice_step = 0.5;
 
 std::size_t seed_count(double area, double spacing) {
   const double count = spacing > 0 ? seeds_per_square * area / (spacing * spacing) : 0;
@@ -72,7 +72,7 @@ std::vector<StreamlineNode> surface_seeds(const HatchScene& scene, const HatchVi
     is_near[i] = count > curves[i]->seeds.size();
   }
   if (std::find(is_near.begin(), is_near.end(), 1) == is_near.end()) return seeds;
-  std::vector<SurfacePoint> places = lattice_places(scene, view, lattice_step * spacing_px);
+  std::vector<SurfacePoint> places = lattice_places(scene, view, surface_lattice_step * spacing_px);
   const auto is_far = [&](const SurfacePoint& on) {
     return !is_near[idx(scene.surface.triangle_objects[idx(on.triangle)])];
   };

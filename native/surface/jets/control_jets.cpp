@@ -13,7 +13,7 @@ namespace {
 
 // Enough for three rings of control edges at half their spacing; beyond it points are taken by
 // stride.
-constexpr std::size_t most_points = 256;
+constexpr std::size_t most_jet_vertices = 256;
 // No more rings are added beyond so many points; of a node with very many links only some are
 // followed, by stride.
 constexpr std::size_t most_gathered = 1024, most_links = 48;
@@ -21,7 +21,7 @@ constexpr std::size_t most_gathered = 1024, most_links = 48;
 // polynomial follows: a coarse control mesh is gone round in three rings.
 constexpr double least_cosine = .5;
 // Points at the rim come and go from one node to the next: they weigh little.
-constexpr double falloff = .9;
+constexpr double control_falloff = .9;
 
 // On boundaries, creases and the rims of flat faces.
 std::vector<std::uint8_t> border_vertices(const Surface& surface) {
@@ -69,7 +69,7 @@ class Gatherer {
     for (const ControlNodes::Link& link : found_) {
       vertices_.push_back(nodes_.vertices()[idx(link.node)]);
     }
-    thin(vertices_, most_points);
+    thin(vertices_, most_jet_vertices);
     return vertices_;
   }
 
@@ -115,14 +115,14 @@ std::vector<PrincipalCurvature> jets_at_nodes(const Surface& surface, const Cont
     for (std::size_t i = begin; i < end; ++i) {
       const int node = static_cast<int>(i);
       jet.take(surface, gatherer.gather(node, options.rings));
-      jets[i] = jet.fit(gatherer.is_near_border() ? 2 : 4, true, falloff);
+      jets[i] = jet.fit(gatherer.is_near_border() ? 2 : 4, true, control_falloff);
     }
   });
   return jets;
 }
 
 // A tangent w of the plane across `from`, turned with the plane the short way to lie across `to`.
-Vec3 turned(const Vec3& w, const Vec3& from, const Vec3& to) {
+Vec3 turned_across(const Vec3& w, const Vec3& from, const Vec3& to) {
   constexpr double opposite = 1e-6;
   const double scale = 1 + from.dot(to);
   // Between opposite normals no way is the shortest.
@@ -143,7 +143,7 @@ PrincipalCurvature interpolate(const Surface& surface, const ControlNodes& nodes
     // lie a quarter turn apart, and mean the same.
     const PrincipalCurvature& k = jets[idx(node)];
     const Vec3 from = sign * surface.normals[idx(nodes.vertices()[idx(node)])];
-    const Vec3 w = turned(k.w1, from, normal);
+    const Vec3 w = turned_across(k.w1, from, normal);
     const double a = w.dot(x), b = w.dot(y), k1 = sign * weight * k.k1, k2 = sign * weight * k.k2;
     xx += k1 * a * a + k2 * b * b;
     xy += (k1 - k2) * a * b;

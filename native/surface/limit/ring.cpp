@@ -2,12 +2,11 @@
 
 #include <cmath>
 
+#include "core/pi.h"
 #include "mesh/polygons.h"
 
 namespace illustrate {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // Sums of f_i, f_i cos(m x_i), f_i sin(m x_i) over x_i = start + 2 pi i / k, m = 1, 2.
 struct Waves {

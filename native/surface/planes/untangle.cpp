@@ -67,7 +67,7 @@ Vec2 best_move(const std::vector<Area>& areas) {
 }
 
 // Below, a triangle has no side that could be the wrong one.
-double least_area(const std::vector<Vec2>& points, const Triangle& t) {
+double rounding_area(const std::vector<Vec2>& points, const Triangle& t) {
   double longest = 0;
   for (int k = 0; k < 3; ++k) {
     const Vec2 side = points[idx(t[idx(next_corner(k))])] - points[idx(t[idx(k)])];
@@ -79,7 +79,7 @@ double least_area(const std::vector<Vec2>& points, const Triangle& t) {
 bool is_clockwise(const std::vector<Vec2>& points, const Triangle& t) {
   const Vec2& at = points[idx(t[0])];
   const double area = cross(points[idx(t[1])] - at, points[idx(t[2])] - at) / 2;
-  return area < 0 && area < -least_area(points, t);
+  return area < 0 && area < -rounding_area(points, t);
 }
 
 class Untangler {
