@@ -87,4 +87,6 @@ double Camera::pixel_size(const Vec3& p) const {
   return 2 * std::abs(w) / (clip_.row(1).head<3>().norm() * height_);
 }
 
+double Camera::pixel_per_w() const { return 2 / (clip_.row(1).head<3>().norm() * height_); }
+
 }  // namespace illustrate

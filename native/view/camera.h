@@ -57,6 +57,8 @@ class Camera {
 
   // World length of one pixel across the view at the depth of p.
   double pixel_size(const Vec3& p) const;
+  // The same for each unit of what the map to the image (view/image_map.h) divides by.
+  double pixel_per_w() const;
 
  private:
   Mat4 projection_, view_, clip_;  // clip_ = projection_ * view_

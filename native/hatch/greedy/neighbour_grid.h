@@ -1,10 +1,7 @@
 // Points of placed hatches, found by their place in the image (paper section 6.4).
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
-#include "core/types.h"
+#include "hatch/view/image_cells.h"
 
 namespace illustrate {
 
@@ -26,23 +23,19 @@ inline bool are_parallel(const Vec3& t1, const Vec3& n, const Vec3& t2) {
 class NeighbourGrid {
  public:
   NeighbourGrid(double width_px, double height_px, double cell_px)
-      : cell_px_(std::max(1.0, cell_px)),
-        columns_(1 + static_cast<int>(width_px / cell_px_)),
-        rows_(1 + static_cast<int>(height_px / cell_px_)),
-        cells_(idx(columns_) * idx(rows_)) {}
+      : cells_(width_px, height_px, std::max(1.0, cell_px)), nodes_(idx(cells_.count())) {}
 
-  void add(const HatchNode& node) {
-    cells_[idx(row_of(node.image.y()) * columns_ + column_of(node.image.x()))].push_back(node);
-  }
+  void add(const HatchNode& node) { nodes_[idx(cells_.of(node.image))].push_back(node); }
 
   // Whether `test` accepts a node nearer to p than `radius`; it is asked cell by cell in order of
   // entry.
   template <class Test>
   bool any_within(const Vec2& p, double radius, const Test& test) const {
-    const int row_end = row_of(p.y() + radius), column_end = column_of(p.x() + radius);
-    for (int row = row_of(p.y() - radius); row <= row_end; ++row) {
-      for (int column = column_of(p.x() - radius); column <= column_end; ++column) {
-        for (const HatchNode& node : cells_[idx(row * columns_ + column)]) {
+    const int row_end = cells_.row_of(p.y() + radius),
+              column_end = cells_.column_of(p.x() + radius);
+    for (int row = cells_.row_of(p.y() - radius); row <= row_end; ++row) {
+      for (int i = cells_.column_of(p.x() - radius); i <= column_end; ++i) {
+        for (const HatchNode& node : nodes_[idx(row * cells_.columns + i)]) {
           if ((node.image - p).squaredNorm() < radius * radius && test(node)) return true;
         }
       }
@@ -51,16 +44,8 @@ class NeighbourGrid {
   }
 
  private:
-  int column_of(double x) const {
-    return static_cast<int>(std::clamp(x / cell_px_, 0.0, columns_ - 1.0));
-  }
-  int row_of(double y) const {
-    return static_cast<int>(std::clamp(y / cell_px_, 0.0, rows_ - 1.0));
-  }
-
-  double cell_px_;
-  int columns_, rows_;
-  std::vector<std::vector<HatchNode>> cells_;
+  ImageCells cells_;
+  std::vector<std::vector<HatchNode>> nodes_;  // (cells)
 };
 
 }  // namespace illustrate

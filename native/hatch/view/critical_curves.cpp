@@ -16,24 +16,16 @@ constexpr int most_clearance = 8;
 // Squared cosine between what runs along each other.
 constexpr double least_alignment = 0.75;
 
+template <class Piece, class Use>
+void visit_cells(const ImageCells& cells, const Piece& piece, const Use& use) {
+  cells.visit(piece.a.cwiseMin(piece.b), piece.a.cwiseMax(piece.b), use);
+}
+
 }  // namespace
 
 bool is_critical(Kind kind) {
   return kind == Kind::silhouette || kind == Kind::boundary || kind == Kind::crease ||
          kind == Kind::intersection;
-}
-
-CriticalCurves::Cells::Cells(double width_px, double height_px, double cell_px)
-    : per_px(1 / cell_px),
-      columns(static_cast<int>(std::ceil(width_px / cell_px))),
-      rows(static_cast<int>(std::ceil(height_px / cell_px))) {}
-
-template <class Use>
-void CriticalCurves::Cells::visit(const Piece& piece, const Use& use) const {
-  const Vec2 low = piece.a.cwiseMin(piece.b), high = piece.a.cwiseMax(piece.b);
-  for (int row = row_of(low.y()); row <= row_of(high.y()); ++row) {
-    for (int i = column_of(low.x()); i <= column_of(high.x()); ++i) use(row * columns + i);
-  }
 }
 
 CriticalCurves::CriticalCurves(const LabelledGraph& graph, double width_px, double height_px)
@@ -82,14 +74,15 @@ void CriticalCurves::add_pieces(const Vec2& a, const Vec2& b, bool is_silhouette
 void CriticalCurves::fill_grid(const Pieces& pieces) {
   cells_.offsets.assign(idx(grid_cells_.count()) + 1, 0);
   for (const Piece& piece : pieces) {
-    grid_cells_.visit(piece, [&](int cell) { ++cells_.offsets[idx(cell + 1)]; });
+    visit_cells(grid_cells_, piece, [&](int cell) { ++cells_.offsets[idx(cell + 1)]; });
   }
   for (std::size_t i = 1; i < cells_.offsets.size(); ++i)
     cells_.offsets[i] += cells_.offsets[i - 1];
   cells_.values.resize(idx(cells_.offsets.back()));
   std::vector<int> next(cells_.offsets.begin(), cells_.offsets.end() - 1);
   for (const Piece& piece : pieces) {
-    grid_cells_.visit(piece, [&](int cell) { cells_.values[idx(next[idx(cell)]++)] = piece; });
+    visit_cells(grid_cells_, piece,
+                [&](int cell) { cells_.values[idx(next[idx(cell)]++)] = piece; });
   }
 }
 
@@ -98,7 +91,7 @@ void CriticalCurves::measure_clearance(const Pieces& pieces) {
   const int rows = clearance_cells_.rows, columns = clearance_cells_.columns;
   clearance_.assign(idx(rows * columns), most_clearance);
   for (const Piece& piece : pieces) {
-    clearance_cells_.visit(piece, [&](int cell) { clearance_[idx(cell)] = 0; });
+    visit_cells(clearance_cells_, piece, [&](int cell) { clearance_[idx(cell)] = 0; });
   }
   const auto lower = [&](int row, int column, int way) {
     std::uint8_t& clearance = clearance_[idx(row * columns + column)];

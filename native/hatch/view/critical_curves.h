@@ -2,8 +2,7 @@
 // section 6.4).
 #pragma once
 
-#include <algorithm>
-
+#include "hatch/view/image_cells.h"
 #include "visibility/labelled_graph.h"
 
 namespace illustrate {
@@ -41,22 +40,6 @@ class CriticalCurves {
     Vec2 b;
     bool is_silhouette;
   };
-  // Square cells over the frame; what is outside belongs to the nearest.
-  struct Cells {
-    Cells(double width_px, double height_px, double cell_px);
-    int column_of(double x) const {
-      return static_cast<int>(std::clamp(x * per_px, 0.0, columns - 1.0));
-    }
-    int row_of(double y) const { return static_cast<int>(std::clamp(y * per_px, 0.0, rows - 1.0)); }
-    int of(const Vec2& p) const { return row_of(p.y()) * columns + column_of(p.x()); }
-    int count() const { return rows * columns; }
-    // Calls use(cell) for those that the piece's bounding box touches.
-    template <class Use>
-    void visit(const Piece& piece, const Use& use) const;
-
-    double per_px;
-    int columns, rows;
-  };
   template <class Test>
   bool any_near(const Vec2& p, double radius, const Test& test) const;
   double first_crossing(const Vec2& a, const Vec2& b, Parting parting) const;
@@ -73,9 +56,9 @@ class CriticalCurves {
   static constexpr double cell_units = 8, clearance_units = 4;  // of the graph
 
   double width_, height_, unit_px_;
-  Cells grid_cells_;
+  ImageCells grid_cells_;
   Ragged<Piece> cells_;  // pieces whose bounding boxes touch each cell
-  Cells clearance_cells_;
+  ImageCells clearance_cells_;
   std::vector<std::uint8_t> clearance_;  // so many of its cells all around each hold no piece
 };
 

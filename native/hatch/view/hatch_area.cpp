@@ -21,11 +21,6 @@ std::optional<Region> region_beyond(const HatchScene& scene, const Vec2& before,
   return region_of(scene.tone, beyond);
 }
 
-double HatchArea::pixel_per_w(const Camera& camera) {
-  const Mat4 clip = camera.projection() * camera.view();
-  return 2 / (clip.row(1).head<3>().norm() * camera.height_px());
-}
-
 // Whether `test` accepts the cell of an image point or, asked then, one of the eight around it,
 // within the frame.
 template <class Test>

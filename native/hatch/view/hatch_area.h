@@ -29,7 +29,7 @@ class HatchArea {
         visible_(scene.visible),
         tone_(scene.tone),
         map_(image_map(scene.camera)),
-        pixel_per_w_(pixel_per_w(scene.camera)) {}
+        pixel_per_w_(scene.camera.pixel_per_w()) {}
 
   bool wanted(int cell, Area area) const {
     const Region region = region_of(tone_.level[idx(cell)], tone_.band[idx(cell)]);
@@ -67,7 +67,6 @@ class HatchArea {
   SurfacePoint visible_point(const Vec2& image) const;
 
  private:
-  static double pixel_per_w(const Camera& camera);
   double cell_size(const Vec3& p) const { return visible_.cell_px * pixel_size(apply(map_, p)); }
   int cell_in_frame(const HatchPoint& point) const {
     return camera_.near_distance(point.position) > 0 ? visible_.cell_of(point.image) : none;
