@@ -172,7 +172,10 @@ class View {
           image_tiles(whole, options_.hatch, options_.threads));
     });
     std::optional<RestingPlaces> resting;
-    if (last_tiles_) whole.resting = &resting.emplace(*last_tiles_, *tiles_);
+    // Which pass a streamline is of nobody remembers: those of passes are evened out anew.
+    if (last_tiles_ && materials_.groups.empty()) {
+      whole.resting = &resting.emplace(*last_tiles_, *tiles_);
+    }
     std::optional<LastHatches> last;
     if (last_drawn_) {
       whole.last = &last.emplace(*last_drawn_, camera_, options_.hatch.spacing_px, whole.resting);

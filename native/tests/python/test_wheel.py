@@ -47,9 +47,10 @@ def bare_python(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_a_mesh_file_becomes_an_svg(bare_python: Path, tmp_path: Path) -> None:
     (tmp_path / "mesh.obj").write_text(TETRAHEDRON)
     example, drawing = ROOT / "examples" / "draw_file.py", tmp_path / "drawing.svg"
-    run(bare_python, example, tmp_path / "mesh.obj", drawing)
-    layers = re.findall(r'<g id="([a-z]+)"[^>]*>\s*<path [^>]*d="M[^"]+"', drawing.read_text())
-    assert layers == ["hatch", "silhouette"]
+    for options, wanted in (["--cage"], ["hatch", "silhouette"]), ([], ["crease"]):
+        run(bare_python, example, tmp_path / "mesh.obj", drawing, *options)
+        layers = re.findall(r'<g id="([a-z]+)"[^>]*>\s*<path [^>]*d="M[^"]+"', drawing.read_text())
+        assert layers == wanted
     where = run(bare_python, "-c", "import illustrate_native as i; print(i.__file__)")
     assert Path(where.strip()).is_relative_to(bare_python.parents[1])
 
