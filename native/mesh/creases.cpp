@@ -19,9 +19,6 @@ constexpr double tip_deg = 60;
 // say so.
 constexpr double boundary_corner_deg = 50;
 constexpr double crease_corner_deg = 80;
-// What single precision leaves of a whole angle between faces 1/1000 as wide as their place is far
-// from the origin is a tenth of this.
-constexpr double tie_deg = 0.1;
 
 double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -113,7 +110,7 @@ class CreaseFinder {
   bool turns_too_much(Span<const int> edge) const {
     const Vec3& a = shading_.face_normals[faces_.corner_faces[edge[0]]];
     const Vec3& b = shading_.face_normals[faces_.corner_faces[edge[1]]];
-    return turns_more(a, b, mesh_.crease_angle_deg);
+    return angle_between(a, b) > mesh_.crease_angle_deg * pi / 180;
   }
 
   void sharpen_edges() {
@@ -231,10 +228,6 @@ class CreaseFinder {
 };
 
 }  // namespace
-
-bool turns_more(const Vec3& a, const Vec3& b, double angle_deg) {
-  return angle_between(a, b) > (angle_deg + tie_deg) * pi / 180;
-}
 
 Creases find_creases(const PolygonMesh& mesh, const Faces& faces, const Ragged<int>& edges,
                      const std::vector<std::uint8_t>& is_cut, std::vector<std::uint8_t> is_sharp,

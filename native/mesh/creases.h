@@ -25,11 +25,6 @@
 
 namespace illustrate {
 
-// Whether unit normals turn by more than an angle, and not by just that angle up to the rounding of
-// their vertices: sides of a twelve-sided prism, or of an edge bevelled in two steps, turn by 30
-// degrees, and all of them shall be told the same.
-bool turns_more(const Vec3& a, const Vec3& b, double angle_deg);
-
 struct Creases {
   std::vector<std::uint8_t> sharp_edges;     // (edges) 1: infinitely sharp
   std::vector<std::uint8_t> sharp_vertices;  // (n) 1: infinitely sharp
