@@ -167,15 +167,15 @@ class View {
     });
     HatchScene whole{surface,      field,         families, camera_,       visible,
                      result_.tone, result_.graph, curves,   spacing_scale, unhatched};
-    tiles_ = timed(result_.timings["hatch"], [&] {
-      return std::make_shared<const ImageTiles>(
-          image_tiles(whole, options_.hatch, options_.threads));
-    });
-    std::optional<RestingPlaces> resting;
     // Which pass a streamline is of nobody remembers: those of passes are evened out anew.
-    if (last_tiles_ && materials_.groups.empty()) {
-      whole.resting = &resting.emplace(*last_tiles_, *tiles_);
+    if (materials_.groups.empty()) {
+      tiles_ = timed(result_.timings["hatch"], [&] {
+        return std::make_shared<const ImageTiles>(
+            image_tiles(whole, options_.hatch, options_.threads));
+      });
     }
+    std::optional<RestingPlaces> resting;
+    if (last_tiles_ && tiles_) whole.resting = &resting.emplace(*last_tiles_, *tiles_);
     std::optional<LastHatches> last;
     if (last_drawn_) {
       whole.last = &last.emplace(*last_drawn_, camera_, options_.hatch.spacing_px, whole.resting);

@@ -40,9 +40,8 @@ std::vector<HatchPass> hatch_passes(const HatchScene& whole, const MaterialMarks
 }
 
 HatchScene scene_of(const HatchPass& pass, const HatchScene& whole) {
-  return {whole.surface,      whole.field,    whole.families, whole.camera,
-          whole.visible,      pass.tone,      whole.graph,    whole.curves,
-          pass.spacing_scale, pass.unhatched, whole.last,     whole.resting};
+  return {whole.surface, whole.field,  whole.families,     whole.camera,   whole.visible, pass.tone,
+          whole.graph,   whole.curves, pass.spacing_scale, pass.unhatched, whole.last};
 }
 
 std::vector<double> finest_radii(const std::vector<HatchScene>& scenes,

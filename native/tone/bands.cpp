@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "contour/contour_functions.h"
 #include "surface/parts.h"
 #include "tone/fold_extents.h"
 #include "tone/step_along.h"
@@ -42,13 +43,6 @@ struct FoldSample {
 
 // To the left of a curve as the viewer sees it run, y pointing down.
 Vec2 left_of(const Vec2& heading) { return {heading.y(), -heading.x()}; }
-
-Vec3 plane_normal(const Surface& surface, int triangle) {
-  const Triangle& t = surface.triangles[idx(triangle)];
-  const Vec3& a = surface.positions[idx(t[0])];
-  const Vec3& b = surface.positions[idx(t[1])];
-  return (b - a).cross(surface.positions[idx(t[2])] - a).stableNormalized();
-}
 
 class BandMarker {
  public:
@@ -135,7 +129,7 @@ class BandMarker {
   Vec3 near_face_normal(const FoldSample& sample) const {
     const int cell = visible_.cell_of(sample.image - 2 * visible_.cell_px * sample.beyond);
     if (cell == none || visible_.triangle[cell] == none) return Vec3::Zero();
-    const Vec3 normal = plane_normal(surface_, visible_.triangle[cell]);
+    const Vec3 normal = face_normal(surface_, visible_.triangle[cell]);
     const Vec3 to_eye = camera_.to_eye(sample.position);
     return std::abs(normal.dot(to_eye)) < least_face_facing * to_eye.norm() ? Vec3::Zero() : normal;
   }

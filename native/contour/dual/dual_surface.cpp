@@ -162,17 +162,16 @@ DualSurface::DualSurface(const Surface& surface, int threads, const Progress& pr
     const bool is_smooth = surface.object_is_smooth[o];
     const Progress part = progress.part(0.2 + 0.8 * static_cast<double>(o) / count,
                                         0.2 + 0.8 * static_cast<double>(o + 1) / count);
-    parts_.push_back({frames[o].origin, frames[o].unit, is_smooth,
+    parts_.push_back({frames[o].origin, frames[o].unit, is_smooth ? Sort::smooth : Sort::faceted,
                       is_smooth ? tree_of_triangles(surface, ids[o], duals, threads, part)
                                 : tree_of_edges(surface, ids[o], frames[o], threads, part)});
   }
 }
 
 std::vector<int> DualSurface::find(const Camera& camera, Sort sort) const {
-  const bool wants_smooth = sort == Sort::smooth;
   std::vector<int> found;
   for (const Part& part : parts_) {
-    if (part.is_smooth != wants_smooth) continue;
+    if (part.sort != sort) continue;
     Vec4 viewpoint = camera.viewpoint();
     if (camera.is_perspective()) {
       viewpoint.head<3>() = (viewpoint.head<3>() - part.origin) / part.unit;
@@ -180,7 +179,7 @@ std::vector<int> DualSurface::find(const Camera& camera, Sort sort) const {
     const double farthest = viewpoint.head<3>().norm() + viewpoint[3];
     part.tree.find(viewpoint, tolerance::facing_noise * farthest * (1 + rounding), found);
   }
-  sort_unique(found, wants_smooth ? triangles_ : 3 * triangles_);
+  sort_unique(found, sort == Sort::smooth ? triangles_ : 3 * triangles_);
   return found;
 }
 

@@ -30,14 +30,14 @@ class DualSurface {
   std::size_t always_count() const;
 
  private:
+  enum class Sort : std::uint8_t { smooth, faceted };
   struct Part {
     Vec3 origin;
     double unit;
-    bool is_smooth;
+    Sort sort;
     DualTree tree;  // of triangles t, or of edges 3 t + corner
   };
-  // Of the parts of either sort, the items that their trees find.
-  enum class Sort : std::uint8_t { smooth, faceted };
+  // Of the parts of a sort, the items that their trees find.
   std::vector<int> find(const Camera& camera, Sort sort) const;
 
   std::vector<Part> parts_;

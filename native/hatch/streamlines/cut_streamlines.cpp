@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "hatch/streamlines/neighbours.h"
+
 namespace illustrate {
 namespace {
-
-constexpr int own_nodes_beside = 6;
 
 // Streamlines whose nodes lie farther apart, in node steps, or not along their directions (cosine)
 // are cut.
@@ -42,8 +42,7 @@ class Cutter {
     if (!view_.may_pass(node, streamline.spacing)) return false;
     const double radius = test_ * streamline.spacing;
     return !set_.grid.any_near(node.image, radius, [&](const GridNode& other) {
-      if (other.streamline == number && std::abs(other.index - index) <= own_nodes_beside)
-        return false;
+      if (other.streamline == number && std::abs(other.index - index) <= own_nodes) return false;
       return HatchView::distance(node, other, streamline.spacing, radius) < radius &&
              alive_[idx(other.streamline)][idx(other.index)] &&
              !view_.curves.separate(node.image, other.image);

@@ -14,10 +14,9 @@ namespace {
 constexpr int rounds = 4;
 // In spacings: a streamline moves no further in a round.
 constexpr double most_move = 2;
-// In spacings: where no streamline is nearer, a critical curve is half a spacing away as well as it
-// can be. Twice as many of the gaps between streamlines are counted, once from each, and a curve is
-// half as far away: it takes four times the weight to be heard alike.
-constexpr double curve_reach = 1.5;
+// Where no streamline is nearer, a critical curve within curve_reach is half a spacing away as well
+// as it can be. Twice as many of the gaps between streamlines are counted, once from each, and a
+// curve is half as far away: it takes four times the weight to be heard alike.
 constexpr double curve_weight = 4;
 // Of staying: what has no neighbour does not move, and two alone find their spacing.
 constexpr double staying_weight = 1e-3;

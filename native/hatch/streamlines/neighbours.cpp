@@ -12,9 +12,6 @@ constexpr double neighbour_reach = 2;  // of all
 
 constexpr double band = 0.55;  // half a neighbour's piece of line, in node steps
 
-// Nodes of one streamline nearer along it are not its own neighbours.
-constexpr int own_nodes = 6;
-
 std::array<Neighbour, 2> neighbours_within(const StreamlineSet& set, int number, int index,
                                            double far) {
   const Streamline& streamline = set.streamlines[idx(number)];

@@ -8,6 +8,12 @@
 
 namespace illustrate {
 
+// Nodes of one streamline so near along it are not its own neighbours.
+constexpr int own_nodes = 6;
+
+// In spacings: beyond, a critical curve is nobody's neighbour.
+constexpr double curve_reach = 1.5;
+
 struct Neighbour {
   double distance = std::numeric_limits<double>::infinity();  // px
   int streamline = none;

@@ -10,7 +10,6 @@ namespace illustrate {
 namespace {
 
 // In spacings.
-constexpr double relax_curve_reach = 1.5;  // of critical curves
 constexpr double most_pull = 0.4;
 constexpr double most_sweep_move = 0.19;  // in a sweep
 constexpr double stiffness = 2.4;         // length over which a streamline bends
@@ -150,7 +149,7 @@ class Relaxer {
   // it.
   double mirrored(const StreamlineNode& node, const Vec2& side, double distance,
                   double spacing) const {
-    const double most = relax_curve_reach * spacing, far = std::min(distance, most);
+    const double most = curve_reach * spacing, far = std::min(distance, most);
     const double at = curve_beside(view_, node, side, far);
     return at <= far ? std::clamp(2 * at, 0.5 * spacing, most) : distance;
   }

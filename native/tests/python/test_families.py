@@ -11,7 +11,7 @@ import pytest
 from checker import LEVEL, draw
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree  # type: ignore[import-untyped]
-from shapes import Doubles, Shape, drape, klein_bottle, look_at, sphere
+from shapes import SIZE_PX, Doubles, Shape, drape, klein_bottle, look_at, sphere
 
 # A single family everywhere.
 MIDTONES = ill.DrawOptions(
@@ -64,13 +64,13 @@ def test_the_same_direction_stays_in_all_views(make: Callable[[], Shape]) -> Non
     prepared = prepared_of(make())
     seen = []
     for direction in ((1.0, -2.0, 0.8), (1.6, -1.6, 0.5), (0.3, -2.0, 1.6)):
-        drawing = draw(prepared, look_at(direction), MIDTONES)
+        drawing = draw(prepared, look_at(direction, size_px=2 * SIZE_PX), MIDTONES)
         seen.append(hatches(drawing, np.asarray(drawing.points)))
-    camera = look_at()
+    camera = look_at(size_px=2 * SIZE_PX)
     spacing = 2 * 1.8 / 0.95 / camera.width_px * SPACING  # in the world
     for other in seen[1:]:
         found = turned(seen[0], other, 0.5 * spacing)
-        assert len(found) > 30
+        assert len(found) > 50
         assert found.mean() < 0.02
 
 
