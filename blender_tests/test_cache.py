@@ -162,14 +162,15 @@ def test_runs_do_not_grow(scene: Any) -> None:
     bpy.ops.mesh.primitive_monkey_add()
     monkey = bpy.context.object
     tools.subdivide(monkey)
-    scene.illustrate.triangle_budget = 70_000
+    scene.illustrate.triangle_budget = 15_000
     sizes = []
-    for i in range(13):
+    for i in range(99):
         monkey.location.x = 0.01 * i
         assert bpy.ops.illustrate.illustrate() == {"FINISHED"}
         sizes.append(resident_mb())
-    # The heap of a thread may grow once by many megabytes; a leak grows with each run.
-    assert np.median(np.diff(sizes)) < 0.5, sizes
+    # What the heaps keep for later goes up and down by ten megabytes; a leak grows with each run.
+    thirds = np.median(np.reshape(sizes, (3, 33)), axis=1)
+    assert thirds[2] - thirds[0] < 66 * 0.3, sizes
 
 
 def test_digests_tell_things_apart() -> None:

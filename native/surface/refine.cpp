@@ -92,6 +92,7 @@ class Refiner {
     if (level > 0) {
       unfolded = unfold_flat_faces(subdivision.level(0), drawn, corner_sectors, options_.threads,
                                    vertices);
+      turn_folded_normals(subdivision.level(0), drawn, corner_sectors, vertices.normals);
     }
     assemble({base, drawn, corner_sectors, std::move(vertices), unfolded, object, ptex},
              options_.threads, surface_, needs_jet_);

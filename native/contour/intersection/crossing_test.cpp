@@ -22,7 +22,8 @@ constexpr double smallest_coordinate = 0x1p-200;
 
 // How far points are moved, relative to their farthest distance from their middle: a few times the
 // rounding to single precision, in which modelling programs store them. That grows with the
-// distance from the origin, which is not to count where it is a few times that one.
+// distance from the origin, which is not to count where it is a few times that one, and beyond
+// counts in powers of two, as the rounding does: so shifts by a few sizes leave the inset as it is.
 constexpr double rounding_inset = 0x1p-22, far_off = 16;
 
 // And never more than this share of the median edge: one far vertex, or a vast ground, makes the
@@ -105,7 +106,8 @@ double CrossingTest::extent() const {
       largest = std::max(largest, points_[idx(place)].squaredNorm());
     }
   }
-  return std::sqrt(std::max(farthest, largest / (far_off * far_off)));
+  const double size = std::sqrt(farthest), distance = std::sqrt(largest) / far_off;
+  return distance > size ? std::ldexp(1.0, std::ilogb(distance) + 1) : size;
 }
 
 void CrossingTest::choose_inset() {

@@ -350,6 +350,10 @@ class Unfolder {
   std::vector<std::uint8_t> is_shared_;  // places; empty until they are asked for
 };
 
+// Cosine from which a normal is the opposite of a control face's. What folds in a plane has exactly
+// opposite normals; what bends has others between.
+constexpr double opposite = -0.99;
+
 }  // namespace
 
 std::vector<std::uint8_t> unfold_flat_faces(const RefinedMesh& control, const RefinedMesh& mesh,
@@ -375,6 +379,27 @@ std::vector<std::uint8_t> unfold_flat_faces(const RefinedMesh& control, const Re
     for (const int f : parts[p].faces) changed[idx(f)] = 1;
   }
   return changed;
+}
+
+void turn_folded_normals(const RefinedMesh& control, const RefinedMesh& mesh,
+                         const std::vector<int>& corner_sectors, Points& normals) {
+  Points of_faces;
+  for (int f = 0; f < static_cast<int>(control.face_count()); ++f) {
+    of_faces.push_back(unit_or_zero(twice_area(control, f)));
+  }
+  std::vector<std::uint8_t> is_folded(normals.size(), 1);
+  for (int c = 0; c < static_cast<int>(mesh.corner_count()); ++c) {
+    const std::size_t s = idx(corner_sectors[idx(c)]);
+    if (!is_folded[s]) continue;
+    const Vec3& of_face = of_faces[idx(mesh.base_faces[idx(mesh.face(c))])];
+    is_folded[s] = normals[s].dot(of_face) < opposite;
+  }
+  for (const int sector : corner_sectors) {
+    const std::size_t s = idx(sector);
+    if (!is_folded[s]) continue;
+    normals[s] = -normals[s];
+    is_folded[s] = 0;
+  }
 }
 
 }  // namespace illustrate

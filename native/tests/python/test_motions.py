@@ -106,3 +106,18 @@ def test_rigid_motions_move_no_line_where_parts_touch(parts: list[Shape]) -> Non
         two = draw(there, moved(camera, turn, shift), LINES)
         assert one.image.shape == two.image.shape
         assert np.abs(one.image - two.image).max() < 1e-3
+
+
+# The farther away, the coarser positions in single precision are, and the farther surfaces that
+# touch are kept apart: in octaves, not with every step.
+def test_shifts_far_from_the_origin_move_no_line() -> None:
+    away, step = np.array([221.0, 0.0, 0.0]), np.array([5.0, -3.0, 2.0])
+    parts = [sphere(), stretched_sphere(0.002)]
+    near, far = ([p.moved(tuple(shift)) for p in parts] for shift in (away, away + step))
+    options = ill.PrepareOptions(level=4, field=False)
+    here, there = (ill.prepare([s.mesh() for s in shapes], options) for shapes in (near, far))
+    for camera in CAMERAS:
+        one = draw(here, moved(camera, np.eye(3), away), LINES)
+        two = draw(there, moved(camera, np.eye(3), away + step), LINES)
+        assert one.image.shape == two.image.shape
+        assert np.abs(one.image - two.image).max() < 1e-3

@@ -65,6 +65,27 @@ PolygonMesh frame(int sides, double wobble) {
   return mesh;
 }
 
+// A frame with a rim round it that falls off too little for a crease: what smooth edges connect is
+// not flat.
+PolygonMesh rimmed_frame(int sides, double wobble) {
+  PolygonMesh mesh = frame(sides, wobble);
+  const int top = 2 * sides, rim = static_cast<int>(mesh.positions.size());
+  for (int k = 0; k < sides; ++k) {
+    const Vec3& p = mesh.positions[idx(top + k)];
+    mesh.positions.emplace_back(1.3 * p.x(), 1.3 * p.y(), .2);
+  }
+  for (int c = 0; c < 6 * sides; ++c) {  // the wall outside, which comes first, goes up to the rim
+    if (mesh.corner_vertices[idx(c)] >= top) mesh.corner_vertices[idx(c)] += rim - top;
+  }
+  for (int k = 0; k < sides; ++k) {
+    const int l = (k + 1) % sides;
+    const int corners[6] = {rim + k, rim + l, top + l, rim + k, top + l, top + k};
+    mesh.corner_vertices.insert(mesh.corner_vertices.end(), corners, corners + 6);
+    mesh.face_sizes.insert(mesh.face_sizes.end(), 2, 3);
+  }
+  return mesh;
+}
+
 TEST(FlatFaces, DoNotFold) {
   for (const int level : {1, 3, 5}) {
     EXPECT_EQ(count_backward(refined(l_of_triangles(), at_level(level, Scheme::loop))), 0);
@@ -77,6 +98,17 @@ TEST(FlatFaces, DoNotFold) {
 TEST(FlatFaces, OfIrregularOutlinesDoNotFold) {
   for (const int sides : {16, 31, 40}) {
     EXPECT_EQ(count_backward(refined(frame(sides, .08), at_level(4, Scheme::loop))), 0);
+  }
+}
+
+TEST(FlatFaces, WithinWhatIsNotFlatHaveTheirNormals) {
+  for (const int sides : {3, 4, 5, 7, 16}) {
+    const Surface surface = refined(rimmed_frame(sides, 0), at_level(4, Scheme::loop));
+    for (std::size_t v = 0; v < surface.positions.size(); ++v) {
+      const Vec3 &p = surface.positions[v], &n = surface.normals[v];
+      const bool is_on_top = std::abs(p.z() - .3) < 1e-12 && std::abs(n.z()) > .5;
+      EXPECT_TRUE(!is_on_top || n.z() > 0) << sides << ": " << p.transpose();
+    }
   }
 }
 
