@@ -131,3 +131,23 @@ def test_nothing_warms_up_before_the_scene_begins(tmp_path: Any, seeds: list[Any
     bpy.context.scene.frame_start = 3
     assert draw(tmp_path / "out", "--frames", "4", "--warm-up", "5") == 0
     assert chained(seeds) == [True]
+
+
+@pytest.mark.parametrize("extension", ["svg", "png", "json"])
+@pytest.mark.usefixtures("shot")
+def test_the_next_frame_is_prepared_meanwhile(
+    tmp_path: Any, monkeypatch: Any, extension: str
+) -> None:
+    ill, there = illustrate.native.load(), []
+    start = ill.start_prepare
+
+    def watched(*arguments: Any, **named: Any) -> Any:
+        there.append(len(list((tmp_path / "ahead").glob(f"*.{extension}"))))
+        return start(*arguments, **named)
+
+    monkeypatch.setattr(ill, "start_prepare", watched)
+    arguments = ("--frames", "1-4", "--format", extension)
+    assert draw(tmp_path / "ahead", *arguments) == 0
+    assert there == [0, 0, 1, 2]  # before the file of the frame before is written
+    assert draw(tmp_path / "after", *arguments, "--skip-existing") == 0
+    assert contents(tmp_path / "ahead") == contents(tmp_path / "after")

@@ -1,7 +1,8 @@
 """Draws frames of the open file and writes them, one after the other.
 
 A frame that cannot be drawn is named and gone past. All frames of a command have the exposure of
-the first one; where the scene keeps strokes, each starts from the strokes of the one before.
+the first one; where the scene keeps strokes, each starts from the strokes of the one before. While
+one is drawn, the next is read and prepared (ahead.py), unless what is written asks Blender.
 """
 
 import os
@@ -20,12 +21,13 @@ from ..plot.areas import fills_of
 from ..reading.tone_images import tone_of
 from ..running.illustration import (
     Illustration,
-    compute,
+    Request,
     hatches_render,
     read_request,
     shares_exposure,
 )
 from ..running.rendering import render_now
+from . import ahead
 from .lines import Progress, complain, say, time_text
 from .plots import PlotFiles
 
@@ -56,14 +58,26 @@ class Sequence:
         self._follows = self._scene.illustrate.keep_strokes and native.can_seed()
         self._last: Any = None  # the drawing that the next one starts from
         self._exposure: float | None = None
+        self._begun: ahead.Begun | None = None  # the next frame
+        self._looks_ahead = not (
+            "blend" in chosen.format
+            or self._plots.is_any
+            or chosen.masks
+            or chosen.skip_existing
+            or hatches_render(self._scene.illustrate)
+        )
 
     def draw(self) -> list[int]:
         """Draws and writes all frames; those that failed."""
         failed = []
-        for frame in self._frames:
-            if not self._succeeds(frame):
-                failed.append(frame)
-            self._progress.end()
+        try:
+            for frame, following in zip(self._frames, [*self._frames[1:], None], strict=True):
+                if not self._succeeds(frame, following):
+                    failed.append(frame)
+                self._progress.end()
+        finally:
+            if self._begun is not None:
+                self._begun.let_go()
         self._plots.write_sequences(self._chosen.out, sequence_name(self._chosen.name))
         if failed:
             numbers = ", ".join(map(str, failed))
@@ -71,9 +85,9 @@ class Sequence:
             self._progress.fail(f"failed frames: {numbers} ({len(failed)} {of_all})")
         return failed
 
-    def _succeeds(self, frame: int) -> bool:
+    def _succeeds(self, frame: int, following: int | None) -> bool:
         try:
-            self._frame(frame)
+            self._frame(frame, following)
         except IllustrateError as error:
             complain(f"error: frame {frame}: {error}")
             return False
@@ -83,7 +97,7 @@ class Sequence:
             return False
         return True
 
-    def _frame(self, frame: int) -> None:
+    def _frame(self, frame: int, following: int | None) -> None:
         if self._chosen.skip_existing and self._existing(frame):
             # Its strokes are in files, not at hand: the next frame cannot start from them.
             say(f"skipping existing frame {frame}")
@@ -93,31 +107,52 @@ class Sequence:
         self._find_exposure(frame)
         self._warm_up(frame)
         name = file_name(self._chosen.name, frame)
-        made = self._drawn(frame, name)
+        made = self._drawn(frame, name, following if self._looks_ahead else None)
         for warning in made.warnings:
             complain(f"warning: {warning}")
-        self._write(made, name)
+        self._write(made, name, frame)
         seconds = time.perf_counter() - start
         say(f"Time: {time_text(seconds)}")
         self._summaries.append(summary(name, made, seconds))
         say(self._summaries[-1])
 
-    def _drawn(self, frame: int, name: str) -> Illustration:
-        """The illustration of a frame, exposed and begun as the frames before it ask for."""
+    def _drawn(self, frame: int, name: str, following: int | None = None) -> Illustration:
+        """The illustration of a frame, exposed and begun as the frames before it ask for.
+
+        following: the frame that is begun meanwhile.
+        """
         self._progress.begin(name)
+        begun, self._begun = self._begun, None
+        if begun is None or begun.frame != frame:
+            begun = ahead.begin(frame, self._read)
+        if begun.request is not None:
+            begun.request.expose(self._exposure)
+            begun.request.previous = self._last
+
+        def begin_following() -> None:
+            if following is not None:
+                self._begun = ahead.begin(following, self._read_following)
+
+        made = ahead.drawn(begun, self._progress, begin_following)
+        if self._exposure is None:
+            self._exposure = made.drawing.tone.exposure
+        self._last = made.drawing if self._follows else None
+        return made
+
+    def _read(self, frame: int) -> Request:
         self._scene.frame_set(frame)
         rendered = None
         if hatches_render(self._scene.illustrate):
             self._progress(0.0, "render")
             rendered = render_now(self._scene, tone_of)
         request = read_request(self._scene, bpy.context.evaluated_depsgraph_get(), rendered)
-        request.expose(self._exposure)
-        request.previous = self._last
-        made = compute(request, self._progress)
-        if self._exposure is None:
-            self._exposure = made.drawing.tone.exposure
-        self._last = made.drawing if self._follows else None
-        return made
+        request.follows = self._last is not None
+        return request
+
+    def _read_following(self, frame: int) -> Request:
+        request = self._read(frame)
+        request.follows = self._follows
+        return request
 
     def _warm_up(self, frame: int) -> None:
         """Draws the frames before one whose predecessor was not drawn by this command."""
@@ -159,11 +194,11 @@ class Sequence:
                 return None
         return stamp
 
-    def _write(self, made: Illustration, name: str) -> None:
+    def _write(self, made: Illustration, name: str, frame: int) -> None:
         scene, begun = self._scene, time.perf_counter()
         camera, areas = made.arrays.camera, fills_of(scene, made)
         strokes = output.write_drawing(
-            scene, made.drawing, camera, scene.illustrate.output, made.names, areas
+            scene, made.drawing, camera, scene.illustrate.output, made.names, areas, frame
         )
         made.seconds["strokes"] = time.perf_counter() - begun
         exposure = float(made.drawing.tone.exposure)
@@ -175,7 +210,7 @@ class Sequence:
             strokes,
             self._width_mm,
             self._chosen.svg_style,
-            {**self._stamp, "frame": scene.frame_current, "exposure": exposure},
+            {**self._stamp, "frame": frame, "exposure": exposure},
             areas,
             self._follows,
         )

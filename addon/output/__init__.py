@@ -45,13 +45,15 @@ def write_drawing(
     target: str,
     names: list[str] | None = None,
     areas: Sequence[Any] = (),
+    frame: int | None = None,
 ) -> list[Any]:
-    """Puts a drawing in place of the last one at the scene's frame; the objects that hold it.
+    """Puts a drawing in place of the last one at a frame; the objects that hold it.
 
-    target: one of TARGETS. The others are as in `sheet_of`.
+    target: one of TARGETS. frame: the scene's where left out. The others are as in `sheet_of`.
     """
     shown = areas if target == "GREASE_PENCIL" else ()
-    sheet = sheet_of(drawing, camera, scene.frame_current, names, shown)
+    frame = scene.frame_current if frame is None else frame
+    sheet = sheet_of(drawing, camera, frame, names, shown)
     if target == "CURVES":
         pencil.clear(PENCIL_API, scene)
         return curves.write(scene, sheet)

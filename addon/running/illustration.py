@@ -56,6 +56,8 @@ class Request:
     warnings: list[str]
     read_seconds: float = 0.0
     previous: Any = None  # the drawing whose strokes the new one starts from
+    follows: bool = False  # it is to start from a drawing that may not be there yet
+    prepare_seconds: dict[str, float] = field(default_factory=dict)  # if it was prepared anew
 
     def expose_as(self, drawing: Any) -> None:
         """The light as strong as in another drawing, so that a sequence does not flicker.
@@ -225,7 +227,7 @@ def computing(
         if is_drawn and is_kept:
             cache.keep_drawing(request.drawing_key, request.widths, drawing)
     seconds = {"read": request.read_seconds}
-    seconds.update({} if is_prepared else prepared.timings)
+    seconds.update(request.prepare_seconds)
     seconds.update(drawing.timings if is_drawn else {})
     warnings = _warnings(request.arrays, prepared.reports) + request.warnings
     warnings += _crowding(drawing.counts, prepared)
@@ -243,12 +245,13 @@ def preparing(
     if prepared is not None:
         return prepared
     with _explained(request):
-        follows = request.previous is not None
+        follows = request.follows or request.previous is not None
         previous = cache.last_prepared(request.meshes_key, follows)
         prepared = yield Step(start_preparing(request, previous), *share, title)
         if not len(prepared.surface.triangles):
             raise _nothing_is_left(request, prepared.reports)
         cache.keep_prepared(request.prepared_key, request.meshes_key, prepared)
+        request.prepare_seconds = prepared.timings
     return prepared
 
 

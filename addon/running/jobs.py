@@ -114,10 +114,10 @@ def go_on(steps: Steps[Result], job: Job) -> Step:
     return steps.send(made)
 
 
-def run(steps: Steps[Result], progress: Progress | None = None) -> Result:
-    """Goes through steps to their end, and waits for each."""
+def run(steps: Steps[Result], progress: Progress | None = None, step: Step | None = None) -> Result:
+    """Goes through steps to their end, and waits for each. step: the one that they are at."""
     try:
-        step = next(steps)
+        step = step or next(steps)
         while True:
             finish(step, progress)
             step = go_on(steps, step.job)
