@@ -19,6 +19,9 @@ constexpr double tip_deg = 60;
 // say so.
 constexpr double boundary_corner_deg = 50;
 constexpr double crease_corner_deg = 80;
+// What single precision leaves of a whole angle between faces 1/1000 as wide as their place is far
+// from the origin is a tenth of this.
+constexpr double tie_deg = 0.1;
 
 double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -110,7 +113,7 @@ class CreaseFinder {
   bool turns_too_much(Span<const int> edge) const {
     const Vec3& a = shading_.face_normals[faces_.corner_faces[edge[0]]];
     const Vec3& b = shading_.face_normals[faces_.corner_faces[edge[1]]];
-    return angle_between(a, b) > mesh_.crease_angle_deg * pi / 180;
+    return turns_more(a, b, mesh_.crease_angle_deg);
   }
 
   void sharpen_edges() {
@@ -228,6 +231,10 @@ class CreaseFinder {
 };
 
 }  // namespace
+
+bool turns_more(const Vec3& a, const Vec3& b, double angle_deg) {
+  return angle_deg < 180 && angle_between(a, b) > std::max(0.0, angle_deg - tie_deg) * pi / 180;
+}
 
 Creases find_creases(const PolygonMesh& mesh, const Faces& faces, const Ragged<int>& edges,
                      const std::vector<std::uint8_t>& is_cut, std::vector<std::uint8_t> is_sharp,

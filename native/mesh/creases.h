@@ -25,6 +25,11 @@
 
 namespace illustrate {
 
+// Whether unit normals turn by more than an angle, or by just that angle up to the rounding of
+// their vertices: flat sides of a twelve-sided prism turn by 30 degrees, and all of them shall be
+// told the same. Not for 180 degrees, nor for normals that agree.
+bool turns_more(const Vec3& a, const Vec3& b, double angle_deg);
+
 struct Creases {
   std::vector<std::uint8_t> sharp_edges;     // (edges) 1: infinitely sharp
   std::vector<std::uint8_t> sharp_vertices;  // (n) 1: infinitely sharp

@@ -10,8 +10,6 @@
 namespace illustrate {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 // A value on an edge between two vertices of the input, and whether the sound mesh has the edge.
 struct Tag {
   Edge edge;  // lower vertex first
@@ -76,8 +74,8 @@ Tags mark_tags(const PolygonMesh& mesh, const std::vector<int>& numbers) {
 class CreaseAngle {
  public:
   // Twins have their partner's normal, turned: both sheets are told the same.
-  CreaseAngle(const Faces& faces, const SoundMesh& sound, double angle_deg) : faces_(faces) {
-    angle_rad_ = angle_deg * pi / 180;
+  CreaseAngle(const Faces& faces, const SoundMesh& sound, double angle_deg)
+      : faces_(faces), angle_deg_(angle_deg) {
     if (angle_deg >= 180) return;
     normals_ = unit_normals(faces, sound.positions);
     for (std::size_t f = 0; f < normals_.size(); ++f)
@@ -86,15 +84,14 @@ class CreaseAngle {
 
   bool is_exceeded(Span<const int> edge) const {
     if (normals_.empty() || edge.size() != 2) return false;
-    const Vec3& a = normals_[faces_.corner_faces[edge[0]]];
-    const Vec3& b = normals_[faces_.corner_faces[edge[1]]];
-    return std::atan2(a.cross(b).norm(), a.dot(b)) > angle_rad_;
+    return turns_more(normals_[faces_.corner_faces[edge[0]]],
+                      normals_[faces_.corner_faces[edge[1]]], angle_deg_);
   }
 
  private:
   const Faces& faces_;
   Points normals_;
-  double angle_rad_;
+  double angle_deg_;
 };
 
 // Welded vertices share the largest sharpness.

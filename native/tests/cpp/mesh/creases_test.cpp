@@ -88,6 +88,25 @@ TEST(Creases, FlatFacesFollowTheAngle) {
   EXPECT_EQ(mend(shaded(drum(8), own_normal)).report.at("angle_creases"), 24);
 }
 
+// As files have them, far from the origin.
+PolygonMesh in_single_precision(PolygonMesh mesh, double offset) {
+  for (Vec3& p : mesh.positions) {
+    p = (p + Vec3::Constant(offset)).cast<float>().cast<double>();
+  }
+  return mesh;
+}
+
+TEST(Creases, EdgesThatTurnByJustTheAngleAreAllSharp) {
+  for (const double offset : {0.0, 0.7, 10.0, 300.0}) {
+    PolygonMesh prism = shaded(in_single_precision(drum(12), offset), own_normal);
+    EXPECT_EQ(mend(prism).report.at("angle_creases"), 36) << offset;
+    prism.corner_normals.clear();
+    EXPECT_EQ(mend(prism).report.at("angle_creases"), 36) << offset;
+    prism.crease_angle_deg = 30.2;
+    EXPECT_EQ(mend(prism).report.at("angle_creases"), 24) << offset;
+  }
+}
+
 TEST(Creases, SmoothShadingIsSmooth) {
   const Mended cube = mend(shaded(shapes::cube(), radial));
   EXPECT_EQ(cube.report.at("angle_creases"), 0);
