@@ -32,6 +32,12 @@ Vec3 sag_of_tangent(const Vec3& tangent, const Vec3& away) {
   return cosine > 0 ? arc_sag(side.norm(), side) : Vec3(Vec3::Zero());
 }
 
+// Their mean where they are the same, none where one is none or they point to opposite sides.
+Vec3 harmonic_mean(const Vec3& a, const Vec3& b) {
+  const double sum = a.norm() + b.norm();
+  return sum > 0 ? Vec3((b.norm() * a + a.norm() * b) / sum) : Vec3(Vec3::Zero());
+}
+
 Vec3 lesser(const Vec3& a, const Vec3& b) {
   if (!(a.dot(b) > 0)) return Vec3::Zero();
   return a.squaredNorm() <= b.squaredNorm() ? a : b;
@@ -70,6 +76,8 @@ class Bender {
   bool is_tip(int vertex) const {
     return is_held(vertex) && sectors_.sharp_edges[idx(vertex)] == 0;
   }
+  // Or at a border: the normals there end with the fan, and say little about what leaves it.
+  bool is_on_crease(int vertex) const { return sectors_.sharp_edges[idx(vertex)] > 0; }
 
   // Of creases at the vertices that they pass: from the first to the second neighbour.
   void find_tangents() {
@@ -117,7 +125,8 @@ class Bender {
       const Vec3 first = sag_of_normal(at_start, away), second = sag_of_normal(at_end, -away);
       if (is_tip(faces_.corners[idx(h)])) return second;
       if (is_tip(faces_.head(h))) return first;
-      return (first + second) / 2;
+      const bool is_inside = !is_on_crease(faces_.corners[idx(h)]) && !is_on_crease(faces_.head(h));
+      return is_inside ? harmonic_mean(first, second) : Vec3((first + second) / 2);
     };
     return lesser(bend(normals_.shading), bend(normals_.geometric));
   }

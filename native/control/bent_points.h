@@ -6,6 +6,8 @@
 // shading normals, one from the normals of the faces round its ends: the lesser is taken, none
 // where they point to different sides. Following the shading alone pillows flat roofs, whose
 // shading tilts beside unweighted bevels; following the faces alone rounds what is shaded flat.
+// Each is the harmonic mean of those at its ends, so that what is level stays level up to where it
+// bends.
 #pragma once
 
 #include "control/fan_normals.h"

@@ -350,9 +350,10 @@ class Unfolder {
   std::vector<std::uint8_t> is_shared_;  // places; empty until they are asked for
 };
 
-// Cosine from which a normal is the opposite of a control face's. What folds in a plane has exactly
-// opposite normals; what bends has others between.
-constexpr double opposite = -0.99;
+// Cosine from which a normal is the opposite of a control face's: 143 degrees. What folds in a plane
+// has exactly opposite normals, at a plane's rounding those of the faces beside it are tilted; what
+// bends has others between.
+constexpr double opposite = -0.8;
 
 }  // namespace
 
