@@ -3,21 +3,17 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/mixed_bits.h"
 #include "surface/locate.h"
 
 namespace illustrate {
 namespace {
 
-// A number for the way from a to b, the opposite for the way back (the finaliser of SplitMix64).
+// A number for the way from a to b, the opposite for the way back.
 std::uint64_t way(int a, int b) {
-  const auto mixed = [](std::uint64_t z) {
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-    return z ^ (z >> 31);
-  };
   const auto both = [&](int from, int to) {
-    return mixed((std::uint64_t{static_cast<std::uint32_t>(from)} << 32) +
-                 static_cast<std::uint32_t>(to));
+    return mixed_bits((std::uint64_t{static_cast<std::uint32_t>(from)} << 32) +
+                      static_cast<std::uint32_t>(to));
   };
   return both(a, b) - both(b, a);
 }

@@ -1,5 +1,7 @@
 #include "field/search/diffusion.h"
 
+#include "core/mixed_bits.h"
+
 namespace illustrate {
 namespace {
 
@@ -83,12 +85,8 @@ class ImplicitStep {
 }  // namespace
 
 double SeededNumbers::uniform() {
-  state_ += 0x9e3779b97f4a7c15U;
-  std::uint64_t x = state_;
-  x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
-  x = (x ^ (x >> 27U)) * 0x94d049bb133111ebU;
-  x ^= x >> 31U;
-  return static_cast<double>(x >> 11U) * 0x1p-52 - 1;
+  state_ += mixing_step;
+  return static_cast<double>(mixed_bits(state_) >> 11U) * 0x1p-52 - 1;
 }
 
 CrossNumber SeededNumbers::number() {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/mixed_bits.h"
 #include "core/parallel.h"
 #include "hatch/greedy/place_hatches.h"
 
@@ -17,16 +18,13 @@ constexpr double least_tile_px = 8;
 // rounding.
 constexpr double direction_steps = 1 << 30;
 
-// Mixes values into one number (the finaliser of SplitMix64, after each).
+// Mixes values into one number.
 class Mixed {
  public:
   explicit Mixed(std::uint64_t start = 0) : number_(start) {}
 
   Mixed& add(std::uint64_t value) {
-    std::uint64_t z = (number_ ^ value) + 0x9e3779b97f4a7c15U;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-    number_ = z ^ (z >> 31);
+    number_ = mixed_bits((number_ ^ value) + mixing_step);
     return *this;
   }
   Mixed& add(double value) {

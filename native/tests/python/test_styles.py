@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 from typing import Any
 
 import illustrate_native as ill
@@ -68,7 +69,8 @@ def test_a_shadow_catcher_is_its_shadows(ball_on_floor: ill.Prepared) -> None:
     assert abs((unlit.objects == 1).sum() - floor.sum()) <= 2, "its shadows are not exposed"
 
 
-def checked_ball(**more: Any) -> ill.Prepared:
+@cache
+def checked_ball() -> ill.Prepared:
     """A ball whose upper half is of material 1."""
     ball = sphere()
     starts = np.cumsum(ball.face_sizes) - ball.face_sizes
@@ -76,7 +78,7 @@ def checked_ball(**more: Any) -> ill.Prepared:
     materials = (heights > 0).astype(np.int32)
     return ill.prepare(
         [ill.PolygonMesh(ball.positions, ball.face_sizes, ball.corner_vertices,
-                         face_materials=materials, **more)]
+                         face_materials=materials)]
     )  # fmt: skip
 
 
