@@ -76,7 +76,7 @@ class Bender {
   bool is_tip(int vertex) const {
     return is_held(vertex) && sectors_.sharp_edges[idx(vertex)] == 0;
   }
-  // Or at a border: the normals there end with the fan, and say little about what leaves it.
+  // Or on a border.
   bool is_on_crease(int vertex) const { return sectors_.sharp_edges[idx(vertex)] > 0; }
 
   // Of creases at the vertices that they pass: from the first to the second neighbour.

@@ -7,7 +7,8 @@
 // where they point to different sides. Following the shading alone pillows flat roofs, whose
 // shading tilts beside unweighted bevels; following the faces alone rounds what is shaded flat.
 // Each is the harmonic mean of those at its ends, so that what is level stays level up to where it
-// bends.
+// bends; where an end is on a crease or a border the arithmetic one, since the normals there end
+// with the fan and say little about the edges that leave it.
 #pragma once
 
 #include "control/fan_normals.h"

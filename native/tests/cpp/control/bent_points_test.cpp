@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "mesh/sanitize.h"
 #include "tests/cpp/shapes.h"
 
@@ -57,14 +60,14 @@ TEST(BentPoints, WhatIsLevelStaysLevelUpToWhereItBends) {
 
 // Of unevenly long edges, but for those that end at the border.
 TEST(BentPoints, ArcsConverge) {
+  const Vec3 centre(-2, 0, -radius);
   double last = 1;
   for (const int columns : {8, 16, 32}) {
+    const std::vector<Bent> edges = bent_edges(level_and_arc(columns, centre.x()));
     double off = 0;
-    std::vector<Bent> edges = bent_edges(level_and_arc(columns, -2));
-    for (const Bent& edge : std::vector<Bent>(edges.begin() + 1, edges.end() - 1)) {
-      const Vec3 centre(-2, 0, -radius);
-      const double sag = radius - ((edge.from + edge.to) / 2 - centre).norm();
-      off = std::max(off, std::abs((edge.middle - centre).norm() - radius) / sag);
+    for (std::size_t i = 1; i + 1 < edges.size(); ++i) {
+      const double sag = radius - ((edges[i].from + edges[i].to) / 2 - centre).norm();
+      off = std::max(off, std::abs((edges[i].middle - centre).norm() - radius) / sag);
     }
     EXPECT_LT(off, last / 1.8) << columns;
     last = off;
