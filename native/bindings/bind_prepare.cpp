@@ -58,7 +58,8 @@ BasePlace checked_place(const LimitSurface& surface, int face, const Vec2& uv) {
   if (face < 0 || face >= surface.ptex_faces()) {
     const std::string faces = std::to_string(surface.ptex_faces());
     throw InvalidInput("base_faces: " + std::to_string(face) + " is none of the " + faces +
-                       " faces of the limit surface (meshes of scheme 'none' have none)");
+                       " faces of the limit surface (meshes of scheme 'none' have none, and "
+                       "with cage=False vertices may have none)");
   }
   const double most = surface.is_triangle(face) ? uv.sum() : uv.maxCoeff();
   if (!uv.allFinite() || uv.minCoeff() < -slack || most > 1 + slack) {
@@ -84,7 +85,8 @@ py::tuple evaluate(const SurfaceHandle& handle, const py::object& base_faces,
       const auto p = surface.evaluate(checked_place(surface, faces[i], uv[i]));
       if (!p)
         throw InvalidInput("base_faces: face " + std::to_string(faces[i]) +
-                           " has more than 100 corners or edges at a corner");
+                           " has more than 100 corners or edges at a corner, or the surface leaves "
+                           "the limit there to keep to its mesh (not with cage=True)");
       const std::array<Vec3, 6> parts{p->position, p->du, p->dv, p->duu, p->duv, p->dvv};
       for (std::size_t k = 0; k < parts.size(); ++k) results[k].push_back(parts[k]);
     }

@@ -43,6 +43,26 @@ Vec3 agreed_normal(const Points& normals, Span<const int> corners) {
   return agree ? mean : Vec3(Vec3::Zero());
 }
 
+// Flat faces know what is level: where there are some, those alone count. And the larger faces know
+// more than narrow strips beside them, which a long edge would follow far.
+Vec3 sum_of_faces(const SoundMesh& mesh, const Faces& faces, const Points& weights,
+                  Span<const int> corners) {
+  constexpr double small = 0.25;  // of the largest
+  const auto is_level = [&](int c) {
+    return !mesh.face_planes.empty() && mesh.face_planes[idx(faces.corner_faces[idx(c)])] != none;
+  };
+  const bool has_level = std::any_of(corners.begin(), corners.end(), is_level);
+  double largest = 0;
+  for (const int c : corners) largest = std::max(largest, weights[idx(c)].norm());
+  Vec3 sum = Vec3::Zero();
+  for (const int c : corners) {
+    const double share = weights[idx(c)].norm() / largest;
+    if (share > 0 && (!has_level || is_level(c)))
+      sum += std::min(1., share / small) * weights[idx(c)];
+  }
+  return sum;
+}
+
 }  // namespace
 
 FanNormals fan_normals(const SoundMesh& mesh, const HalfEdges& edges,
@@ -51,9 +71,7 @@ FanNormals fan_normals(const SoundMesh& mesh, const HalfEdges& edges,
   FanNormals normals{Points(weights.size()), Points(weights.size())};
   for (std::size_t s = 0; s < sectors.corners.size(); ++s) {
     const Span<const int> corners = sectors.corners[s];
-    Vec3 sum = Vec3::Zero();
-    for (const int c : corners) sum += weights[idx(c)];
-    const Vec3 geometric = unit_or_zero(sum);
+    const Vec3 geometric = unit_or_zero(sum_of_faces(mesh, edges.faces, weights, corners));
     const Vec3 agreed = mesh.corner_normals.empty() ? Vec3(Vec3::Zero())
                                                     : agreed_normal(mesh.corner_normals, corners);
     for (const int c : corners) {

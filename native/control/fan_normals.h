@@ -7,7 +7,9 @@ namespace illustrate {
 
 struct FanNormals {
   // (c) unit or zero, the same at all corners of a sector.
-  Points geometric;  // of the faces round the vertex, weighted by area times angle
+  // Of the faces round the vertex, weighted by area times angle, below a quarter of the largest
+  // weight by its square; where flat faces (face_planes) are among them, of those alone.
+  Points geometric;
   // The mean of the shading normals, or the geometric one where they disagree: the fans that flat
   // faces below the crease angle leave.
   Points shading;

@@ -1,6 +1,7 @@
 #include "control/half_edges.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "mesh/edge_table.h"
 #include "mesh/polygons.h"
@@ -51,6 +52,16 @@ double reach_of_face(const HalfEdges& half_edges, const Points& positions, int h
   for (const int v : faces[faces.corner_faces[idx(half_edge)]])
     reach = std::max(reach, (positions[idx(v)] - start).cross(along).norm());
   return reach;
+}
+
+std::vector<double> shortest_edges(const HalfEdges& half_edges, const Points& positions) {
+  std::vector<double> shortest(positions.size(), std::numeric_limits<double>::max());
+  for (const int h : half_edges.first) {
+    const int a = half_edges.faces.corners[idx(h)], b = half_edges.faces.head(h);
+    const double length = (positions[idx(a)] - positions[idx(b)]).norm();
+    for (const int v : {a, b}) shortest[idx(v)] = std::min(shortest[idx(v)], length);
+  }
+  return shortest;
 }
 
 VertexSectors find_sectors(const HalfEdges& mesh, std::size_t vertex_count) {

@@ -26,6 +26,9 @@ struct HalfEdges {
 // How far the face of a half-edge reaches from the half-edge's line.
 double reach_of_face(const HalfEdges& half_edges, const Points& positions, int half_edge);
 
+// (n) length of the shortest edge at each vertex; the largest number where there is none.
+std::vector<double> shortest_edges(const HalfEdges& half_edges, const Points& positions);
+
 // The corners of each vertex between two sharp or open edges, in ascending order of their lowest
 // corners; counter-clockwise. The end of a single sharp edge has one sector all round.
 struct VertexSectors {

@@ -6,14 +6,13 @@
 #include "control/bent_points.h"
 #include "control/folds.h"
 #include "control/limit_masks.h"
+#include "control/slides.h"
 #include "control/smoothstep.h"
 #include "control/split_once.h"
 
 namespace illustrate {
 namespace {
 
-constexpr double invisible_px = 0.75;
-constexpr double visible_px = 2.25;
 constexpr double longest_step = 0.2;  // of the shortest edge at the point
 // Lengths outside of this are not squared without loss; such a mesh stays a cage.
 constexpr double least_extent = 1e-100, largest_extent = 1e100;
@@ -36,6 +35,17 @@ bool is_usable(const SoundMesh& mesh) {
   for (const Vec3& p : mesh.positions) extent = std::max(extent, p.cwiseAbs().maxCoeff());
   return diagonal(mesh) > least_extent && extent < largest_extent;
 }
+
+bool is_none(const std::vector<double>& weights) {
+  return std::all_of(weights.begin(), weights.end(), [](double w) { return w == 0; });
+}
+
+// What a mesh is given.
+struct Shape {
+  Points points;               // of the split mesh
+  LimitPlaces limits;          // of the points that it has by itself
+  std::vector<double> slides;  // (n) control/slides.h
+};
 
 class Keeper {
  public:
@@ -66,45 +76,47 @@ class Keeper {
     return weights;
   }
 
-  // Of the split mesh, with the weights of the faces.
-  Points points(const std::vector<double>& weights) const {
-    if (std::all_of(weights.begin(), weights.end(), [](double w) { return w == 0; })) return cage_;
-    const Points targets =
-        bent_points(mesh_, edges_, find_sectors(edges_, mesh_.positions.size()), scheme_);
-    Points kept = stepped(targets);
-    const std::vector<double> shares = vertex_weights(weights);
-    for (std::size_t v = 0; v < kept.size(); ++v) {
-      const Vec3 point = cage_[v] + shares[v] * (kept[v] - cage_[v]);
-      kept[v] = point.allFinite() ? point : cage_[v];
-    }
-    return kept;
+  // weights: of the faces. own: those that the mesh has by itself.
+  Shape shape(const std::vector<double>& weights, const std::vector<double>& own) {
+    const Points kept = is_none(weights) && is_none(own) ? cage_ : stepped(bent());
+    LimitPlaces limits =
+        limit_places(child_, child_edges_, child_sectors_, faded(kept, own), scheme_);
+    std::vector<double> off = slides(mesh_, edges_, limits, diagonal(mesh_));
+    return {faded(kept, weights), std::move(limits), std::move(off)};
   }
 
-  // (n) how far the limit is from the mesh's vertices with the patches' own weights, in pixels:
-  // along the normal, or across the crease. Within the surface vertices slide to longer edges. As
+  // (n) how far the surface misses the mesh's vertices, in pixels: its limit along the normal, or
+  // across the crease; within the surface vertices slide to longer edges. Where it leaves the limit
+  // for arcs it goes through the vertices, and is off by what the arcs bulge, if that is less. As
   // far as the faces have weight: what is off where most of a patch is not is noise.
-  std::vector<double> distances(const std::vector<double>& weights) const {
-    if (std::all_of(weights.begin(), weights.end(), [](double w) { return w == 0; }))
-      return std::vector<double>(mesh_.positions.size(), 0);
-    const Points whole = points(this->weights());
-    const LimitPlaces limits = limit_places(child_, child_edges_, child_sectors_, whole, scheme_);
-    const std::vector<double> shares = vertex_weights(weights);
+  std::vector<double> distances(const Shape& shape, const std::vector<double>& weights) {
+    const std::vector<double> shares = vertex_weights(weights), bulges = bulges_of_arcs(shape);
     const double px = diagonal_px / diagonal(mesh_);
     std::vector<double> distances;
     for (std::size_t v = 0; v < mesh_.positions.size(); ++v) {
-      const Vec3 off = limits.positions[v] - mesh_.positions[v];
-      const double along = off.dot(limits.directions[v]);
-      const bool smooth = limits.rules[v] == LimitPlaces::Rule::smooth;
-      distances.push_back(shares[v] * px *
-                          (smooth ? std::abs(along) : (off - along * limits.directions[v]).norm()));
+      const Vec3& direction = shape.limits.directions[v];
+      const Vec3 off = shape.limits.positions[v] - mesh_.positions[v];
+      const double along = off.dot(direction);
+      const bool smooth = shape.limits.rules[v] == LimitPlaces::Rule::smooth;
+      const double missed = smooth ? std::abs(along) : (off - along * direction).norm();
+      const double bulged = std::min(missed, bulges[v]);
+      distances.push_back(shares[v] * px * (missed + shape.slides[v] * (bulged - missed)));
     }
     return distances;
   }
 
-  SoundMesh take(Points points) {
-    child_.positions = std::move(points);
+  // bent_points.
+  const Points& bent() {
+    if (bent_.empty())
+      bent_ = bent_points(mesh_, edges_, find_sectors(edges_, mesh_.positions.size()), scheme_);
+    return bent_;
+  }
+
+  KeptMesh take(Shape shape, Points bent) {
+    child_.positions = std::move(shape.points);
     join_twins();
-    return std::move(child_);
+    return {std::move(child_),
+            arc_faces(edges_, std::move(bent), std::move(shape.slides), scheme_)};
   }
 
  private:
@@ -121,16 +133,6 @@ class Keeper {
       vertices.add(list);
     }
     return vertices;
-  }
-
-  std::vector<double> shortest_edges(const Points& points) const {
-    std::vector<double> shortest(points.size(), largest_extent);
-    for (const int h : child_edges_.first) {
-      const int a = child_edges_.faces.corners[idx(h)], b = child_edges_.faces.head(h);
-      const double length = (points[idx(a)] - points[idx(b)]).norm();
-      for (const int v : {a, b}) shortest[idx(v)] = std::min(shortest[idx(v)], length);
-    }
-    return shortest;
   }
 
   // How far smooth vertices step along their normals: as far as their limit is off, or as those of
@@ -158,9 +160,31 @@ class Keeper {
     return own;
   }
 
+  // (n) the largest sag of the edges at each vertex; 0 where nothing slides.
+  std::vector<double> bulges_of_arcs(const Shape& shape) {
+    std::vector<double> bulges(mesh_.positions.size(), 0);
+    for (int e = 0; e < edges_.edge_count() && !is_none(shape.slides); ++e) {
+      const int h = edges_.first[idx(e)];
+      const std::size_t a = idx(edges_.faces.corners[idx(h)]), b = idx(edges_.faces.head(h));
+      const Vec3 middle = (mesh_.positions[a] + mesh_.positions[b]) / 2;
+      const double sag = (bent()[mesh_.positions.size() + idx(e)] - middle).norm();
+      for (const std::size_t v : {a, b}) bulges[v] = std::max(bulges[v], sag);
+    }
+    return bulges;
+  }
+
+  Points faded(Points kept, const std::vector<double>& weights) const {
+    const std::vector<double> shares = vertex_weights(weights);
+    for (std::size_t v = 0; v < kept.size(); ++v) {
+      const Vec3 point = cage_[v] + shares[v] * (kept[v] - cage_[v]);
+      kept[v] = point.allFinite() ? point : cage_[v];
+    }
+    return kept;
+  }
+
   Points stepped(const Points& targets) const {
     const LimitPlaces limits = limit_places(child_, child_edges_, child_sectors_, targets, scheme_);
-    const std::vector<double> shortest = shortest_edges(targets);
+    const std::vector<double> shortest = shortest_edges(child_edges_, targets);
     const std::vector<double> steps = calm_steps(targets, limits);
     Points points = targets;
     for (std::size_t v = 0; v < points.size(); ++v) {
@@ -204,7 +228,7 @@ class Keeper {
   SoundMesh child_;
   HalfEdges child_edges_;
   VertexSectors child_sectors_;
-  Points cage_;
+  Points cage_, bent_;
 };
 
 // (n) of the vertices of a split mesh: the largest of the corners that each lies between.
@@ -224,36 +248,41 @@ std::vector<double> shares_of_children(const SoundMesh& mesh, const std::vector<
 }
 
 struct Kept {
-  std::optional<SoundMesh> mesh;  // none: its own cage
+  std::optional<KeptMesh> mesh;   // none: its own cage
   std::vector<double> distances;  // Keeper's
 };
 
 using Weights = std::optional<std::vector<double>>;
 
-Kept keep_smooth(const SoundMesh& mesh, Scheme scheme, const Weights& weights) {
+Kept keep_smooth(const SoundMesh& mesh, Scheme scheme, const Weights& given) {
   Keeper keeper(mesh, scheme);
-  const std::vector<double> own = weights ? *weights : keeper.weights();
-  Points points = keeper.points(own);
-  Kept kept{{}, keeper.distances(own)};
-  const bool is_cage = std::all_of(own.begin(), own.end(), [](double w) { return w == 0; });
-  if (!is_cage) kept.mesh = keeper.take(std::move(points));
+  const std::vector<double> own = keeper.weights(), &weights = given ? *given : own;
+  Shape shape = keeper.shape(weights, own);
+  Kept kept{{}, keeper.distances(shape, weights)};
+  if (!is_none(weights) || !is_none(shape.slides))
+    kept.mesh = keeper.take(std::move(shape), keeper.bent());
   return kept;
 }
 
-// Beside folds the points of the mesh that has them as creases.
-Kept keep_folded(const FoldedMesh& folded, Scheme scheme, const Weights& weights) {
+template <class T>
+void mix(std::vector<T>& values, const std::vector<T>& others, const std::vector<double>& shares) {
+  for (std::size_t v = 0; v < values.size(); ++v) values[v] += shares[v] * (others[v] - values[v]);
+}
+
+// Beside folds the shape of the mesh that has them as creases.
+Kept keep_folded(const FoldedMesh& folded, Scheme scheme, const Weights& given) {
   Keeper soft(folded.soft, scheme), hard(folded.hard, scheme);
-  const std::vector<double> soft_weights = weights ? *weights : soft.weights();
-  const std::vector<double> hard_weights = weights ? *weights : hard.weights();
-  Points points = soft.points(soft_weights);
-  const Points beside = hard.points(hard_weights);
-  Kept kept{{}, soft.distances(soft_weights)};
-  const std::vector<double> distances = hard.distances(soft_weights);
-  const std::vector<double> shares = shares_of_children(folded.soft, folded.shares, points.size());
-  for (std::size_t v = 0; v < points.size(); ++v) points[v] += shares[v] * (beside[v] - points[v]);
-  for (std::size_t v = 0; v < distances.size(); ++v)
-    kept.distances[v] += shares[v] * (distances[v] - kept.distances[v]);
-  kept.mesh = soft.take(std::move(points));
+  const std::vector<double> own = soft.weights(), &weights = given ? *given : own;
+  Shape shape = soft.shape(weights, own);
+  const Shape beside = hard.shape(given ? *given : hard.weights(), hard.weights());
+  Points bent = soft.bent();
+  const std::vector<double> shares = shares_of_children(folded.soft, folded.shares, bent.size());
+  mix(shape.points, beside.points, shares);
+  mix(bent, hard.bent(), shares);
+  mix(shape.slides, beside.slides, folded.shares);
+  Kept kept{{}, soft.distances(shape, weights)};
+  mix(kept.distances, hard.distances(beside, weights), folded.shares);
+  kept.mesh = soft.take(std::move(shape), std::move(bent));
   return kept;
 }
 
@@ -269,9 +298,9 @@ std::vector<double> kept_weights(const SoundMesh& mesh, Scheme scheme) {
   return Keeper(mesh, scheme).weights();
 }
 
-std::optional<SoundMesh> keep_to_mesh(const SoundMesh& mesh, Scheme scheme,
-                                      const std::optional<std::vector<double>>& weights,
-                                      const Progress& progress) {
+std::optional<KeptMesh> keep_to_mesh(const SoundMesh& mesh, Scheme scheme,
+                                     const std::optional<std::vector<double>>& weights,
+                                     const Progress& progress) {
   if (!is_usable(mesh)) return {};
   progress.report(0);
   const std::optional<FoldedMesh> folded = fold(mesh);

@@ -15,6 +15,9 @@
 //    level, whose limit is the cage's. The weight is smoothstep(.75, 2.25) of the median distance
 //    from a vertex to its limit, in pixels of a drawing in which the object's diagonal has 1400:
 //    lines a pixel wide do not show less than .75, and clearly show 2.25.
+// 4. Beside flat faces whose edges are far longer than those of their roundings the limit slides
+//    within itself, farther than the roundings are wide (control/slides.h). There the surface is
+//    not the limit, but made of the arcs (control/arc_faces.h).
 //
 // What was tried and failed, on trucks, rifles, spiders and scans:
 // - c <- c + (p - limit c) until the limit goes through all vertices: it converges to a wrong
@@ -22,10 +25,13 @@
 //   edges: roofs explode, legs grow hooks; with fairness too, and with motion along normals only.
 // - PN midpoints from shading normals alone: roofs become pillows.
 // - The fade by a weight of each vertex: it ripples more than no fade at all.
+// - Against slides: semi-sharp creases round flat faces, and between unlike faces: the roundings
+//   themselves fold. Arcs as the control mesh of a finer level: its edges are as unlike.
 #pragma once
 
 #include <optional>
 
+#include "control/arc_faces.h"
 #include "core/progress.h"
 #include "mesh/sanitize.h"
 
@@ -37,12 +43,17 @@ namespace illustrate {
 // scheme: catmull_clark, or loop for triangles.
 std::vector<double> kept_weights(const SoundMesh& mesh, Scheme scheme);
 
-// `mesh` split once, a cage. None where all weights are 0 and nothing folds: the mesh is its own
+struct KeptMesh {
+  SoundMesh mesh;  // split once, a cage
+  ArcFaces arcs;   // of its faces
+};
+
+// None where all weights are 0 and nothing folds: the mesh is its own
 // cage. Weights not given are kept_weights'. Twins of a double cover stay at the same place, to the
 // bit.
 // Throws Cancelled through `progress`.
-std::optional<SoundMesh> keep_to_mesh(const SoundMesh& mesh, Scheme scheme,
-                                      const std::optional<std::vector<double>>& weights = {},
-                                      const Progress& progress = {});
+std::optional<KeptMesh> keep_to_mesh(const SoundMesh& mesh, Scheme scheme,
+                                     const std::optional<std::vector<double>>& weights = {},
+                                     const Progress& progress = {});
 
 }  // namespace illustrate

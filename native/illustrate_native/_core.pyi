@@ -591,7 +591,11 @@ class Surface:
         """(n,) mesh of each vertex."""
     @property
     def base_faces(self) -> _Indices:
-        """(n,) ptex face of the base meshes, one mesh after another; -1 for scheme 'none'."""
+        """(n,) ptex face of the base meshes, one mesh after another.
+
+        -1 for scheme 'none', and where the surface leaves the limit to keep to a mesh that is no
+        cage.
+        """
     @property
     def base_uv(self) -> _Doubles:
         """(n, 2) where on that face."""
@@ -614,8 +618,9 @@ class Surface:
         duu, duv and dvv, each (m, 3). Within 1/64 of an extraordinary vertex the second derivatives
         have no meaning: there the surface has none. What a face needs is made once and kept.
 
-        Raises InvalidInput for a face that does not exist (scheme 'none' has none), for one of more
-        than 100 corners or with more than 100 edges at a corner, and for coordinates outside of it.
+        Raises InvalidInput for a face that does not exist (scheme 'none' has none), where the
+        surface leaves the limit to keep to a mesh that is no cage, for a face of more than 100
+        corners or with more than 100 edges at a corner, and for coordinates outside of it.
         """
     @property
     def k1(self) -> _Doubles:

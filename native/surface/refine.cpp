@@ -10,6 +10,7 @@
 #include "surface/edges.h"
 #include "surface/jets/curvature.h"
 #include "surface/jets/jet.h"
+#include "surface/limit/lay_on_arcs.h"
 #include "surface/planes/flat_faces.h"
 #include "surface/planes/plane_faces.h"
 #include "surface/subdivision/assemble.h"
@@ -35,9 +36,10 @@ class Refiner {
       : surface_(surface), needs_jet_(needs_jet), options_(options) {}
 
   // Returns the level that was made.
-  int add(SoundMesh mesh, Scheme scheme, int level, const Progress& progress) {
-    ControlMesh control{std::move(mesh), scheme, level, 0};
-    if (scheme == Scheme::polygons || !add_subdivided(control, progress)) {
+  int add(SoundMesh mesh, const ArcFaces& arcs, Scheme scheme, int level,
+          const Progress& progress) {
+    ControlMesh control{std::move(mesh), scheme, level, 0, {}};
+    if (scheme == Scheme::polygons || !add_subdivided(control, arcs, progress)) {
       add_polygons(control.mesh, progress);
       control.scheme = Scheme::polygons;
       control.level = 0;
@@ -57,11 +59,11 @@ class Refiner {
     SectorLimits limits = polygonal_limits(mesh, sectors, options_.threads);
     progress.report(.6);
     surface_.object_is_smooth.push_back(0);
-    assemble({base, mesh, sectors.corner_sectors, std::move(limits), {}, next_object_++, 0},
+    assemble({base, mesh, sectors.corner_sectors, std::move(limits), {}, {}, next_object_++, 0},
              options_.threads, surface_, needs_jet_);
   }
 
-  bool add_subdivided(ControlMesh& control, const Progress& progress) {
+  bool add_subdivided(ControlMesh& control, const ArcFaces& arcs, const Progress& progress) {
     const SoundMesh& base = control.mesh;
     const Scheme scheme = control.scheme;
     const int level = control.level;
@@ -76,7 +78,7 @@ class Refiner {
     if (!subdivision.is_valid()) return false;
     const RefinedMesh& mesh = subdivision.level(limit_level);
     progress.report(.55);
-    Sectors sectors = smooth_sectors(mesh);
+    const Sectors sectors = smooth_sectors(mesh);
     progress.report(.6);
     SectorLimits vertices =
         limits(subdivision, mesh, sectors, limit_level, options_.threads, progress.part(.6, .8));
@@ -85,16 +87,17 @@ class Refiner {
     const int object = next_object_++, ptex = next_ptex_face_;
     control.ptex_faces = subdivision.ptex_faces();
     const RefinedMesh& drawn = subdivision.level(level);
-    const std::vector<int> corner_sectors = limit_level == level
-                                                ? std::move(sectors.corner_sectors)
-                                                : sectors_of_parents(drawn, sectors);
+    const std::vector<int> corner_sectors =
+        limit_level == level ? sectors.corner_sectors : sectors_of_parents(drawn, sectors);
     std::vector<std::uint8_t> unfolded;
     if (level > 0) {
       unfolded = unfold_flat_faces(subdivision.level(0), drawn, corner_sectors, options_.threads,
                                    vertices);
       turn_folded_normals(subdivision.level(0), drawn, corner_sectors, vertices.normals);
     }
-    assemble({base, drawn, corner_sectors, std::move(vertices), unfolded, object, ptex},
+    control.off_limit = lay_on_arcs(base, arcs, mesh, sectors, options_.threads, vertices);
+    assemble({base, drawn, corner_sectors, std::move(vertices), unfolded, control.off_limit, object,
+              ptex},
              options_.threads, surface_, needs_jet_);
     return true;
   }
@@ -109,11 +112,13 @@ class Refiner {
 // Puts the control mesh that keeps to it in the place of a mesh that is no cage. That one is split
 // once: the level is one less, so that there are as many triangles. What is drawn at level 0 by
 // choice of the edge's length has edges so short that the cage's limit is as good.
-bool keep_if_no_cage(SoundMesh& mesh, Scheme scheme, int& level, const Progress& progress) {
+bool keep_if_no_cage(SoundMesh& mesh, ArcFaces& arcs, Scheme scheme, int& level,
+                     const Progress& progress) {
   if (mesh.cage || scheme == Scheme::polygons || level == 0) return false;
-  std::optional<SoundMesh> kept = keep_to_mesh(mesh, scheme, {}, progress);
+  std::optional<KeptMesh> kept = keep_to_mesh(mesh, scheme, {}, progress);
   if (!kept) return false;
-  mesh = std::move(*kept);
+  mesh = std::move(kept->mesh);
+  arcs = std::move(kept->arcs);
   --level;
   return true;
 }
@@ -149,9 +154,10 @@ Surface refine(std::vector<SoundMesh> meshes, const SurfaceOptions& options, Cou
     const std::vector<PlaneFace> planes = find_plane_faces(
         meshes[i], static_cast<int>(i), static_cast<int>(surface.planes.size()), options.threads);
     surface.planes.insert(surface.planes.end(), planes.begin(), planes.end());
-    const bool is_split = keep_if_no_cage(meshes[i], schemes[i], levels[i], part.part(0, .2));
+    ArcFaces arcs;
+    const bool is_split = keep_if_no_cage(meshes[i], arcs, schemes[i], levels[i], part.part(0, .2));
     report["level_" + std::to_string(i)] =
-        refiner.add(std::move(meshes[i]), schemes[i], levels[i], part.part(.2, 1)) + is_split;
+        refiner.add(std::move(meshes[i]), arcs, schemes[i], levels[i], part.part(.2, 1)) + is_split;
     report["not_subdivided"] +=
         schemes[i] != Scheme::polygons && !surface.object_is_smooth.back() ? 1 : 0;
   }

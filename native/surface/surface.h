@@ -57,6 +57,8 @@ struct ControlMesh {
   Scheme scheme = Scheme::polygons;
   int level = 0;
   int ptex_faces = 0;
+  // (ptex faces) 1: the surface is not the limit there (surface/limit/lay_on_arcs.h); empty: it is.
+  std::vector<std::uint8_t> off_limit;
 };
 
 // The control mesh of one object: several may share one, each at a place of its own.

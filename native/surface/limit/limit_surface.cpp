@@ -55,7 +55,10 @@ std::optional<LimitPoint> LimitSurface::evaluate(const BasePlace& place) const {
   const Object* object = object_of(place.ptex_face);
   if (!object) return {};
   const PlacedControl& control = object->control;
-  const auto p = object->patches->evaluate({place.ptex_face - control.first_ptex_face, place.uv});
+  const int face = place.ptex_face - control.first_ptex_face;
+  const std::vector<std::uint8_t>& off = control.mesh->off_limit;
+  if (!off.empty() && off[idx(face)]) return {};
+  const auto p = object->patches->evaluate({face, place.uv});
   if (!p || control.placement == Similarity()) return p;
   return moved(*p, control.placement);
 }

@@ -17,8 +17,8 @@ class LimitSurface {
 
   // `place` counts the ptex faces of all objects, one after another. Outside of the face (the
   // square or, in meshes of Loop's scheme, the triangle u, v, 1 - u - v >= 0) the surface is
-  // continued by its Taylor polynomial of the second degree. Nothing where there is no such face.
-  // Safe between threads.
+  // continued by its Taylor polynomial of the second degree. Nothing where there is no such face,
+  // nor where the surface is not the limit (ControlMesh::off_limit). Safe between threads.
   std::optional<LimitPoint> evaluate(const BasePlace& place) const;
 
   // Whether the ptex face is a triangle. Throws nothing: false where there is no such face.

@@ -240,7 +240,9 @@ class Assembler {
 
   void set_base_place(std::size_t vertex, int corner) {
     const BasePlace base = base_place(mesh_, corner);
-    if (base.ptex_face != none) {
+    const std::vector<std::uint8_t>& off = object_.off_limit;
+    const bool is_off = !off.empty() && off[idx(mesh_.base_faces[idx(mesh_.face(corner))])];
+    if (base.ptex_face != none && !is_off) {
       surface_.base_faces[vertex] = base.ptex_face + object_.first_ptex_face;
     }
     surface_.base_uv[vertex] = base.uv;

@@ -12,6 +12,9 @@ struct RefinedObject {
   SectorLimits limits;
   // (faces of `base`) 1: triangles of the face are on no patch; empty: none are.
   std::vector<std::uint8_t> without_patch;
+  // (faces of `base`) 1: the surface is not the limit there, its vertices have no place on it;
+  // empty: it is everywhere.
+  std::vector<std::uint8_t> off_limit;
   int object = 0;
   int first_ptex_face = 0;
 };

@@ -39,7 +39,9 @@ inline void vertices(const Surface& s) {
     ASSERT_TRUE((s.positions[place].array() == s.positions[v].array()).all()) << v;
     ASSERT_EQ(s.objects[place], s.objects[v]);
     const bool smooth = s.object_is_smooth[index(s.objects[v])];
-    ASSERT_EQ(s.base_faces[v] != none, smooth) << v;
+    const auto& off_limit = s.controls[index(s.objects[v])].mesh->off_limit;
+    const bool is_off = s.base_faces[v] == none && !off_limit.empty();
+    ASSERT_EQ(s.base_faces[v] != none || is_off, smooth) << v;
     ASSERT_TRUE((s.base_uv[v].array() >= 0).all() && (s.base_uv[v].array() <= 1).all()) << v;
   }
 }

@@ -120,7 +120,7 @@ Range sphere_radii(const PolygonMesh& mesh) {
   const Scheme scheme = choose_scheme(parent, Scheme::automatic);
   const auto kept = keep_to_mesh(parent, scheme, std::vector<double>(parent.face_sizes.size(), 1));
   Range radii;
-  for (const Vec3& p : refined(*kept, scheme, 2)) radii.add(p.norm());
+  for (const Vec3& p : refined(kept->mesh, scheme, 2)) radii.add(p.norm());
   return radii;
 }
 
@@ -170,9 +170,9 @@ TEST(Control, CylindersKeepTheirRadius) {
       const SoundMesh parent = sound(cylinder(n, rings));
       const auto kept = keep_to_mesh(parent, Scheme::catmull_clark);
       ASSERT_TRUE(kept);
-      check_sound(*kept);
+      check_sound(kept->mesh);
       Range radii;
-      for (const Vec3& p : refined(*kept, Scheme::catmull_clark, 3)) {
+      for (const Vec3& p : refined(kept->mesh, Scheme::catmull_clark, 3)) {
         EXPECT_LT(std::abs(p.z()), 1 + 1e-12);
         if (std::abs(p.z()) < 0.999) radii.add(p.head<2>().norm());
       }
@@ -225,7 +225,7 @@ TEST(Control, WeightsMayComeFromARestPose) {
   const Points cage = cage_points(parent, HalfEdges(parent), Scheme::loop);
   ASSERT_TRUE(whole && faded);
   for (std::size_t v = 0; v < cage.size(); ++v)
-    EXPECT_LT((faded->positions[v] - (cage[v] + whole->positions[v]) / 2).norm(), 1e-14);
+    EXPECT_LT((faded->mesh.positions[v] - (cage[v] + whole->mesh.positions[v]) / 2).norm(), 1e-14);
 }
 
 TEST(Control, SheetsOfADoubleCoverStayTogether) {
@@ -234,9 +234,9 @@ TEST(Control, SheetsOfADoubleCoverStayTogether) {
     const SoundMesh parent = sound(mesh);
     const auto kept = keep_to_mesh(parent, choose_scheme(parent, Scheme::automatic));
     ASSERT_TRUE(kept);
-    check_sound(*kept);
-    for (std::size_t v = 0; v < kept->positions.size(); ++v)
-      EXPECT_EQ(kept->positions[v], kept->positions[kept->twin_vertices[v]]);
+    check_sound(kept->mesh);
+    for (std::size_t v = 0; v < kept->mesh.positions.size(); ++v)
+      EXPECT_EQ(kept->mesh.positions[v], kept->mesh.positions[kept->mesh.twin_vertices[v]]);
   }
 }
 
@@ -249,10 +249,10 @@ TEST(Control, MarksMaterialsAndHolesAreKept) {
   const SoundMesh parent = sound(mesh);
   const auto kept = keep_to_mesh(parent, Scheme::catmull_clark);
   ASSERT_TRUE(kept);
-  EXPECT_EQ(kept->marked_edges.size(), 2U);
-  for (std::size_t f = 0; f < kept->face_sizes.size(); ++f) {
-    EXPECT_EQ(kept->holes[f], kept->source_faces[f] == 5);
-    EXPECT_EQ(kept->face_materials[f], kept->source_faces[f] == 5 ? 4 : 3);
+  EXPECT_EQ(kept->mesh.marked_edges.size(), 2U);
+  for (std::size_t f = 0; f < kept->mesh.face_sizes.size(); ++f) {
+    EXPECT_EQ(kept->mesh.holes[f], kept->mesh.source_faces[f] == 5);
+    EXPECT_EQ(kept->mesh.face_materials[f], kept->mesh.source_faces[f] == 5 ? 4 : 3);
   }
 }
 

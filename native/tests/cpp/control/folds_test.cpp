@@ -270,9 +270,9 @@ TEST(Folds, OfADoubleCoverAreAlike) {
   const SoundMesh mesh = mended(strip);
   const auto kept = keep_to_mesh(mesh, Scheme::catmull_clark);
   ASSERT_TRUE(kept);
-  check_sound(*kept);
-  for (std::size_t v = 0; v < kept->positions.size(); ++v)
-    EXPECT_EQ(kept->positions[v], kept->positions[idx(kept->twin_vertices[v])]);
+  check_sound(kept->mesh);
+  for (std::size_t v = 0; v < kept->mesh.positions.size(); ++v)
+    EXPECT_EQ(kept->mesh.positions[v], kept->mesh.positions[idx(kept->mesh.twin_vertices[v])]);
 }
 
 }  // namespace

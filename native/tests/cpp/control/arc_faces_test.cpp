@@ -1,0 +1,60 @@
+// Patches on the arcs of edges.
+#include "control/arc_faces.h"
+
+#include <gtest/gtest.h>
+
+#include "control/bent_points.h"
+#include "control/split_once.h"
+#include "mesh/sanitize.h"
+#include "tests/cpp/shapes.h"
+
+namespace illustrate {
+namespace {
+
+Vec3 lifted(double x, double y) { return {x, y, 1 + x - 2 * y + 3 * x * x - x * y + 2 * y * y}; }
+
+PolygonMesh quadric(bool triangles) {
+  PolygonMesh mesh;
+  mesh.positions = {lifted(0, 0), lifted(2, 0), lifted(2, 1), lifted(0, 1)};
+  if (triangles) {
+    shapes::add_face(mesh, {0, 1, 2});
+    shapes::add_face(mesh, {0, 2, 3});
+  } else {
+    shapes::add_face(mesh, {0, 1, 2, 3});
+  }
+  return mesh;
+}
+
+TEST(ArcFaces, AreExactOnQuadrics) {
+  for (const Scheme scheme : {Scheme::loop, Scheme::catmull_clark}) {
+    Counts report;
+    const SoundMesh mesh = sanitize(quadric(scheme == Scheme::loop), report);
+    const HalfEdges edges(mesh);
+    const SoundMesh child = split_once(mesh, edges, scheme);
+    Points points = bent_points(mesh, edges, find_sectors(edges, mesh.positions.size()), scheme);
+    const auto in_plane = [](const Vec3& p) { return lifted(p.x(), p.y()); };
+    for (const Edge& e : {Edge{0, 1}, Edge{1, 2}, Edge{2, 0}, Edge{2, 3}, Edge{3, 0}}) {
+      const Vec3 middle = (mesh.positions[idx(e[0])] + mesh.positions[idx(e[1])]) / 2;
+      for (std::size_t h = 0; h < edges.first.size(); ++h) {
+        const int a = edges.faces.corners[idx(edges.first[h])],
+                  b = edges.faces.head(edges.first[h]);
+        if ((Edge{a, b} == e) || (Edge{b, a} == e))
+          points[mesh.positions.size() + h] = in_plane(middle);
+      }
+    }
+    if (scheme == Scheme::catmull_clark) points.back() = lifted(1, .5);
+    const ArcFaces arcs = arc_faces(edges, points, std::vector<double>(4, .25), scheme);
+    const std::size_t size = scheme == Scheme::loop ? 3 : 4;
+    for (std::size_t f = 0; f < child.face_sizes.size(); ++f) {
+      const Span<const int> vertices{child.corner_vertices.data() + size * f, size};
+      for (const Vec2& uv : {Vec2(0, 0), Vec2(.5, 0), Vec2(.25, .25), Vec2(.125, .625)}) {
+        const ArcPoint p = evaluate(arcs, vertices, static_cast<int>(size * f), uv);
+        EXPECT_NEAR(p.position.z(), in_plane(p.position).z(), 1e-13);
+        EXPECT_NEAR(p.weight, .25, 1e-15);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace illustrate
