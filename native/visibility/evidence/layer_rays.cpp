@@ -12,12 +12,21 @@ namespace {
 
 constexpr double blind_edges = 3;  // so may those be that are nearer than so many edges of the
                                    // curve's triangle, for silhouettes
-constexpr double blind_diagonals = 0.01;  // and never more than this share of everything's diagonal
+constexpr double blind_diagonals =
+    0.01;                              // and never more than this share of everything's diagonal,
+constexpr double blind_object = 0.05;  // nor this of the object's: a ground may be huge
 // Of the distance within which hits may be the curve's own surface: those nearer than this share
 // are it, before or behind the curve as rounding has it.
 constexpr double rounding = 1e-6;
 
 }  // namespace
+
+LayerRays::LayerRays(const Surface& surface, const Bvh& bvh, const Camera& camera,
+                     const Points& insets)
+    : surface_(surface), bvh_(bvh), camera_(camera), insets_(insets) {
+  for (const Eigen::AlignedBox3d& box : object_boxes(surface))
+    object_diagonals_.push_back(box.isEmpty() ? 0 : box.diagonal().norm());
+}
 
 // Image x runs along the view's first row, image y against its second.
 Vec3 LayerRays::beside(const Vec3& p, const Vec2& along_px, double aside_px) const {
@@ -32,7 +41,9 @@ double LayerRays::blind_distance(const Strand& strand, int triangle, const Vec3&
   const double pixels = reaches.blind * camera_.pixel_size(p);
   if (strand.kind != Kind::silhouette) return pixels;
   const double edges = blind_edges * longest_edge(surface_, triangle);
-  return std::max(pixels, std::min(edges, blind_diagonals * surface_.diagonal));
+  const double object = object_diagonals_[idx(surface_.triangle_objects[idx(triangle)])];
+  const double most = std::min(blind_diagonals * surface_.diagonal, blind_object * object);
+  return std::max(pixels, std::min(edges, most));
 }
 
 // Of a triangle in whose plane the curve lies, up to rounding. Open where the line of sight would

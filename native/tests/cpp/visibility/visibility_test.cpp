@@ -193,6 +193,25 @@ TEST(Labels, OfANestedSphereComeFromARay) {
   EXPECT_EQ(most_hidden(graph), 2);
 }
 
+// Square, across the line of sight along y.
+Surface sheet(double half, double y) {
+  PolygonMesh mesh = shapes::plane(4, 4);
+  for (Vec3& p : mesh.positions) p = Vec3(half * p.x(), y, half * p.y());
+  return shapes::plain_surface(mesh);
+}
+
+// A ball near behind a sheet, with few triangles: how near to its own surface a ray sees nothing is
+// a matter of the ball, and not of a huge wall far behind.
+TEST(Labels, OfABallBehindASheetDoNotDependOnAHugeWall) {
+  Surface pair = shapes::joined(shapes::sphere_surface(.4, 1), sheet(1, -.45));
+  for (const bool with_wall : {false, true}) {
+    if (with_wall) pair = shapes::joined(pair, sheet(1000, 1000));
+    Counts counts;
+    const LabelledGraph graph = graph_of(pair, cameras::orthographic(Vec3(0, -1, 0), 3), counts);
+    EXPECT_EQ(most_hidden(graph), 1) << with_wall;
+  }
+}
+
 // A bead behind a ball, its outline a pixel inside that of the ball: a ray two pixels beside the
 // bead's outline passes by the ball too and knows nothing of it.
 TEST(Labels, NearAnotherOutlineAreNotThoseBeyondIt) {
