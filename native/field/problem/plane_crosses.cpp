@@ -13,6 +13,7 @@ namespace {
 
 // Of four times the angle between a rim and the cross, about 5 degrees.
 constexpr double least_rim_cosine = 0.94;
+constexpr double narrow_strip = 4;  // so many times smaller are its triangles
 
 // What decides between faces: how much rim asks for the direction.
 double strength(const PlaneFace& plane) { return plane.agreement * plane.rim_length; }
@@ -65,21 +66,27 @@ std::vector<Vec3> directions_of(const std::vector<PlaneFace>& planes, bool acros
 // Of the triangles at a vertex: the lowest and the highest face, or none.
 struct PlanesAround {
   int least = std::numeric_limits<int>::max(), most = none;
+  double largest_inside = 0, largest_beyond = 0;  // triangles by their areas
 
-  void add(int plane) {
+  void add(int plane, double area) {
     least = std::min(least, plane);
     most = std::max(most, plane);
+    double& largest = plane == none ? largest_beyond : largest_inside;
+    largest = std::max(largest, area);
   }
   bool is_inside() const { return least == most; }
   bool is_on_smooth_rim() const { return least == none && most != none; }
+  // Crosses turn within one row of triangles: where it goes on in a narrow strip, within that.
+  bool is_beside_strip() const { return narrow_strip * largest_beyond < largest_inside; }
 };
 
 std::vector<PlanesAround> planes_around_vertices(const Surface& surface) {
   std::vector<PlanesAround> around(surface.positions.size());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    for (const int vertex : surface.triangles[t]) {
-      around[idx(vertex)].add(surface.triangle_planes[t]);
-    }
+    const auto& [a, b, c] = surface.triangles[t];
+    const Points& p = surface.positions;
+    const double area = (p[idx(b)] - p[idx(a)]).cross(p[idx(c)] - p[idx(a)]).norm();
+    for (const int vertex : {a, b, c}) around[idx(vertex)].add(surface.triangle_planes[t], area);
   }
   return around;
 }
@@ -129,7 +136,7 @@ PlaneCrosses plane_crosses(const Surface& surface, const TangentFrames& frames,
     const bool is_default = direction.isZero();
     const CrossNumber z =
         is_default ? default_crosses[i] : fourth_power(direction_in_frame(frames, i, direction));
-    if (!around[i].is_inside() && !agrees(rims[i], z)) continue;
+    if (!around[i].is_inside() && !around[i].is_beside_strip() && !agrees(rims[i], z)) continue;
     result.planes[i] = plane;
     result.z[i] = z;
   }

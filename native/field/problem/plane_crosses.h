@@ -17,7 +17,8 @@ struct PlaneCrosses {
 // the face has whose rim asks over the greatest length the one that lies most in its own plane;
 // else the default; one that goes on smoothly is not held, since it is the form round it that
 // tells. Vertices inside are held, and those of the rim except where it goes on smoothly in another
-// direction. default_crosses: (n). `across_objects`: objects stand in one space.
+// direction, and not in a strip of triangles less than a quarter as large. default_crosses: (n).
+// `across_objects`: objects stand in one space.
 PlaneCrosses plane_crosses(const Surface& surface, const TangentFrames& frames,
                            const CrossNumbers& default_crosses, bool across_objects);
 

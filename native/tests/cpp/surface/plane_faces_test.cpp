@@ -188,6 +188,48 @@ TEST(PlaneFaces, FieldsOfRoundedBoxesRunAlongTheirAxis) {
   }
 }
 
+// A square plate with a round hole, whose edge is bevelled in two narrow strips.
+PolygonMesh bevelled_hole() {
+  constexpr int n = 32;
+  PolygonMesh mesh;
+  const auto add_ring = [&](double radius, double z, double squareness) {
+    for (int i = 0; i < n; ++i) {
+      const Vec2 on_circle(std::cos(2 * shapes::pi * i / n), std::sin(2 * shapes::pi * i / n));
+      const double to_square = 1 / on_circle.cwiseAbs().maxCoeff();
+      const Vec2 p = radius * std::pow(to_square, squareness) * on_circle;
+      mesh.positions.emplace_back(p.x(), p.y(), z);
+    }
+  };
+  add_ring(1, 0, 1);
+  add_ring(.5, 0, 0);
+  add_ring(.493, -.003, 0);
+  add_ring(.49, -.01, 0);
+  add_ring(.49, -1, 0);
+  for (int ring = 0; ring < 4; ++ring) {
+    for (int i = 0; i < n; ++i) {
+      const int a = ring * n + i, b = ring * n + (i + 1) % n;
+      shapes::add_face(mesh, {a, b, b + n, a + n});
+    }
+  }
+  mesh.cage = false;
+  return mesh;
+}
+
+TEST(PlaneFaces, FieldsStayStraightUpToABevelledHole) {
+  const Solved solved = solve({bevelled_hole()});
+  const Surface& surface = solved.surface;
+  int count = 0;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    if (surface.triangle_planes[t] == none) continue;
+    ++count;
+    for (const int v : surface.triangles[t]) {
+      const Vec3& normal = surface.normals[idx(v)];
+      ASSERT_LT(off_cross(Vec3::UnitX(), normal, solved.field.directions[idx(v)]), 2);
+    }
+  }
+  EXPECT_GT(count, 100);
+}
+
 TEST(PlaneFaces, CoplanarNeighboursFollowTheLongestRimThatAgrees) {
   const PolygonMesh skew = prism_of_triangles({{1, 0}, {2.6, -.7}, {2.6, .3}, {1, 1}}, .4);
   const Vec3 slope = Vec3(1.6, -.7, 0).normalized();
