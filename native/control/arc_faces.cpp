@@ -90,20 +90,39 @@ class ArcMaker {
   bool quads_;
 };
 
-// Share of each corner, and of the arc of each edge, edge k leaving corner k.
-struct Shares {
-  std::array<double, 4> corners, edges;
+// Corners, and sags of the edges that leave them.
+struct Patch {
+  std::array<Vec3, 4> p, s;
 };
 
-Shares shares_of_triangle(const Vec2& uv) {
-  const double u = uv.x(), v = uv.y(), w = 1 - u - v;
-  return {{w, u, v, 0}, {4 * w * u, 4 * u * v, 4 * v * w, 0}};
+ArcPoint on_triangle(const Patch& patch, double u, double v) {
+  const auto& [p, s] = patch;
+  const double w = 1 - u - v;
+  ArcPoint point;
+  point.position =
+      w * p[0] + u * p[1] + v * p[2] + 4 * (w * u * s[0] + u * v * s[1] + v * w * s[2]);
+  point.du = p[1] - p[0] + 4 * ((w - u) * s[0] + v * s[1] - v * s[2]);
+  point.dv = p[2] - p[0] + 4 * (-u * s[0] + u * s[1] + (w - v) * s[2]);
+  point.duu = -8 * s[0];
+  point.duv = 4 * (s[1] - s[0] - s[2]);
+  point.dvv = -8 * s[2];
+  return point;
 }
 
-Shares shares_of_quad(const Vec2& uv) {
-  const double u = uv.x(), v = uv.y(), along = 4 * u * (1 - u), across = 4 * v * (1 - v);
-  return {{(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v},
-          {along * (1 - v), across * u, along * v, across * (1 - u)}};
+ArcPoint on_quad(const Patch& patch, double u, double v) {
+  const auto& [p, s] = patch;
+  const Vec3 along = (1 - v) * s[0] + v * s[2], across = (1 - u) * s[3] + u * s[1];
+  const Vec3 low = (1 - u) * p[0] + u * p[1], high = (1 - u) * p[3] + u * p[2];
+  ArcPoint point;
+  point.position = (1 - v) * low + v * high + 4 * (u * (1 - u) * along + v * (1 - v) * across);
+  point.du = (1 - v) * (p[1] - p[0]) + v * (p[2] - p[3]) +
+             4 * ((1 - 2 * u) * along + v * (1 - v) * (s[1] - s[3]));
+  point.dv = high - low + 4 * (u * (1 - u) * (s[2] - s[0]) + (1 - 2 * v) * across);
+  point.duu = -8 * along;
+  point.duv =
+      p[0] - p[1] + p[2] - p[3] + 4 * ((1 - 2 * u) * (s[2] - s[0]) + (1 - 2 * v) * (s[1] - s[3]));
+  point.dvv = -8 * across;
+  return point;
 }
 
 }  // namespace
@@ -114,13 +133,18 @@ ArcFaces arc_faces(const HalfEdges& parent, Points points, std::vector<double> w
 }
 
 ArcPoint evaluate(const ArcFaces& arcs, Span<const int> vertices, int first, const Vec2& uv) {
-  const Shares shares = vertices.size() == 3 ? shares_of_triangle(uv) : shares_of_quad(uv);
-  ArcPoint point{Vec3::Zero(), 0};
+  Patch patch;
   for (std::size_t k = 0; k < vertices.size(); ++k) {
-    const std::size_t vertex = idx(vertices[k]), corner = idx(first) + k;
-    point.position += shares.corners[k] * arcs.places[vertex] + shares.edges[k] * arcs.sags[corner];
-    point.weight += shares.corners[k] * arcs.weights[vertex];
+    patch.p[k] = arcs.places[idx(vertices[k])];
+    patch.s[k] = arcs.sags[idx(first) + k];
   }
+  const double u = uv.x(), v = uv.y();
+  const bool is_triangle = vertices.size() == 3;
+  ArcPoint point = is_triangle ? on_triangle(patch, u, v) : on_quad(patch, u, v);
+  const auto weight = [&](std::size_t k) { return arcs.weights[idx(vertices[k])]; };
+  point.weight = is_triangle ? (1 - u - v) * weight(0) + u * weight(1) + v * weight(2)
+                             : (1 - v) * ((1 - u) * weight(0) + u * weight(1)) +
+                                   v * ((1 - u) * weight(3) + u * weight(2));
   return point;
 }
 

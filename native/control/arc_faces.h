@@ -24,8 +24,9 @@ struct ArcFaces {
 ArcFaces arc_faces(const HalfEdges& parent, Points points, std::vector<double> weights,
                    Scheme scheme);
 
+// With the derivatives of the patch by uv.
 struct ArcPoint {
-  Vec3 position;
+  Vec3 position, du, dv, duu, duv, dvv;
   double weight;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesh/polygons.h"
+#include "surface/jets/curvature.h"
 #include "surface/shading.h"
 
 namespace illustrate {
@@ -45,21 +46,37 @@ class Layer {
         position += point.weight * (point.position - position);
       }
       position = limits_.positions[idx(first[place])];
-      is_laid_[s] = limits_.needs_jet[s] = 1;
+      is_laid_[s] = 1;
+      limits_.needs_jet[s] = 0;
     }
   }
 
-  // Weighted by the angles of the corners.
+  // Those of the refined faces, weighted by the angles of their corners.
   void turn_normals() {
     Points sums(sectors_.count(), Vec3::Zero());
-    for (int c = 0; c < corner_count(); ++c) {
-      if (!is_laid_[idx(sector(c))]) continue;
-      const Vec3 a = position(mesh_.next(c)) - position(c);
-      const Vec3 b = position(mesh_.previous(c)) - position(c), across = a.cross(b);
-      sums[idx(sector(c))] += std::atan2(across.norm(), a.dot(b)) * unit_or_zero(across);
-    }
+    for_each_laid_corner([&](int c, double angle, const Vec3& across) {
+      sums[idx(sector(c))] += angle * unit_or_zero(across);
+    });
     for (std::size_t s = 0; s < sums.size(); ++s) {
       if (is_laid_[s]) limits_.normals[s] = unit_or_zero(sums[s]);
+    }
+  }
+
+  // The means of the patches' shape operators, weighted alike.
+  void bend() {
+    std::vector<Eigen::Matrix3d> sums(sectors_.count(), Eigen::Matrix3d::Zero());
+    std::vector<double> angles(sectors_.count(), 0);
+    for_each_laid_corner([&](int c, double angle, const Vec3&) {
+      const ArcPoint p = on_arcs(c);
+      const Vec3 normal = unit_or_zero(p.du.cross(p.dv));
+      const auto k = principal_curvature(p.du, p.dv, p.duu, p.duv, p.dvv, normal);
+      if (normal.isZero() || !std::isfinite(k.k1) || !std::isfinite(k.k2)) return;
+      sums[idx(sector(c))] +=
+          angle * (k.k1 * k.w1 * k.w1.transpose() + k.k2 * k.w2 * k.w2.transpose());
+      angles[idx(sector(c))] += angle;
+    });
+    for (std::size_t s = 0; s < sums.size(); ++s) {
+      if (is_laid_[s] && angles[s] > 0) limits_.curvature[s] = mean(sums[s] / angles[s], s);
     }
   }
 
@@ -67,6 +84,26 @@ class Layer {
   int corner_count() const { return static_cast<int>(mesh_.corner_count()); }
   int sector(int corner) const { return sectors_.corner_sectors[idx(corner)]; }
   const Vec3& position(int corner) const { return limits_.positions[idx(sector(corner))]; }
+
+  // visit(corner, its angle, the cross product of its edges)
+  template <class Visit>
+  void for_each_laid_corner(const Visit& visit) const {
+    for (int c = 0; c < corner_count(); ++c) {
+      if (!is_laid_[idx(sector(c))]) continue;
+      const Vec3 a = position(mesh_.next(c)) - position(c);
+      const Vec3 b = position(mesh_.previous(c)) - position(c), across = a.cross(b);
+      visit(c, std::atan2(across.norm(), a.dot(b)), across);
+    }
+  }
+
+  PrincipalCurvature mean(const Eigen::Matrix3d& shape, std::size_t s) const {
+    const Vec3& normal = limits_.normals[s];
+    const Vec3 x = any_tangent(normal), y = normal.cross(x);
+    const auto along = [&](const Vec3& a, const Vec3& b) -> Vec3 {
+      return a.dot(shape * b) * normal;
+    };
+    return principal_curvature(x, y, along(x, x), along(x, y), along(y, y), normal);
+  }
 
   ArcPoint on_arcs(int corner) const {
     const int refined = mesh_.face(corner);
@@ -100,6 +137,7 @@ std::vector<std::uint8_t> lay_on_arcs(const SoundMesh& base, const ArcFaces& arc
   layer.move_points(changed);
   layer.turn_normals();
   mend_normals(mesh, sectors, threads, limits);
+  layer.bend();
   return changed;
 }
 

@@ -51,6 +51,16 @@ TEST(ArcFaces, AreExactOnQuadrics) {
         const ArcPoint p = evaluate(arcs, vertices, static_cast<int>(size * f), uv);
         EXPECT_NEAR(p.position.z(), in_plane(p.position).z(), 1e-13);
         EXPECT_NEAR(p.weight, .25, 1e-15);
+        const double h = 1e-4;
+        const auto at = [&](double u, double v) {
+          return evaluate(arcs, vertices, static_cast<int>(size * f), uv + Vec2(u, v)).position;
+        };
+        EXPECT_LT(((at(h, 0) - at(-h, 0)) / (2 * h) - p.du).norm(), 1e-9);
+        EXPECT_LT(((at(0, h) - at(0, -h)) / (2 * h) - p.dv).norm(), 1e-9);
+        EXPECT_LT(((at(h, 0) - 2 * at(0, 0) + at(-h, 0)) / (h * h) - p.duu).norm(), 1e-5);
+        EXPECT_LT(((at(0, h) - 2 * at(0, 0) + at(0, -h)) / (h * h) - p.dvv).norm(), 1e-5);
+        const Vec3 mixed = at(h, h) - at(h, -h) - at(-h, h) + at(-h, -h);
+        EXPECT_LT((mixed / (4 * h * h) - p.duv).norm(), 1e-5);
       }
     }
   }

@@ -42,6 +42,25 @@ TEST(LayOnArcs, RoundedBoxesKeepTheirShapeHoweverNarrowTheRounding) {
   }
 }
 
+TEST(LayOnArcs, EdgesBendAsTheirRadiusSays) {
+  for (const double radius : {.1, .001}) {
+    const RoundedBox box{{2, 1, .5}, radius, 4};
+    const Surface surface = refined(mesh_of(box), at_level(4));
+    int count = 0;
+    for (std::size_t v = 0; v < surface.positions.size(); ++v) {
+      const Vec3 at = surface.positions[v];
+      const Vec3 beyond = (at.cwiseAbs() - box.half).array() + radius;
+      const bool is_on_long_edge = std::abs(at.x()) < 1 && beyond.tail<2>().minCoeff() > 0;
+      if (!is_on_long_edge || beyond.tail<2>().minCoeff() < .05 * radius) continue;
+      EXPECT_NEAR(surface.curvature[v].k1 * radius, -1, .05);
+      EXPECT_NEAR(surface.curvature[v].k2 * radius, 0, .01);
+      EXPECT_GT(std::abs(surface.curvature[v].w2.x()), .999);
+      ++count;
+    }
+    EXPECT_GT(count, 100);
+  }
+}
+
 TEST(LayOnArcs, WallsStayLevel) {
   const RoundedBox box{{2, 1, .5}, .02, 3};
   const Surface surface = refined(mesh_of(box), at_level(3));
