@@ -163,7 +163,8 @@ class Keeper {
   // (n) the largest sag of the edges at each vertex; 0 where nothing slides.
   std::vector<double> bulges_of_arcs(const Shape& shape) {
     std::vector<double> bulges(mesh_.positions.size(), 0);
-    for (int e = 0; e < edges_.edge_count() && !is_none(shape.slides); ++e) {
+    if (is_none(shape.slides)) return bulges;
+    for (int e = 0; e < edges_.edge_count(); ++e) {
       const int h = edges_.first[idx(e)];
       const std::size_t a = idx(edges_.faces.corners[idx(h)]), b = idx(edges_.faces.head(h));
       const Vec3 middle = (mesh_.positions[a] + mesh_.positions[b]) / 2;

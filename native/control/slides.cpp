@@ -1,5 +1,8 @@
 #include "control/slides.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "control/smoothstep.h"
 
 namespace illustrate {
@@ -59,8 +62,10 @@ std::vector<double> reached(const HalfEdges& edges, const std::vector<double>& v
 
 std::vector<double> slides(const SoundMesh& mesh, const HalfEdges& edges, const LimitPlaces& limits,
                            double diagonal) {
-  const std::vector<double> shortest = shortest_edges(edges, mesh.positions);
   std::vector<double> all(mesh.positions.size(), 0);
+  const std::vector<std::uint8_t> is_level = vertices_of_planes(mesh);
+  if (std::find(is_level.begin(), is_level.end(), 1) == is_level.end()) return all;
+  const std::vector<double> shortest = shortest_edges(edges, mesh.positions);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     if (limits.rules[v] != LimitPlaces::Rule::smooth) continue;
     const double off = slide(limits, v, mesh.positions[v]);
@@ -68,7 +73,7 @@ std::vector<double> slides(const SoundMesh& mesh, const HalfEdges& edges, const 
                           smoothstep(least_slide, full_slide, off / shortest[v]);
     if (weight > 0) all[v] = weight;  // what is not a number does not slide
   }
-  std::vector<double> result = reached(edges, all, vertices_of_planes(mesh));
+  std::vector<double> result = reached(edges, all, is_level);
   for (int ring = 0; ring < rings; ++ring) result = wider(edges, result);
   return result;
 }
