@@ -13,23 +13,21 @@ struct ParentFace {
 
 class ArcMaker {
  public:
-  ArcMaker(const HalfEdges& parent, Points points, Scheme scheme)
+  ArcMaker(const HalfEdges& parent, Points points, std::vector<double> weights, Scheme scheme)
       : edges_(parent),
         faces_(parent.faces),
-        places_(std::move(points)),
-        edge_points_(static_cast<int>(places_.size()) - parent.edge_count()),
-        quads_(scheme == Scheme::catmull_clark) {
-    if (quads_) edge_points_ -= faces_.size();
-  }
+        edge_points_(static_cast<int>(weights.size())),
+        quads_(scheme == Scheme::catmull_clark),
+        arcs_{std::move(points), {}, std::move(weights)} {}
 
-  ArcFaces run(std::vector<double> weights) {
+  ArcFaces run() {
     for (int f = 0; f < faces_.size(); ++f) quads_ ? add_quads(read(f)) : add_triangles(read(f));
-    spread(weights);
-    return {std::move(places_), std::move(sags_), std::move(weights)};
+    spread(arcs_.weights);
+    return std::move(arcs_);
   }
 
  private:
-  const Vec3& place(int vertex) const { return places_[idx(vertex)]; }
+  const Vec3& place(int vertex) const { return arcs_.places[idx(vertex)]; }
 
   ParentFace read(int f) const {
     ParentFace face;
@@ -59,7 +57,7 @@ class ArcMaker {
       const std::size_t before = (k + n - 1) % n;
       for (const Vec3& sag : {Vec3(face.sags[k] / 4), inner_sag(face, k), inner_sag(face, before),
                               Vec3(face.sags[before] / 4)})
-        sags_.push_back(sag);
+        arcs_.sags.push_back(sag);
     }
   }
 
@@ -68,9 +66,9 @@ class ArcMaker {
   void add_triangles(const ParentFace& face) {
     for (std::size_t k = 0; k < 3; ++k) {
       for (const std::size_t along : {k, (k + 1) % 3, (k + 2) % 3})
-        sags_.push_back(face.sags[along] / 4);
+        arcs_.sags.push_back(face.sags[along] / 4);
     }
-    for (const std::size_t along : {2, 0, 1}) sags_.push_back(face.sags[along] / 4);
+    for (const std::size_t along : {2, 0, 1}) arcs_.sags.push_back(face.sags[along] / 4);
   }
 
   void spread(std::vector<double>& weights) const {
@@ -85,18 +83,19 @@ class ArcMaker {
 
   const HalfEdges& edges_;
   const Faces& faces_;
-  Points places_, sags_;
-  int edge_points_;  // first of them
+  int edge_points_;  // first of them, after the parent's vertices
   bool quads_;
+  ArcFaces arcs_;
 };
 
-// Corners, and sags of the edges that leave them.
+// Corners, sags of the edges that leave them, and weights.
 struct Patch {
   std::array<Vec3, 4> p, s;
+  std::array<double, 4> weights;
 };
 
 ArcPoint on_triangle(const Patch& patch, double u, double v) {
-  const auto& [p, s] = patch;
+  const auto& [p, s, weights] = patch;
   const double w = 1 - u - v;
   ArcPoint point;
   point.position =
@@ -106,11 +105,12 @@ ArcPoint on_triangle(const Patch& patch, double u, double v) {
   point.duu = -8 * s[0];
   point.duv = 4 * (s[1] - s[0] - s[2]);
   point.dvv = -8 * s[2];
+  point.weight = w * weights[0] + u * weights[1] + v * weights[2];
   return point;
 }
 
 ArcPoint on_quad(const Patch& patch, double u, double v) {
-  const auto& [p, s] = patch;
+  const auto& [p, s, weights] = patch;
   const Vec3 along = (1 - v) * s[0] + v * s[2], across = (1 - u) * s[3] + u * s[1];
   const Vec3 low = (1 - u) * p[0] + u * p[1], high = (1 - u) * p[3] + u * p[2];
   ArcPoint point;
@@ -122,6 +122,8 @@ ArcPoint on_quad(const Patch& patch, double u, double v) {
   point.duv =
       p[0] - p[1] + p[2] - p[3] + 4 * ((1 - 2 * u) * (s[2] - s[0]) + (1 - 2 * v) * (s[1] - s[3]));
   point.dvv = -8 * across;
+  point.weight = (1 - v) * ((1 - u) * weights[0] + u * weights[1]) +
+                 v * ((1 - u) * weights[3] + u * weights[2]);
   return point;
 }
 
@@ -129,7 +131,7 @@ ArcPoint on_quad(const Patch& patch, double u, double v) {
 
 ArcFaces arc_faces(const HalfEdges& parent, Points points, std::vector<double> weights,
                    Scheme scheme) {
-  return ArcMaker(parent, std::move(points), scheme).run(std::move(weights));
+  return ArcMaker(parent, std::move(points), std::move(weights), scheme).run();
 }
 
 ArcPoint evaluate(const ArcFaces& arcs, Span<const int> vertices, int first, const Vec2& uv) {
@@ -137,15 +139,9 @@ ArcPoint evaluate(const ArcFaces& arcs, Span<const int> vertices, int first, con
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     patch.p[k] = arcs.places[idx(vertices[k])];
     patch.s[k] = arcs.sags[idx(first) + k];
+    patch.weights[k] = arcs.weights[idx(vertices[k])];
   }
-  const double u = uv.x(), v = uv.y();
-  const bool is_triangle = vertices.size() == 3;
-  ArcPoint point = is_triangle ? on_triangle(patch, u, v) : on_quad(patch, u, v);
-  const auto weight = [&](std::size_t k) { return arcs.weights[idx(vertices[k])]; };
-  point.weight = is_triangle ? (1 - u - v) * weight(0) + u * weight(1) + v * weight(2)
-                             : (1 - v) * ((1 - u) * weight(0) + u * weight(1)) +
-                                   v * ((1 - u) * weight(3) + u * weight(2));
-  return point;
+  return vertices.size() == 3 ? on_triangle(patch, uv.x(), uv.y()) : on_quad(patch, uv.x(), uv.y());
 }
 
 }  // namespace illustrate

@@ -56,10 +56,10 @@ class Keeper {
         child_(split_once(mesh, edges_, scheme)),
         child_edges_(child_),
         child_sectors_(find_sectors(child_edges_, child_.positions.size())),
-        cage_(cage_points(mesh, edges_, scheme)) {}
+        cage_(cage_points(mesh, edges_, scheme)),
+        cage_limits_(limits_of(cage_)) {}
 
   std::vector<double> weights() const {
-    const LimitPlaces limits = limit_places(child_, child_edges_, child_sectors_, cage_, scheme_);
     std::vector<int> patches;
     const int count = find_patches(edges_, patches);
     const double px = diagonal_px / diagonal(mesh_);
@@ -68,7 +68,7 @@ class Keeper {
     for (std::size_t patch = 0; patch < vertices.size(); ++patch) {
       std::vector<double> shifts;
       for (const int v : vertices[patch])
-        shifts.push_back(px * (limits.positions[idx(v)] - mesh_.positions[idx(v)]).norm());
+        shifts.push_back(px * (cage_limits_.positions[idx(v)] - mesh_.positions[idx(v)]).norm());
       patch_weights.push_back(smoothstep(invisible_px, visible_px, median(shifts)));
     }
     std::vector<double> weights;
@@ -79,10 +79,11 @@ class Keeper {
   // weights: of the faces. own: those that the mesh has by itself.
   Shape shape(const std::vector<double>& weights, const std::vector<double>& own) {
     const Points kept = is_none(weights) && is_none(own) ? cage_ : stepped(bent());
-    LimitPlaces limits =
-        limit_places(child_, child_edges_, child_sectors_, faded(kept, own), scheme_);
+    Points points = faded(kept, own);
+    LimitPlaces limits = is_none(own) ? cage_limits_ : limits_of(points);
+    if (weights != own) points = faded(kept, weights);
     std::vector<double> off = slides(mesh_, edges_, limits, diagonal(mesh_));
-    return {faded(kept, weights), std::move(limits), std::move(off)};
+    return {std::move(points), std::move(limits), std::move(off)};
   }
 
   // (n) how far the surface misses the mesh's vertices, in pixels: its limit along the normal, or
@@ -112,9 +113,11 @@ class Keeper {
     return bent_;
   }
 
+  // bent: the arcs' points; any where nothing slides.
   KeptMesh take(Shape shape, Points bent) {
     child_.positions = std::move(shape.points);
     join_twins();
+    if (is_none(shape.slides)) return {std::move(child_), {}};
     return {std::move(child_),
             arc_faces(edges_, std::move(bent), std::move(shape.slides), scheme_)};
   }
@@ -174,6 +177,10 @@ class Keeper {
     return bulges;
   }
 
+  LimitPlaces limits_of(const Points& points) const {
+    return limit_places(child_, child_edges_, child_sectors_, points, scheme_);
+  }
+
   Points faded(Points kept, const std::vector<double>& weights) const {
     const std::vector<double> shares = vertex_weights(weights);
     for (std::size_t v = 0; v < kept.size(); ++v) {
@@ -184,7 +191,7 @@ class Keeper {
   }
 
   Points stepped(const Points& targets) const {
-    const LimitPlaces limits = limit_places(child_, child_edges_, child_sectors_, targets, scheme_);
+    const LimitPlaces limits = limits_of(targets);
     const std::vector<double> shortest = shortest_edges(child_edges_, targets);
     const std::vector<double> steps = calm_steps(targets, limits);
     Points points = targets;
@@ -230,6 +237,7 @@ class Keeper {
   HalfEdges child_edges_;
   VertexSectors child_sectors_;
   Points cage_, bent_;
+  LimitPlaces cage_limits_;
 };
 
 // (n) of the vertices of a split mesh: the largest of the corners that each lies between.
@@ -275,7 +283,8 @@ Kept keep_folded(const FoldedMesh& folded, Scheme scheme, const Weights& given) 
   Keeper soft(folded.soft, scheme), hard(folded.hard, scheme);
   const std::vector<double> own = soft.weights(), &weights = given ? *given : own;
   Shape shape = soft.shape(weights, own);
-  const Shape beside = hard.shape(given ? *given : hard.weights(), hard.weights());
+  const std::vector<double> own_hard = hard.weights();
+  const Shape beside = hard.shape(given ? *given : own_hard, own_hard);
   Points bent = soft.bent();
   const std::vector<double> shares = shares_of_children(folded.soft, folded.shares, bent.size());
   mix(shape.points, beside.points, shares);

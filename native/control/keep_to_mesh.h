@@ -45,7 +45,7 @@ std::vector<double> kept_weights(const SoundMesh& mesh, Scheme scheme);
 
 struct KeptMesh {
   SoundMesh mesh;  // split once, a cage
-  ArcFaces arcs;   // of its faces
+  ArcFaces arcs;   // of its faces; empty where nothing slides
 };
 
 // None where all weights are 0 and nothing folds: the mesh is its own

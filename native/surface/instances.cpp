@@ -145,7 +145,7 @@ Surface placed(const Surface& originals, const Instances& instances) {
   for (std::size_t o = 0; o < instances.originals.size(); ++o) {
     placer.add(instances.originals[o], instances.placements[o]);
   }
-  surface.diagonal = diagonal(surface.positions);
+  measure_diagonals(surface);
   return surface;
 }
 

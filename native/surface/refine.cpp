@@ -87,8 +87,10 @@ class Refiner {
     const int object = next_object_++, ptex = next_ptex_face_;
     control.ptex_faces = subdivision.ptex_faces();
     const RefinedMesh& drawn = subdivision.level(level);
-    const std::vector<int> corner_sectors =
-        limit_level == level ? sectors.corner_sectors : sectors_of_parents(drawn, sectors);
+    const std::vector<int> of_parents =
+        limit_level == level ? std::vector<int>() : sectors_of_parents(drawn, sectors);
+    const std::vector<int>& corner_sectors =
+        limit_level == level ? sectors.corner_sectors : of_parents;
     std::vector<std::uint8_t> unfolded;
     if (level > 0) {
       unfolded = unfold_flat_faces(subdivision.level(0), drawn, corner_sectors, options_.threads,
@@ -162,7 +164,7 @@ Surface refine(std::vector<SoundMesh> meshes, const SurfaceOptions& options, Cou
         schemes[i] != Scheme::polygons && !surface.object_is_smooth.back() ? 1 : 0;
   }
   progress.report(.9);
-  surface.diagonal = diagonal(surface.positions);
+  measure_diagonals(surface);
   mark_flat_outlines(surface, options.threads);
   collect_feature_edges(surface);
   fit_jets(surface, needs_jet, {JetOptions().rings, options.threads}, progress.part(.95, 1),

@@ -22,6 +22,13 @@ std::vector<Eigen::AlignedBox3d> object_boxes(const Surface& surface) {
   return boxes;
 }
 
+void measure_diagonals(Surface& surface) {
+  surface.diagonal = diagonal(surface.positions);
+  surface.object_diagonals.clear();
+  for (const Eigen::AlignedBox3d& box : object_boxes(surface))
+    surface.object_diagonals.push_back(box.isEmpty() ? 0 : box.diagonal().norm());
+}
+
 Vec3 position_at(const Surface& surface, const SurfacePoint& point) {
   const Triangle& t = surface.triangles[idx(point.triangle)];
   const Vec3 w = weights(point);

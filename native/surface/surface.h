@@ -103,7 +103,8 @@ struct Surface {
   // Ascending: vertices that the surface is held to without an edge, as a cone to its tip. It has
   // no tangent plane there; their normals are means.
   std::vector<int> tips;
-  double diagonal = 0;  // of the bounding box of all positions
+  double diagonal = 0;                   // of the bounding box of all positions
+  std::vector<double> object_diagonals;  // (objects) of that of each object's; 0 where it has none
 
   bool is_tip(int vertex) const {
     return !tips.empty() && std::binary_search(tips.begin(), tips.end(), vertex);
@@ -120,6 +121,9 @@ double diagonal(const Points& positions);
 
 // (objects) the box of each object's vertices, empty where it has none.
 std::vector<Eigen::AlignedBox3d> object_boxes(const Surface& surface);
+
+// Sets the diagonals of a surface whose positions are known.
+void measure_diagonals(Surface& surface);
 
 // Position and unit normal (of the triangle's own sheet) by linear interpolation.
 Vec3 position_at(const Surface& surface, const SurfacePoint& point);

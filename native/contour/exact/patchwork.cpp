@@ -57,6 +57,7 @@ Patchwork::Patchwork(const Surface& whole, const LimitSurface& limit, std::size_
   pieces_.reserve(expected);
   surface_.object_is_smooth = whole.object_is_smooth;
   surface_.diagonal = whole.diagonal;
+  surface_.object_diagonals = whole.object_diagonals;
 }
 
 void Patchwork::add(const std::vector<int>& triangles) {

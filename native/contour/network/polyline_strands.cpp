@@ -219,7 +219,7 @@ void add_free_strands(const Surface& surface, const FreeLines& free_lines,
   strand.left_layers = strand.right_layers = 1;
   CurveNetwork all;
   all.nodes = network.nodes;
-  const std::vector<double> sizes = object_sizes(surface);
+  const std::vector<double>& sizes = surface.object_diagonals;
   std::vector<Stretch> found;
   for (std::size_t c = 0; c < free_lines.lines.curves.size(); ++c) {
     const Span<const ZeroPoint> line = free_lines.lines.curves[c];

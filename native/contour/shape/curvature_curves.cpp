@@ -54,7 +54,7 @@ struct DirectedEdge {
 struct SeenSurface {
   SeenSurface(const Surface& whole, const IntersectionCurves& intersections, const Camera& camera)
       : surface(whole),
-        sizes(object_sizes(whole)),
+        sizes(whole.object_diagonals),
         shows_back(illustrate::shows_back(whole, intersections, camera)) {
     for (std::size_t v = 0; v < surface.positions.size(); ++v) {
       const Vec3 view = camera.to_eye(surface.positions[v]);
@@ -68,7 +68,7 @@ struct SeenSurface {
   bool is_unseen(int triangle, bool front) const { return !front && !shows_back[object(triangle)]; }
 
   const Surface& surface;
-  std::vector<double> sizes;             // (objects)
+  const std::vector<double>& sizes;      // (objects)
   std::vector<std::uint8_t> shows_back;  // (objects)
   Points to_eye;                         // (n) unit
   std::vector<double> facing;            // (n) normal . to_eye

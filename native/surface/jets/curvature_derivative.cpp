@@ -9,13 +9,6 @@
 
 namespace illustrate {
 
-std::vector<double> object_sizes(const Surface& surface) {
-  std::vector<double> sizes;
-  for (const auto& box : object_boxes(surface))
-    sizes.push_back(box.isEmpty() ? 0 : box.diagonal().norm());
-  return sizes;
-}
-
 namespace {
 
 using Vec4d = Eigen::Vector4d;
@@ -170,7 +163,7 @@ constexpr double most_time = 2000;
 
 // (n) how long each vertex has to diffuse, 1: until it is the mean of its neighbours.
 std::vector<double> diffusion_times(const Surface& surface, const Ragged<Neighbour>& neighbours) {
-  const std::vector<double> sizes = object_sizes(surface);
+  const std::vector<double>& sizes = surface.object_diagonals;
   std::vector<double> times(surface.positions.size(), 0);
   std::vector<std::vector<double>> of_object(sizes.size());
   for (std::size_t v = 0; v < times.size(); ++v) {

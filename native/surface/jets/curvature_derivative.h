@@ -17,9 +17,6 @@ constexpr double along(const CubicForm& c, double x, double y) {
   return x * x * (x * c[0] + 3 * y * c[1]) + y * y * (3 * x * c[2] + y * c[3]);
 }
 
-// (objects) diagonal of each object's bounding box.
-std::vector<double> object_sizes(const Surface& surface);
-
 struct CurvatureDerivative {
   Curvature curvature;            // what it is the derivative of
   std::vector<CubicForm> cubics;  // (n) in the frame w1, w2 of `curvature`

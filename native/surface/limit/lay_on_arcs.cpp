@@ -1,6 +1,5 @@
 #include "surface/limit/lay_on_arcs.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "mesh/polygons.h"
@@ -129,9 +128,7 @@ class Layer {
 std::vector<std::uint8_t> lay_on_arcs(const SoundMesh& base, const ArcFaces& arcs,
                                       const RefinedMesh& mesh, const Sectors& sectors, int threads,
                                       SectorLimits& limits) {
-  const bool is_limit = std::all_of(arcs.weights.begin(), arcs.weights.end(),
-                                    [](double weight) { return weight == 0; });
-  if (is_limit || !mesh.twin_faces.empty()) return {};
+  if (arcs.weights.empty() || !mesh.twin_faces.empty()) return {};
   Layer layer(base, arcs, mesh, sectors, limits);
   std::vector<std::uint8_t> changed = layer.changed();
   layer.move_points(changed);

@@ -280,9 +280,7 @@ inline void complete(Surface& surface) {
   surface.object_is_smooth.assign(1, 1);
   surface.controls.assign(1, PlacedControl{std::make_shared<const ControlMesh>(), 0, 0, {}});
   surface.curvature.resize(n);
-  Eigen::AlignedBox3d box;
-  for (const Vec3& position : surface.positions) box.extend(position);
-  surface.diagonal = box.isEmpty() ? 0 : box.diagonal().norm();
+  measure_diagonals(surface);
   link_neighbours(surface);
 }
 
@@ -378,9 +376,7 @@ inline Surface joined(Surface a, Surface b) {
   append(a.feature_edges, b.feature_edges);
   append(a.feature_kinds, b.feature_kinds);
   append(a.curvature, b.curvature);
-  Eigen::AlignedBox3d box;
-  for (const Vec3& position : a.positions) box.extend(position);
-  a.diagonal = box.isEmpty() ? 0 : box.diagonal().norm();
+  measure_diagonals(a);
   return a;
 }
 

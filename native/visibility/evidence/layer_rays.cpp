@@ -12,21 +12,14 @@ namespace {
 
 constexpr double blind_edges = 3;  // so may those be that are nearer than so many edges of the
                                    // curve's triangle, for silhouettes
-constexpr double blind_diagonals =
-    0.01;                              // and never more than this share of everything's diagonal,
-constexpr double blind_object = 0.05;  // nor this of the object's: a ground may be huge
+// And never more than the first share of everything's diagonal, nor the second of the object's: a
+// ground may be huge.
+constexpr double blind_diagonals = 0.01, blind_object = 0.05;
 // Of the distance within which hits may be the curve's own surface: those nearer than this share
 // are it, before or behind the curve as rounding has it.
 constexpr double rounding = 1e-6;
 
 }  // namespace
-
-LayerRays::LayerRays(const Surface& surface, const Bvh& bvh, const Camera& camera,
-                     const Points& insets)
-    : surface_(surface), bvh_(bvh), camera_(camera), insets_(insets) {
-  for (const Eigen::AlignedBox3d& box : object_boxes(surface))
-    object_diagonals_.push_back(box.isEmpty() ? 0 : box.diagonal().norm());
-}
 
 // Image x runs along the view's first row, image y against its second.
 Vec3 LayerRays::beside(const Vec3& p, const Vec2& along_px, double aside_px) const {
@@ -41,7 +34,7 @@ double LayerRays::blind_distance(const Strand& strand, int triangle, const Vec3&
   const double pixels = reaches.blind * camera_.pixel_size(p);
   if (strand.kind != Kind::silhouette) return pixels;
   const double edges = blind_edges * longest_edge(surface_, triangle);
-  const double object = object_diagonals_[idx(surface_.triangle_objects[idx(triangle)])];
+  const double object = surface_.object_diagonals[idx(surface_.triangle_objects[idx(triangle)])];
   const double most = std::min(blind_diagonals * surface_.diagonal, blind_object * object);
   return std::max(pixels, std::min(edges, most));
 }

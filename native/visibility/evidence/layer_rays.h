@@ -19,7 +19,8 @@ struct LayerCount {
 class LayerRays {
  public:
   // insets: IntersectionCurves', or none.
-  LayerRays(const Surface& surface, const Bvh& bvh, const Camera& camera, const Points& insets);
+  LayerRays(const Surface& surface, const Bvh& bvh, const Camera& camera, const Points& insets)
+      : surface_(surface), bvh_(bvh), camera_(camera), insets_(insets) {}
 
   // At an inner place of a strand. The ray starts a little to the side where the strand's own
   // surface is not, and takes no notice of what is nearer than the mesh can resolve: the contour
@@ -30,11 +31,7 @@ class LayerRays {
   std::int64_t rays() const { return rays_; }
   // A copy asks on its own, and starts to count anew.
   LayerRays(const LayerRays& other)
-      : surface_(other.surface_),
-        bvh_(other.bvh_),
-        camera_(other.camera_),
-        insets_(other.insets_),
-        object_diagonals_(other.object_diagonals_) {}
+      : LayerRays(other.surface_, other.bvh_, other.camera_, other.insets_) {}
   void add_count(const LayerRays& other) { rays_ += other.rays_; }
 
  private:
@@ -56,7 +53,6 @@ class LayerRays {
   const Bvh& bvh_;
   const Camera& camera_;
   const Points& insets_;
-  std::vector<double> object_diagonals_;
   std::vector<RayHit> hits_;
   std::int64_t rays_ = 0;
 };

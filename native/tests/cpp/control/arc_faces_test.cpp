@@ -14,15 +14,9 @@ namespace {
 Vec3 lifted(double x, double y) { return {x, y, 1 + x - 2 * y + 3 * x * x - x * y + 2 * y * y}; }
 
 PolygonMesh quadric(bool triangles) {
-  PolygonMesh mesh;
-  mesh.positions = {lifted(0, 0), lifted(2, 0), lifted(2, 1), lifted(0, 1)};
-  if (triangles) {
-    shapes::add_face(mesh, {0, 1, 2});
-    shapes::add_face(mesh, {0, 2, 3});
-  } else {
-    shapes::add_face(mesh, {0, 1, 2, 3});
-  }
-  return mesh;
+  const Points corners{lifted(0, 0), lifted(2, 0), lifted(2, 1), lifted(0, 1)};
+  return triangles ? shapes::polygon_mesh(corners, {{0, 1, 2}, {0, 2, 3}})
+                   : shapes::polygon_mesh(corners, {{0, 1, 2, 3}});
 }
 
 TEST(ArcFaces, AreExactOnQuadrics) {
@@ -33,14 +27,10 @@ TEST(ArcFaces, AreExactOnQuadrics) {
     const SoundMesh child = split_once(mesh, edges, scheme);
     Points points = bent_points(mesh, edges, find_sectors(edges, mesh.positions.size()), scheme);
     const auto in_plane = [](const Vec3& p) { return lifted(p.x(), p.y()); };
-    for (const Edge& e : {Edge{0, 1}, Edge{1, 2}, Edge{2, 0}, Edge{2, 3}, Edge{3, 0}}) {
-      const Vec3 middle = (mesh.positions[idx(e[0])] + mesh.positions[idx(e[1])]) / 2;
-      for (std::size_t h = 0; h < edges.first.size(); ++h) {
-        const int a = edges.faces.corners[idx(edges.first[h])],
-                  b = edges.faces.head(edges.first[h]);
-        if ((Edge{a, b} == e) || (Edge{b, a} == e))
-          points[mesh.positions.size() + h] = in_plane(middle);
-      }
+    for (std::size_t e = 0; e < edges.first.size(); ++e) {
+      const Vec3& from = mesh.positions[idx(edges.faces.corners[idx(edges.first[e])])];
+      const Vec3& to = mesh.positions[idx(edges.faces.head(edges.first[e]))];
+      points[mesh.positions.size() + e] = in_plane((from + to) / 2);
     }
     if (scheme == Scheme::catmull_clark) points.back() = lifted(1, .5);
     const ArcFaces arcs = arc_faces(edges, points, std::vector<double>(4, .25), scheme);

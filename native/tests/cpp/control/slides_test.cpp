@@ -27,9 +27,7 @@ std::vector<double> slides_of(const PolygonMesh& source, bool with_planes = true
   const LimitPlaces limits =
       limit_places(child, child_edges, find_sectors(child_edges, child.positions.size()), points,
                    Scheme::catmull_clark);
-  Eigen::AlignedBox3d box;
-  for (const Vec3& p : mesh.positions) box.extend(p);
-  return slides(mesh, edges, limits, box.diagonal().norm());
+  return slides(mesh, edges, limits, diagonal(mesh.positions));
 }
 
 double largest(const std::vector<double>& values) {

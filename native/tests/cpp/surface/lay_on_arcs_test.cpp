@@ -2,7 +2,6 @@
 #include "surface/limit/lay_on_arcs.h"
 
 #include "surface/limit/limit_surface.h"
-
 #include "tests/cpp/rounded_box.h"
 #include "tests/cpp/surface_checks.h"
 
@@ -77,29 +76,36 @@ TEST(LayOnArcs, WallsStayLevel) {
 // The corner of a wall of seven vertices, and two narrow strips round it: the limit slides so far
 // that hundreds of its triangles turned round.
 TEST(LayOnArcs, AWallDoesNotFold) {
-  PolygonMesh mesh;
   const double b = .008;
-  mesh.positions = {{-3.5, 0, 0},      {0, 0, 0},     {.3, -1, 0},          {-1, -.15, 0},
-                    {-.35, -.13, 0},   {0, -.18, 0},  {-3.5, -1, 0},        {-3.5, .02, -b},
-                    {.01, .02, -b},    {.33, -1, -b}, {-3.5, .035, -3 * b}, {.02, .035, -3 * b},
-                    {.345, -1, -3 * b}};
-  for (const auto& face : std::vector<std::vector<int>>{{0, 3, 1},
-                                                        {3, 4, 1},
-                                                        {4, 5, 1},
-                                                        {5, 2, 1},
-                                                        {6, 3, 0},
-                                                        {6, 4, 3},
-                                                        {6, 5, 4},
-                                                        {6, 2, 5},
-                                                        {0, 1, 8},
-                                                        {0, 8, 7},
-                                                        {1, 2, 9},
-                                                        {1, 9, 8},
-                                                        {7, 8, 11},
-                                                        {7, 11, 10},
-                                                        {8, 9, 12},
-                                                        {8, 12, 11}})
-    shapes::add_face(mesh, face);
+  PolygonMesh mesh = shapes::polygon_mesh({{-3.5, 0, 0},
+                                           {0, 0, 0},
+                                           {.3, -1, 0},
+                                           {-1, -.15, 0},
+                                           {-.35, -.13, 0},
+                                           {0, -.18, 0},
+                                           {-3.5, -1, 0},
+                                           {-3.5, .02, -b},
+                                           {.01, .02, -b},
+                                           {.33, -1, -b},
+                                           {-3.5, .035, -3 * b},
+                                           {.02, .035, -3 * b},
+                                           {.345, -1, -3 * b}},
+                                          {{0, 3, 1},
+                                           {3, 4, 1},
+                                           {4, 5, 1},
+                                           {5, 2, 1},
+                                           {6, 3, 0},
+                                           {6, 4, 3},
+                                           {6, 5, 4},
+                                           {6, 2, 5},
+                                           {0, 1, 8},
+                                           {0, 8, 7},
+                                           {1, 2, 9},
+                                           {1, 9, 8},
+                                           {7, 8, 11},
+                                           {7, 11, 10},
+                                           {8, 9, 12},
+                                           {8, 12, 11}});
   mesh.cage = false;
   const Surface surface = refined(mesh, at_level(5));
   for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
