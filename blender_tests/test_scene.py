@@ -221,6 +221,18 @@ def test_the_cage_below_the_last_subdivision_is_read(scene: Any) -> None:
     assert not len(mesh.edge_vertices)
 
 
+@pytest.mark.parametrize("use_creases", [True, False])
+def test_seams_of_a_cage_stay_sharp(scene: Any, use_creases: bool) -> None:
+    """Its faces split apart, welded before drawing: Blender subdivides each alone."""
+    cube = tools.cube_scene(scene)
+    cube.modifiers.new("Split", "EDGE_SPLIT").split_angle = 0
+    tools.subdivide(cube, use_creases=use_creases)
+    mesh = only_mesh(scene)
+    assert len(mesh.positions) == 24
+    assert len(np.unique(np.sort(mesh.edge_vertices), axis=0)) == 24
+    assert (mesh.edge_sharpness == 10).all()
+
+
 def test_modifiers_below_the_subdivision_are_kept(scene: Any) -> None:
     cube = tools.cube_scene(scene)
     array = cube.modifiers.new("Array", "ARRAY")

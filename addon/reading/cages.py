@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 
 from .lightness import LightnessReader
-from .mesh_arrays import MeshArrays, read_mesh
+from .mesh_arrays import INFINITELY_SHARP, MeshArrays, open_edges, read_mesh
 
 DEFORMING_PARENTS = ("ARMATURE", "LATTICE")
 NORMALS_ONLY = ("WEIGHTED_NORMAL", "NORMAL_EDIT")
@@ -102,4 +102,15 @@ def _read_cage(thing: Any, mesh: Any, lightness: LightnessReader) -> MeshArrays:
     if not subdivision.use_creases:
         geometry.edge_vertices, geometry.edge_sharpness = np.zeros((0, 2), np.int32), np.zeros(0)
         geometry.vertex_sharpness = None
+    _keep_seams_sharp(geometry, open_edges(mesh))
     return geometry
+
+
+def _keep_seams_sharp(cage: MeshArrays, edges: Any) -> None:
+    """Creases `edges`, which are open: those that meet are welded before drawing.
+
+    The modifier joins nothing. What it shows is sharp wherever faces only lie against each other.
+    """
+    cage.edge_vertices = np.concatenate([cage.edge_vertices, edges])
+    sharpness = np.full(len(edges), INFINITELY_SHARP)
+    cage.edge_sharpness = np.concatenate([cage.edge_sharpness, sharpness])

@@ -66,7 +66,7 @@ def read_mesh(mesh: Any, name: str, cage: bool) -> MeshArrays:
             sharpness[_marks_at(mesh, edge_corners[is_flat])] = INFINITELY_SHARP
     is_creased = sharpness > 0
     creased, marked, loose = _ends_of(
-        mesh, is_creased, _freestyle_marks(mesh), _is_loose(mesh, edge_corners)
+        mesh, is_creased, _freestyle_marks(mesh), _has_faces(mesh, edge_corners, 0)
     )
     return MeshArrays(
         name=name,
@@ -82,6 +82,11 @@ def read_mesh(mesh: Any, name: str, cage: bool) -> MeshArrays:
         corner_normals=normals,
         loose_edges=loose,
     )
+
+
+def open_edges(mesh: Any) -> Any:
+    """(m, 2) the vertices of edges with one face."""
+    return _ends_of(mesh, _has_faces(mesh, _edges_of_corners(mesh), 1))[0]
 
 
 def _get(collection: Any, name: str, dtype: Any, columns: int = 1) -> Any:
@@ -156,11 +161,9 @@ def _freestyle_marks(mesh: Any) -> Any:
     return _attribute(mesh, "freestyle_edge", bool, len(mesh.edges))
 
 
-def _is_loose(mesh: Any, edge_corners: Any) -> Any:
-    """(e,) bool: edges of no face."""
-    loose = np.ones(len(mesh.edges), bool)
-    loose[edge_corners] = False
-    return loose
+def _has_faces(mesh: Any, edge_corners: Any, count: int) -> Any:
+    """(e,) bool: edges of as many faces as `count`."""
+    return np.bincount(edge_corners, minlength=len(mesh.edges)) == count
 
 
 def _edges_of_corners(mesh: Any) -> Any:
