@@ -119,16 +119,31 @@ class Bender {
   // Both faces of an edge see the normal of the sector that it lies in, but at the end of a crease.
   Vec3 sag_of_smooth(int h, const Vec3& away) const {
     const int mate = edges_.mates[idx(h)];
+    const double share_at_start = share_of_turn(h), share_at_end = share_of_turn(mate);
     const auto bend = [&](const Points& normals) -> Vec3 {
       const Vec3 at_start = end_normal(normals, h, faces_.next(mate));
       const Vec3 at_end = end_normal(normals, mate, faces_.next(h));
-      const Vec3 first = sag_of_normal(at_start, away), second = sag_of_normal(at_end, -away);
+      const Vec3 first = share_at_start * sag_of_normal(at_start, away);
+      const Vec3 second = share_at_end * sag_of_normal(at_end, -away);
       if (is_tip(faces_.corners[idx(h)])) return second;
       if (is_tip(faces_.head(h))) return first;
       const bool is_inside = !is_on_crease(faces_.corners[idx(h)]) && !is_on_crease(faces_.head(h));
       return is_inside ? harmonic_mean(first, second) : Vec3((first + second) / 2);
     };
     return lesser(bend(normals_.shading), bend(normals_.geometric));
+  }
+
+  // Of the turn at the start of a half-edge, 1 unless the smooth surface goes on behind it for less
+  // than a quarter of the edge: so short a piece turns itself, and not the long edge before it.
+  double share_of_turn(int h) const {
+    constexpr double small = 0.25;
+    if (sectors_.sharp_edges[idx(faces_.corners[idx(h)])] > 1) return 1;
+    const Vec3 along = end(h) - start(h);
+    double reach = 0;
+    for (const int corner : sectors_.corners[idx(sectors_.corner_sectors[idx(h)])])
+      for (const int vertex : faces_[faces_.corner_faces[idx(corner)]])
+        reach = std::max(reach, along.dot(start(h) - p_[idx(vertex)]));
+    return std::min(1., reach / (small * along.squaredNorm()));
   }
 
   static Vec3 end_normal(const Points& normals, int corner, int other) {

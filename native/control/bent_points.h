@@ -8,7 +8,8 @@
 // shading tilts beside unweighted bevels; following the faces alone rounds what is shaded flat.
 // Each is the harmonic mean of those at its ends, so that what is level stays level up to where it
 // bends; where an end is on a crease or a border the arithmetic one, since the normals there end
-// with the fan and say little about the edges that leave it.
+// with the fan and say little about the edges that leave it. A long edge does not take part in a
+// turn that the surface makes within a short way behind its end, as fillets do where they meet.
 #pragma once
 
 #include "control/fan_normals.h"

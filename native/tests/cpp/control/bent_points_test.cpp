@@ -49,6 +49,45 @@ std::vector<Bent> bent_edges(const PolygonMesh& source) {
   return result;
 }
 
+// A level face whose rounded rim of three strips turns a right corner with a mitre: strips along x
+// end where those along y begin. Strips are `width` wide and of length 1.
+PolygonMesh mitred_rim(double width) {
+  PolygonMesh mesh;
+  for (int k = 0; k < 4; ++k) {
+    const double out = k * width, down = -0.15 * k * k * width;
+    mesh.positions.insert(mesh.positions.end(),
+                          {{0, -out, down}, {1 + out, -out, down}, {1 + out, 1, down}});
+  }
+  mesh.face_sizes = {3};
+  mesh.corner_vertices = {0, 1, 2};
+  for (int k = 0; k < 9; ++k) {
+    if (k % 3 == 2) continue;
+    mesh.face_sizes.push_back(4);
+    for (const int v : {k + 1, k, k + 3, k + 4}) mesh.corner_vertices.push_back(v);
+  }
+  mesh.boundary = BoundaryRule::edges;
+  return mesh;
+}
+
+// The corner turns within the rim's width: the long edges up to it have no part in it.
+TEST(BentPoints, LongEdgesUpToAMitreStayStraight) {
+  for (const double width : {0.01, 0.001}) {
+    Counts report;
+    const SoundMesh mesh = sanitize(mitred_rim(width), report);
+    const HalfEdges edges(mesh);
+    const VertexSectors sectors = find_sectors(edges, mesh.positions.size());
+    const Points points = bent_points(mesh, edges, sectors, Scheme::catmull_clark);
+    for (std::size_t e = 0; e < edges.first.size(); ++e) {
+      const Vec3& from = mesh.positions[idx(edges.faces.corners[idx(edges.first[e])])];
+      const Vec3& to = mesh.positions[idx(edges.faces.head(edges.first[e]))];
+      const double sag = (points[mesh.positions.size() + e] - (from + to) / 2).norm();
+      const bool is_inside = edges.mates[idx(edges.first[e])] != none;
+      const bool is_long = is_inside && (from - to).norm() > 0.9;
+      EXPECT_TRUE(!is_long || sag < width / 4) << sag;
+    }
+  }
+}
+
 TEST(BentPoints, WhatIsLevelStaysLevelUpToWhereItBends) {
   for (const Bent& edge : bent_edges(level_and_arc(8, 0))) {
     const bool is_level = edge.middle.x() < 0;
