@@ -26,9 +26,15 @@ std::vector<LabelledPath> label_paths(Arrangement& arrangement, LayerRays& rays,
                                       std::int64_t& repairs, int threads,
                                       const Progress& progress) {
   std::vector<std::vector<PathArc>> arcs = arcs_of_paths(arrangement);
-  const auto evidence = gather_evidence(arrangement, arcs, rays, threads, progress.part(0, 0.7));
-  const ViewProblem view = state_labels(arrangement, arcs, evidence);
-  const std::vector<int> labels = least_labels(view.problem, view.start, progress.part(0.7, 1));
+  auto evidence = gather_evidence(arrangement, arcs, rays, threads, progress.part(0, 0.6));
+  ViewProblem view = state_labels(arrangement, arcs, evidence);
+  std::vector<int> labels = least_labels(view.problem, view.start, progress.part(0.6, 0.8));
+  const std::vector<int> doubtful = contradicted_paths(arrangement, arcs, view, labels);
+  if (!doubtful.empty()) {
+    ask_all_arcs(doubtful, arrangement, arcs, rays, threads, progress.part(0.8, 0.9), evidence);
+    view = state_labels(arrangement, arcs, evidence);
+    labels = least_labels(view.problem, std::move(labels), progress.part(0.9, 1));
+  }
   return settle_labels(arrangement, std::move(arcs), view, labels, repairs);
 }
 

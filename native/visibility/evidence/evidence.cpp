@@ -86,6 +86,18 @@ Evidence ask(const Arrangement& arrangement, const PathArc& arc, LayerRays& rays
   return {middle.layers, middle.unsure, weight, middle.beside_nothing};
 }
 
+// Calls work(i, rays) for all i, with rays of its own for each share of the sizes.
+template <class Work>
+void each_share(const std::vector<std::size_t>& sizes, LayerRays& rays, int threads,
+                const Progress& progress, const Work& work) {
+  const std::vector<std::size_t> starts = shares_of(sizes, least_share);
+  std::vector<LayerRays> shares(starts.size() - 1, rays);
+  parallel_each(shares.size(), threads, progress, [&](std::size_t s) {
+    for (std::size_t i = starts[s]; i < starts[s + 1]; ++i) work(i, shares[s]);
+  });
+  for (const LayerRays& share : shares) rays.add_count(share);
+}
+
 }  // namespace
 
 double missed_share(const Evidence& evidence) {
@@ -100,23 +112,31 @@ std::vector<std::vector<Evidence>> gather_evidence(const Arrangement& arrangemen
   const std::vector<std::uint8_t> covered_nodes = nodes_under_cover(network);
   std::vector<std::size_t> sizes;
   for (const std::vector<PathArc>& path : arcs) sizes.push_back(path.size());
-  const std::vector<std::size_t> starts = shares_of(sizes, least_share);
-  std::vector<LayerRays> shares(starts.size() - 1, rays);
   std::vector<std::vector<Evidence>> evidence(arcs.size());
-  parallel_each(shares.size(), threads, progress, [&](std::size_t s) {
-    for (std::size_t p = starts[s]; p < starts[s + 1]; ++p) {
-      std::vector<Evidence>& of_arcs = evidence[p];
-      of_arcs.resize(arcs[p].size());
-      for (std::size_t i = 0; i < of_arcs.size(); ++i) {
-        of_arcs[i] = known(arrangement, covered_nodes, arcs[p][i]);
-      }
-      for (const std::size_t i : longest_arcs(arcs[p], of_arcs)) {
-        of_arcs[i] = ask(arrangement, arcs[p][i], shares[s]);
-      }
+  each_share(sizes, rays, threads, progress, [&](std::size_t p, LayerRays& share) {
+    std::vector<Evidence>& of_arcs = evidence[p];
+    of_arcs.resize(arcs[p].size());
+    for (std::size_t i = 0; i < of_arcs.size(); ++i) {
+      of_arcs[i] = known(arrangement, covered_nodes, arcs[p][i]);
+    }
+    for (const std::size_t i : longest_arcs(arcs[p], of_arcs)) {
+      of_arcs[i] = ask(arrangement, arcs[p][i], share);
     }
   });
-  for (const LayerRays& share : shares) rays.add_count(share);
   return evidence;
+}
+
+void ask_all_arcs(const std::vector<int>& paths, const Arrangement& arrangement,
+                  const std::vector<std::vector<PathArc>>& arcs, LayerRays& rays, int threads,
+                  const Progress& progress, std::vector<std::vector<Evidence>>& evidence) {
+  std::vector<std::size_t> sizes;
+  for (const int p : paths) sizes.push_back(arcs[idx(p)].size());
+  each_share(sizes, rays, threads, progress, [&](std::size_t of_paths, LayerRays& share) {
+    const std::size_t p = idx(paths[of_paths]);
+    for (std::size_t i = 0; i < arcs[p].size(); ++i) {
+      if (evidence[p][i].weight == 0) evidence[p][i] = ask(arrangement, arcs[p][i], share);
+    }
+  });
 }
 
 }  // namespace illustrate

@@ -33,4 +33,10 @@ std::vector<std::vector<Evidence>> gather_evidence(const Arrangement& arrangemen
                                                    LayerRays& rays, int threads,
                                                    const Progress& progress);
 
+// Asks all arcs of these paths of which nothing is known yet: where labels break a rule of a path,
+// what is known of five of its arcs does not tell the others.
+void ask_all_arcs(const std::vector<int>& paths, const Arrangement& arrangement,
+                  const std::vector<std::vector<PathArc>>& arcs, LayerRays& rays, int threads,
+                  const Progress& progress, std::vector<std::vector<Evidence>>& evidence);
+
 }  // namespace illustrate

@@ -281,6 +281,22 @@ ViewProblem state_labels(const Arrangement& arrangement,
   return Statement(arrangement, arcs).run(evidence);
 }
 
+std::vector<int> contradicted_paths(const Arrangement& arrangement,
+                                    const std::vector<std::vector<PathArc>>& arcs,
+                                    const ViewProblem& view, const std::vector<int>& labels) {
+  std::vector<int> paths;
+  for_each_transition(
+      arrangement, arcs,
+      [&](std::size_t p, std::size_t before, std::size_t i, const Transition& t) {
+        const std::vector<int>& unknowns = view.unknowns[p];
+        const int change = labels[idx(unknowns[i])] - labels[idx(unknowns[before])];
+        if (t.at == Transition::At::nothing || change == t.change) return;
+        if (paths.empty() || paths.back() != static_cast<int>(p))
+          paths.push_back(static_cast<int>(p));
+      });
+  return paths;
+}
+
 std::vector<LabelledPath> settle_labels(Arrangement& arrangement,
                                         std::vector<std::vector<PathArc>> arcs,
                                         const ViewProblem& view, const std::vector<int>& labels,

@@ -30,6 +30,11 @@ ViewProblem state_labels(const Arrangement& arrangement,
                          const std::vector<std::vector<PathArc>>& arcs,
                          const std::vector<std::vector<Evidence>>& evidence);
 
+// Paths, ascending, with a cusp or a crossing behind which labels do not change as they must.
+std::vector<int> contradicted_paths(const Arrangement& arrangement,
+                                    const std::vector<std::vector<PathArc>>& arcs,
+                                    const ViewProblem& view, const std::vector<int>& labels);
+
 // (paths) The labels of all arcs. Crossings whose rules they break are demoted to joints of their
 // back strand, cusps that they contradict become joints: `repairs` counts them. No rule is broken
 // anywhere else.
