@@ -4,15 +4,20 @@
 
 namespace illustrate {
 
-Vec2 barycentrics(const Surface& surface, int triangle, const Vec3& p) {
-  const Triangle& c = surface.triangles[idx(triangle)];
-  const Vec3& origin = surface.positions[idx(c[0])];
-  const Vec3 u = surface.positions[idx(c[1])] - origin, v = surface.positions[idx(c[2])] - origin;
+Vec2 barycentrics(const std::array<Vec3, 3>& corners, const Vec3& p) {
+  const Vec3& origin = corners[0];
+  const Vec3 u = corners[1] - origin, v = corners[2] - origin;
   const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v);
   const double determinant = uu * vv - uv * uv;
   if (!(determinant > 0)) return Vec2::Zero();
   const double pu = (p - origin).dot(u), pv = (p - origin).dot(v);
   return Vec2(pu * vv - pv * uv, pv * uu - pu * uv) / determinant;
+}
+
+Vec2 barycentrics(const Surface& surface, int triangle, const Vec3& p) {
+  const Triangle& c = surface.triangles[idx(triangle)];
+  const Points& at = surface.positions;
+  return barycentrics({at[idx(c[0])], at[idx(c[1])], at[idx(c[2])]}, p);
 }
 
 SurfacePoint locate(const Surface& surface, int triangle, const Vec3& p) {

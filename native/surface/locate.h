@@ -7,6 +7,7 @@ namespace illustrate {
 
 // Barycentric weights of corners 1 and 2 of the point of the triangle's plane nearest to p; not
 // clamped to the triangle; (0, 0) for a triangle without area.
+Vec2 barycentrics(const std::array<Vec3, 3>& corners, const Vec3& p);
 Vec2 barycentrics(const Surface& surface, int triangle, const Vec3& p);
 
 // At `fraction` of the edge from `corner` to the next one.

@@ -264,6 +264,15 @@ double CrossingTest::parameter(const Piercing& piercing) const {
   return std::clamp(low / (low - high), 0.0, 1.0);
 }
 
+Vec3 CrossingTest::decided(const Piercing& piercing) const {
+  const int t = piercing.triangle;
+  const Vec3 normal = (moved(t, 1) - moved(t, 0)).cross(moved(t, 2) - moved(t, 0));
+  const Vec3 &from = moved_[idx(piercing.low)], &to = moved_[idx(piercing.high)];
+  const double low = normal.dot(from - moved(t, 0)), high = normal.dot(to - moved(t, 0));
+  const double s = low == high ? 0.5 : std::clamp(low / (low - high), 0.0, 1.0);
+  return scale_ * (from + s * (to - from));
+}
+
 // For an edge in the triangle's plane, which only the inset makes pierce it: the middle of what
 // they share.
 double CrossingTest::middle_of_overlap(const Piercing& piercing) const {

@@ -33,6 +33,9 @@ class CrossingTest {
   // How far along its edge, from low to high, a piercing lies.
   double parameter(const Piercing& piercing) const;
 
+  // Where a piercing is once everything is moved inward, world units.
+  Vec3 decided(const Piercing& piercing) const;
+
   // Of a piercing, in a triangle that it lies in.
   SurfacePoint surface_point(const Piercing& piercing, int triangle) const;
 

@@ -183,7 +183,7 @@ class Linker {
     const Vec3& low = surface_.positions[idx(test_.vertices()[idx(piercing.low)])];
     const Vec3& high = surface_.positions[idx(test_.vertices()[idx(piercing.high)])];
     result_.curves.push({low * (1 - s) + high * s, test_.surface_point(piercing, triangles[0]),
-                         test_.surface_point(piercing, triangles[1])});
+                         test_.surface_point(piercing, triangles[1]), test_.decided(piercing)});
     result_.segment_triangles.push_back(segment_triangles);
   }
 
@@ -206,8 +206,8 @@ IntersectionCurves intersections(const Surface& surface, const Bvh& bvh, Counts&
   const std::vector<ObjectPair> left_out = kept.left_out();
   IntersectionCurves curves = Linker(surface, test, std::move(kept).sorted()).link();
   curves.left_out = left_out;
-  curves.triple_points = triple_points(surface, curves);
   curves.insets = test.insets(surface);
+  curves.triple_points = triple_points(surface, curves);
   report["intersections_left_out"] += static_cast<std::int64_t>(left_out.size());
   report["intersection_curves"] += static_cast<std::int64_t>(curves.curves.size());
   return curves;

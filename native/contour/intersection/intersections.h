@@ -22,14 +22,17 @@ namespace illustrate {
 struct IntersectionPoint {
   Vec3 position;
   SurfacePoint a, b;
+  Vec3 decided;  // the same edge's and triangle's place once everything is moved inward
 };
 
-// A curve's segment that passes, at `fraction` of its way, through a triangle of the third sheet.
+// A curve's segment that passes, at `fraction` of its way, through a triangle of the third sheet,
+// along its normal or against it.
 struct Passage {
   int curve;
   int segment;
   double fraction;
   int through;
+  bool along_normal;
 };
 
 struct TriplePoint {

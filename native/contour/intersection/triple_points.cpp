@@ -8,6 +8,8 @@
 namespace illustrate {
 namespace {
 
+// Where it is once everything is moved inward: of sheets that lie flush in each other, so that
+// their curves on a third one coincide, only this tells whether and where they pass each other.
 struct CurveSegment {
   int curve;
   int segment;
@@ -18,15 +20,15 @@ struct CurveSegment {
 class TriplePointFinder {
  public:
   TriplePointFinder(const Surface& surface, const IntersectionCurves& intersections)
-      : surface_(surface) {
+      : surface_(surface), intersections_(intersections) {
     for (std::size_t c = 0; c < intersections.curves.size(); ++c) {
       const Span<const IntersectionPoint> curve = intersections.curves[c];
       for (std::size_t i = 0; i < curve.size(); ++i) {
         const std::array<int, 2> sheets =
             intersections.segment_triangles[idx(intersections.curves.offsets[c]) + i];
         if (sheets[0] == none) continue;
-        const Vec3& end = curve[(i + 1) % curve.size()].position;
-        add({static_cast<int>(c), static_cast<int>(i), sheets, curve[i].position, end});
+        const Vec3& end = curve[(i + 1) % curve.size()].decided;
+        add({static_cast<int>(c), static_cast<int>(i), sheets, curve[i].decided, end});
       }
     }
   }
@@ -63,28 +65,54 @@ class TriplePointFinder {
     const auto [found, is_new] = found_.try_emplace(sheets);
     if (!is_new) return;
     TriplePoint& point = found->second;
-    point.position = s.start + f * (s.end - s.start);
-    point.passages = {{s.curve, s.segment, f, c}, {t.curve, t.segment, h, b}};
+    point.position = seen_at(s, f);
+    point.passages = {passage(s, f, c), passage(t, h, b)};
     const auto third = of_pair_.find(std::minmax(b, c));
-    if (third != of_pair_.end())
-      point.passages.push_back(passage(segments_[idx(third->second)], point.position, triangle));
+    if (third == of_pair_.end()) return;
+    const CurveSegment& u = segments_[idx(third->second)];
+    point.passages.push_back(passage(u, nearest(u, s.start + f * (s.end - s.start)), triangle));
   }
 
-  // Where a segment comes nearest to a point.
-  static Passage passage(const CurveSegment& s, const Vec3& point, int through) {
+  Passage passage(const CurveSegment& s, double fraction, int through) const {
+    const std::array<Vec3, 3> c = corners(through);
+    const Vec3 normal = (c[1] - c[0]).cross(c[2] - c[0]);
+    return {s.curve, s.segment, fraction, through, normal.dot(s.end - s.start) >= 0};
+  }
+
+  // On the surface as it is.
+  Vec3 seen_at(const CurveSegment& s, double fraction) const {
+    const Span<const IntersectionPoint> curve = intersections_.curves[idx(s.curve)];
+    const Vec3& start = curve[idx(s.segment)].position;
+    return start + fraction * (curve[(idx(s.segment) + 1) % curve.size()].position - start);
+  }
+
+  // The fraction of a segment's way where it comes nearest to a point.
+  static double nearest(const CurveSegment& s, const Vec3& point) {
     const Vec3 along = s.end - s.start;
     const double square = along.squaredNorm();
     const double f = square > 0 ? (point - s.start).dot(along) / square : 0;
-    return {s.curve, s.segment, std::clamp(f, 0.0, 1 - 1e-9), through};
+    return std::clamp(f, 0.0, 1 - 1e-9);
   }
 
   bool cross(int triangle, const CurveSegment& s, const CurveSegment& t, double& f,
              double& h) const {
-    const auto place = [&](const Vec3& p) { return barycentrics(surface_, triangle, p); };
-    return segments_cross(place(s.start), place(s.end), place(t.start), place(t.end), f, h);
+    const std::array<Vec3, 3> c = corners(triangle);
+    return segments_cross(barycentrics(c, s.start), barycentrics(c, s.end),
+                          barycentrics(c, t.start), barycentrics(c, t.end), f, h);
+  }
+
+  // Moved inward.
+  std::array<Vec3, 3> corners(int triangle) const {
+    std::array<Vec3, 3> moved;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t v = idx(surface_.triangles[idx(triangle)][k]);
+      moved[k] = surface_.positions[v] + intersections_.insets[v];
+    }
+    return moved;
   }
 
   const Surface& surface_;
+  const IntersectionCurves& intersections_;
   std::vector<CurveSegment> segments_;
   std::map<int, std::vector<int>> on_triangle_;
   std::map<std::pair<int, int>, int> of_pair_;

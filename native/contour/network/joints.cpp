@@ -201,20 +201,17 @@ class JointFinder {
     for (const TriplePoint& point : intersections_.triple_points) {
       const int node = add_node(NodeKind::joint, point.position);
       for (const Passage& p : point.passages) {
-        const Span<const IntersectionPoint> curve = intersections_.curves[idx(p.curve)];
-        const Vec3& from = curve[idx(p.segment)].position;
-        const Vec3& to = curve[(idx(p.segment) + 1) % curve.size()].position;
         joints_.intersections.push_back(
-            {p.curve, p.segment, p.fraction, node, change_through(p.through, to - from)});
+            {p.curve, p.segment, p.fraction, node, change_through(p.through, p.along_normal)});
       }
     }
   }
 
-  // Of what passes through a triangle in a direction: +1 from its near side to its far side.
-  int change_through(int triangle, const Vec3& along) const {
+  // Of what passes through a triangle: +1 from its near side to its far side.
+  int change_through(int triangle, bool along_normal) const {
     const Vec3 normal = winding_normal(surface_, triangle);
     const Vec3& corner = surface_.positions[idx(surface_.triangles[idx(triangle)][0])];
-    return (normal.dot(camera_.to_eye(corner)) >= 0) == (normal.dot(along) >= 0) ? -1 : 1;
+    return (normal.dot(camera_.to_eye(corner)) >= 0) == along_normal ? -1 : 1;
   }
 
   void sort_cuts() {

@@ -37,7 +37,7 @@ Surface fan_and_blade() {
 IntersectionCurves foot_of_the_blade() {
   IntersectionCurves curves;
   for (const double reach : {.05, .8}) {
-    curves.curves.push({reach * blade_direction, {2, .1, .1}, {valence, .1, .1}});
+    curves.curves.push({reach * blade_direction, {2, .1, .1}, {valence, .1, .1}, Vec3::Zero()});
   }
   curves.curves.close_list();
   curves.closed = {0};

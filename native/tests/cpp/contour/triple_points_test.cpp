@@ -1,0 +1,78 @@
+#include "contour/intersection/triple_points.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+
+#include "contour/contour_functions.h"
+#include "contour/intersection/intersections.h"
+#include "tests/cpp/shapes.h"
+
+namespace illustrate {
+namespace {
+
+IntersectionCurves found_on(const Surface& surface) {
+  Counts report;
+  return intersections(surface, Bvh(surface.positions, surface.triangles), report);
+}
+
+Surface of_three(const PolygonMesh& a, const PolygonMesh& b, const PolygonMesh& c) {
+  return shapes::joined(shapes::joined(shapes::plain_surface(a), shapes::plain_surface(b)),
+                        shapes::plain_surface(c));
+}
+
+// Through the origin, which lies within one of its two triangles.
+PolygonMesh turned_plane(const Eigen::Quaterniond& by) {
+  PolygonMesh plane = shapes::plane(1, 1);
+  for (Vec3& p : plane.positions) p = by * (p + Vec3(0.3, -0.2, 0));
+  return plane;
+}
+
+TEST(TriplePoints, CurvesPassAlongTheNormalOrAgainstIt) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> number;
+  const auto any_turn = [&] {
+    return Eigen::Quaterniond(number(random), number(random), number(random), number(random))
+        .normalized();
+  };
+  for (int scene = 0; scene < 50; ++scene) {
+    const Surface surface =
+        of_three(turned_plane(any_turn()), turned_plane(any_turn()), turned_plane(any_turn()));
+    const IntersectionCurves curves = found_on(surface);
+    ASSERT_EQ(curves.triple_points.size(), 1u);
+    ASSERT_EQ(curves.triple_points[0].passages.size(), 3u);
+    for (const Passage& p : curves.triple_points[0].passages) {
+      const auto curve = curves.curves[idx(p.curve)];
+      const Vec3 along = curve[idx(p.segment) + 1].position - curve[idx(p.segment)].position;
+      EXPECT_EQ(p.along_normal, winding_normal(surface, p.through).dot(along) > 0);
+    }
+  }
+}
+
+// A shelf's end lies flush on a wall, up to rounding: its normals do not tell from which side the
+// shelf's top comes through it.
+TEST(TriplePoints, ACurveThatPassesASheetAgainComesBack) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> rounding(-1e-7, 1e-7);
+  const Surface surface =
+      of_three(shapes::plane(4, 4), shapes::height_field(1, 1, [](double, double y) { return y; }),
+               shapes::height_field(32, 8, [&](double x, double y) {
+                 return 1e-6 * (y + 0.5 * std::sin(8 * x)) + rounding(random);
+               }));
+  std::map<std::pair<int, int>, std::map<std::pair<int, double>, bool>> passages;
+  for (const TriplePoint& point : found_on(surface).triple_points)
+    for (const Passage& p : point.passages)
+      passages[{p.curve, surface.triangle_objects[idx(p.through)]}][{p.segment, p.fraction}] =
+          p.along_normal;
+  std::size_t most = 0;
+  for (const auto& [curve, of_curve] : passages) {
+    most = std::max(most, of_curve.size());
+    for (auto p = of_curve.begin(), next = std::next(p); next != of_curve.end(); ++p, ++next)
+      EXPECT_NE(p->second, next->second) << next->first.first;
+  }
+  EXPECT_GE(most, 5u);
+}
+
+}  // namespace
+}  // namespace illustrate
