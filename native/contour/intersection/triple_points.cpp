@@ -8,8 +8,8 @@
 namespace illustrate {
 namespace {
 
-// Where it is once everything is moved inward: of sheets that lie flush in each other, so that
-// their curves on a third one coincide, only this tells whether and where they pass each other.
+// A segment of a curve, with its ends where they are once everything is moved inward. Flush sheets
+// cut a third one in the same line; only there do their curves tell whether they pass each other.
 struct CurveSegment {
   int curve;
   int segment;

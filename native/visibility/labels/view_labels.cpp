@@ -24,6 +24,11 @@ struct Transition {
   int change = 0;
 };
 
+// Whether two labels that follow each other do not change as they must.
+bool is_broken(const Transition& t, int before, int behind) {
+  return t.at != Transition::At::nothing && behind - before != t.change;
+}
+
 Transition transition_into(const Arrangement& arrangement, const Path& path, const PathArc& arc) {
   if (arc.begin != none) {
     const Visit& visit = arrangement.visits(arc.strand)[idx(arc.begin)];
@@ -254,8 +259,7 @@ class GiveWay {
     for_each_transition(arrangement_, arcs,
                         [&](std::size_t p, std::size_t before, std::size_t i, const Transition& t) {
                           const std::vector<int>& unknowns = view_.unknowns[p];
-                          const int change = label(unknowns[i]) - label(unknowns[before]);
-                          if (t.at == Transition::At::nothing || change == t.change) return;
+                          if (!is_broken(t, label(unknowns[before]), label(unknowns[i]))) return;
                           if (t.at == Transition::At::cusp) {
                             arrangement_.make_joint(static_cast<int>(p), t.step);
                             ++repairs_;
@@ -285,15 +289,14 @@ std::vector<int> contradicted_paths(const Arrangement& arrangement,
                                     const std::vector<std::vector<PathArc>>& arcs,
                                     const ViewProblem& view, const std::vector<int>& labels) {
   std::vector<int> paths;
-  for_each_transition(
-      arrangement, arcs,
-      [&](std::size_t p, std::size_t before, std::size_t i, const Transition& t) {
-        const std::vector<int>& unknowns = view.unknowns[p];
-        const int change = labels[idx(unknowns[i])] - labels[idx(unknowns[before])];
-        if (t.at == Transition::At::nothing || change == t.change) return;
-        if (paths.empty() || paths.back() != static_cast<int>(p))
-          paths.push_back(static_cast<int>(p));
-      });
+  for_each_transition(arrangement, arcs,
+                      [&](std::size_t p, std::size_t before, std::size_t i, const Transition& t) {
+                        const std::vector<int>& unknowns = view.unknowns[p];
+                        if (!is_broken(t, labels[idx(unknowns[before])], labels[idx(unknowns[i])]))
+                          return;
+                        if (paths.empty() || paths.back() != static_cast<int>(p))
+                          paths.push_back(static_cast<int>(p));
+                      });
   return paths;
 }
 
