@@ -17,6 +17,7 @@ DrawingArrays::DrawingArrays(DrawResult drawn) : result(std::move(drawn)) {
     arc_kind.push_back(static_cast<std::uint8_t>(arc.kind));
     arc_object.push_back(arc.object);
     arc_invisibility.push_back(arc.invisibility);
+    arc_flush.push_back(arc.is_flush ? 1 : 0);
   }
   for (const CurvePoint& p : result.graph.points.values) arc_points.push_back(p.position);
 }

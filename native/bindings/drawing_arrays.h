@@ -18,6 +18,7 @@ struct DrawingArrays {
   std::vector<std::uint8_t> arc_kind;              // (a)
   std::vector<int> arc_object;                     // (a)
   std::vector<int> arc_invisibility;               // (a)
+  std::vector<std::uint8_t> arc_flush;             // (a)
   Points arc_points;                               // (q)
 };
 

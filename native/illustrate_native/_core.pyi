@@ -815,6 +815,9 @@ class Graph:
     def arc_invisibility(self) -> _Indices:
         """(a,) layers of surface in front."""
     @property
+    def arc_flush(self) -> _Codes:
+        """(a,) 1 where it runs within a face of another part in the same plane: drawn as hidden."""
+    @property
     def arc_offsets(self) -> _Indices:
         """(a + 1,) arc i is points arc_offsets[i] .. arc_offsets[i + 1]."""
     @property

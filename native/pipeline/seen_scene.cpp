@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "contour/intersection/triple_points.h"
-
 namespace illustrate {
 namespace {
 
@@ -50,7 +48,7 @@ Surface surface_of(const Surface& whole, const std::vector<int>& sources,
   return part;
 }
 
-// A curve stays while both surfaces that meet in it do.
+// A curve stays while both surfaces that meet in it do, and so do flush triangles.
 IntersectionCurves intersections_of(const IntersectionCurves& whole,
                                     const std::vector<int>& numbers,
                                     const std::vector<ObjectStyle>& styles) {
@@ -60,6 +58,12 @@ IntersectionCurves intersections_of(const IntersectionCurves& whole,
     if (!styles[idx(pair[0])].ignore && !styles[idx(pair[1])].ignore) part.left_out.push_back(pair);
   }
   const auto number = [&](int t) { return t == none ? none : numbers[idx(t)]; };
+  part.reach = whole.reach;
+  for (FlushTriangles pair : whole.flush_triangles) {
+    for (int& triangle : pair.triangles) triangle = number(triangle);
+    if (pair.triangles[0] != none && pair.triangles[1] != none)
+      part.flush_triangles.push_back(pair);
+  }
   for (std::size_t c = 0; c < whole.curves.size(); ++c) {
     const Span<const IntersectionPoint> curve = whole.curves[c];
     const bool stays = std::all_of(curve.begin(), curve.end(), [&](const auto& p) {
@@ -99,7 +103,7 @@ SeenScene::SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& s
   part_->bvh = Bvh(part_->surface.positions, part_->surface.triangles, threads);
   part_->features = feature_edges(part_->surface);
   part_->intersections = intersections_of(whole_intersections, numbers, styles);
-  part_->intersections.triple_points = triple_points(part_->surface, part_->intersections);
+  complete(part_->surface, part_->intersections);
   part_->numbers = std::move(numbers);
 }
 

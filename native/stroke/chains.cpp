@@ -47,7 +47,7 @@ bool layers_are_drawn(int layers, const StrokeOptions& options) {
 }
 
 bool are_one_line(const GraphArc& a, const GraphArc& b) {
-  return a.kind == b.kind && a.object == b.object && a.invisibility == b.invisibility;
+  return a.kind == b.kind && a.object == b.object && layers_over(a) == layers_over(b);
 }
 
 // Unit direction in which an arc leaves the node at this end; zero for an arc of no length.
@@ -280,7 +280,7 @@ std::vector<std::uint8_t> drawn_arcs(const LabelledGraph& graph,
   for (const GraphArc& arc : graph.arcs) {
     const bool object_is_drawn = undrawn.empty() || arc.object == none || !undrawn[idx(arc.object)];
     drawn.push_back(object_is_drawn && kind_is_drawn(arc.kind, options) &&
-                    layers_are_drawn(arc.invisibility, options));
+                    layers_are_drawn(layers_over(arc), options));
   }
   return drawn;
 }

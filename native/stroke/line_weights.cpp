@@ -92,7 +92,7 @@ class DepthRange {
   DepthRange(const LabelledGraph& graph, const Camera& camera) : camera_(camera) {
     std::vector<std::pair<double, double>> seen;  // scaled depth, length in the image
     for (std::size_t a = 0; a < graph.arcs.size(); ++a) {
-      if (graph.arcs[a].invisibility == 0) add(graph.points[a], graph.image[a], seen);
+      if (layers_over(graph.arcs[a]) == 0) add(graph.points[a], graph.image[a], seen);
     }
     if (seen.empty()) return;
     std::sort(seen.begin(), seen.end());
@@ -178,7 +178,7 @@ Ragged<double> line_weights(const LabelledGraph& graph, const Surface& surface, 
   for (std::size_t a = 0; a < graph.arcs.size(); ++a) {
     const GraphArc& arc = graph.arcs[a];
     const Span<const CurvePoint> points = graph.points[a];
-    const bool is_inner = options.inner_scale != 1 && arc.invisibility == 0 && !points.empty() &&
+    const bool is_inner = options.inner_scale != 1 && layers_over(arc) == 0 && !points.empty() &&
                           is_inside(graph, a, seen);
     const int open = options.by_light > 0 ? open_side(arc) : 0;
     for (std::size_t i = 0; i < points.size(); ++i) {

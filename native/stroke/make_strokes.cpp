@@ -35,7 +35,7 @@ double line_width(const GraphArc& arc, const std::vector<double>& width_scale,
                   const StrokeOptions& options) {
   const bool is_outline = arc.kind == Kind::silhouette || arc.kind == Kind::boundary;
   const double width = is_outline ? options.line_width_px : options.feature_width_px;
-  const double hidden = arc.invisibility > 0 ? options.hidden_width_scale : 1.0;
+  const double hidden = layers_over(arc) > 0 ? options.hidden_width_scale : 1.0;
   return width * hidden * scale_of(width_scale, arc.object);
 }
 
@@ -103,12 +103,12 @@ std::vector<Stroke> line_strokes(const LabelledGraph& graph, const Ragged<double
     path.free_start = is_free(graph, ends, chain, chain.start_node);
     path.free_end = is_free(graph, ends, chain, chain.end_node);
     if (weights.empty()) {
-      strokes.push_back({std::move(path), arc.kind, arc.object, arc.invisibility});
+      strokes.push_back({std::move(path), arc.kind, arc.object, layers_over(arc)});
       continue;
     }
     for (const StrokePath& part : parts_with_width(path, options.speck_px)) {
       strokes.push_back({with_even_widths(part, weight_blend_units * graph.unit_px, camera),
-                         arc.kind, arc.object, arc.invisibility});
+                         arc.kind, arc.object, layers_over(arc)});
     }
   }
   keep_continued_ends(strokes, options, graph.unit_px);

@@ -69,11 +69,11 @@ class SpeckFilter {
   }
 
   bool meets_another(std::size_t c, int node) const {
-    const int layers = graph_.arcs[idx(chains_[c].arcs[0])].invisibility;
+    const int layers = layers_over(graph_.arcs[idx(chains_[c].arcs[0])]);
     for (const ArcEnd& end : ends_[idx(node)]) {
       const int other = chain_of_[idx(end.arc)];
       const bool is_kept = other != static_cast<int>(c) && kept_[idx(other)];
-      if (is_kept && graph_.arcs[idx(end.arc)].invisibility <= layers) return true;
+      if (is_kept && layers_over(graph_.arcs[idx(end.arc)]) <= layers) return true;
     }
     return false;
   }

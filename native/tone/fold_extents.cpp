@@ -104,7 +104,7 @@ class ExtentFinder {
 }  // namespace
 
 bool is_visible_fold(const GraphArc& arc) {
-  return arc.invisibility == 0 && arc.kind != Kind::seam &&
+  return layers_over(arc) == 0 && arc.kind != Kind::seam &&
          (arc.kind == Kind::intersection || arc.left_layers != arc.right_layers);
 }
 

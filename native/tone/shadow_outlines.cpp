@@ -56,7 +56,7 @@ class OutlineChains {
   // Ends are numbered 2 arc + (0: start, 1: end).
   bool is_outline(int arc) const {
     const GraphArc& a = graph_.arcs[idx(arc)];
-    return a.invisibility == 0 && a.left_layers != a.right_layers && a.kind != Kind::seam;
+    return layers_over(a) == 0 && a.left_layers != a.right_layers && a.kind != Kind::seam;
   }
 
   void meet() {

@@ -83,7 +83,7 @@ class GraphBuilder {
   void open(const PathArc& arc, int invisibility) {
     const Strand& strand = network_.strands[idx(arc.strand)];
     graph_.arcs.push_back({strand.kind, strand.object, arc.strand, none, none, invisibility,
-                           strand.left_layers, strand.right_layers});
+                           strand.left_layers, strand.right_layers, strand.is_flush});
   }
 
   void start(const PathArc& arc, int invisibility) {

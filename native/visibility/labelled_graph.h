@@ -1,6 +1,8 @@
 // The labelled graph: every curve of a view cut into arcs of constant quantitative invisibility.
 #pragma once
 
+#include <algorithm>
+
 #include "contour/network/curve_network.h"
 #include "core/report.h"
 
@@ -23,7 +25,14 @@ struct GraphArc {
   int invisibility = 0;  // layers of surface in front
   int left_layers = 0;   // as in Strand
   int right_layers = 0;
+  bool is_flush = false;  // as in Strand
 };
+
+// Layers that hide an arc as a line: those in front and, where it is flush, the face that it lies
+// within, whichever of the two comes first.
+inline int layers_over(const GraphArc& arc) {
+  return arc.is_flush ? std::max(arc.invisibility, 1) : arc.invisibility;
+}
 
 // points[i] and image[i] run along arcs[i]; closed loops do not repeat their first point.
 struct LabelledGraph {

@@ -49,6 +49,33 @@ int parity(const std::array<int, 4>& numbers) {
   return sign;
 }
 
+Vec3 winding_normal(const Points& points, const Triangle& t) {
+  return (points[idx(t[1])] - points[idx(t[0])]).cross(points[idx(t[2])] - points[idx(t[0])]);
+}
+
+// Which way a sliver faces means nothing.
+bool is_thin(const Points& points, const Triangle& t, double distance) {
+  double longest = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3& corner = points[idx(t[idx(k)])];
+    longest = std::max(longest, (points[idx(t[idx(next_corner(k))])] - corner).norm());
+  }
+  return winding_normal(points, t).norm() <= distance * longest;
+}
+
+bool lie_in_plane_of_larger(const Points& points, const Triangle& a, const Triangle& b,
+                            double distance) {
+  const Vec3 of_a = winding_normal(points, a), of_b = winding_normal(points, b);
+  const bool is_a = of_a.squaredNorm() >= of_b.squaredNorm();
+  const Vec3& up = is_a ? of_a : of_b;
+  const Vec3& origin = points[idx((is_a ? a : b)[0])];
+  const auto is_near = [&](int place) {
+    return std::abs(up.dot(points[idx(place)] - origin)) <= distance * up.norm();
+  };
+  const Triangle& smaller = is_a ? b : a;
+  return std::all_of(smaller.begin(), smaller.end(), is_near);
+}
+
 }  // namespace
 
 struct CrossingTest::Ends {
@@ -59,6 +86,7 @@ struct CrossingTest::Ends {
 CrossingTest::CrossingTest(const Surface& surface) {
   place_vertices(surface);
   scale_points(surface);
+  number_parts();
   choose_inset();
   move_points_inward(surface);
 }
@@ -126,18 +154,16 @@ void CrossingTest::choose_inset() {
 
 double CrossingTest::reach() const { return in_plane * inset_ * scale_; }
 
-// Part of each place, numbered by first place.
-std::vector<int> CrossingTest::parts() const {
+void CrossingTest::number_parts() {
   DisjointSets joined(vertices_.size());
   for (const Triangle& t : triangles_)
     for (const int place : t) joined.join(t[0], place);
-  std::vector<int> numbers(vertices_.size());
+  parts_.resize(vertices_.size());
   int count = 0;
-  for (int i = 0; i < static_cast<int>(numbers.size()); ++i) {
+  for (int i = 0; i < static_cast<int>(parts_.size()); ++i) {
     const int root = joined.root(i);
-    numbers[idx(i)] = root == i ? count++ : numbers[idx(root)];
+    parts_[idx(i)] = root == i ? count++ : parts_[idx(root)];
   }
-  return numbers;
 }
 
 // By n / |n|^2, n the mean normal of the smooth sides: where they meet at right angles, each plane
@@ -151,11 +177,10 @@ void CrossingTest::move_points_inward(const Surface& surface) {
     normals[idx(surface.places[v])] += surface.normals[v];
     ++copies[idx(surface.places[v])];
   }
-  const std::vector<int> part = parts();
-  const int part_count = part.empty() ? 1 : 1 + *std::max_element(part.begin(), part.end());
+  const int part_count = parts_.empty() ? 1 : 1 + *std::max_element(parts_.begin(), parts_.end());
   for (std::size_t i = 0; i < moved_.size(); ++i) {
     const Vec3 mean = normals[i] / std::max(1, copies[i]);
-    const double depth = inset_ * (1 + static_cast<double>(part[i]) / part_count);
+    const double depth = inset_ * (1 + static_cast<double>(parts_[i]) / part_count);
     moved_[i] -= mean * (depth / std::max(mean.squaredNorm(), least_mean_normal));
     for (double& x : moved_[i])
       if (std::abs(x) < smallest_coordinate) x = 0;
@@ -208,19 +233,17 @@ bool CrossingTest::has_separating_edge(int s, int t) const {
 // Whether nothing but rounding says on which side of each other they are, although both were moved:
 // a limit that folds over itself within its plane. Asked of the plane of the larger one.
 bool CrossingTest::are_coplanar(int s, int t) const {
-  const auto normal = [&](int triangle) -> Vec3 {
-    return (moved(triangle, 1) - moved(triangle, 0)).cross(moved(triangle, 2) - moved(triangle, 0));
-  };
-  Vec3 up = normal(s);
-  const Vec3 other = normal(t);
-  if (up.squaredNorm() < other.squaredNorm()) {
-    up = other;
-    std::swap(s, t);
-  }
-  const double rounding = coplanar * up.norm();
-  for (int k = 0; k < 3; ++k)
-    if (std::abs(up.dot(moved(t, k) - moved(s, 0))) > rounding) return false;
-  return true;
+  const Triangle &a = triangles_[idx(s)], &b = triangles_[idx(t)];
+  return lie_in_plane_of_larger(moved_, a, b, coplanar);
+}
+
+bool CrossingTest::are_flush(int s, int t) const {
+  if (part(s) == part(t)) return false;
+  const Triangle &a = triangles_[idx(s)], &b = triangles_[idx(t)];
+  const double distance = in_plane * inset_;
+  const bool face_one_way = winding_normal(points_, a).dot(winding_normal(points_, b)) > 0 ||
+                            is_thin(points_, a, distance) || is_thin(points_, b, distance);
+  return face_one_way && lie_in_plane_of_larger(points_, a, b, distance);
 }
 
 bool CrossingTest::pierces(int a, int b, int triangle) const {

@@ -36,13 +36,20 @@ class CrossingTest {
   // Where a piercing is once everything is moved inward, world units.
   Vec3 decided(const Piercing& piercing) const;
 
+  // Whether two triangles of different parts lie in one plane, up to `reach`, and face the same
+  // way, or one is a sliver, no wider than that. Whether they overlap is not asked.
+  bool are_flush(int s, int t) const;
+
+  // The connected part of the surface that a triangle belongs to.
+  int part(int triangle) const { return parts_[idx(triangles_[idx(triangle)][0])]; }
+
   // Of a piercing, in a triangle that it lies in.
   SurfacePoint surface_point(const Piercing& piercing, int triangle) const;
 
   // (vertices of the surface) how far each is moved inward, world units.
   Points insets(const Surface& surface) const;
 
-  // How near each other, in world units, the boxes of triangles that cross are.
+  // How near each other, in world units, the boxes of triangles that cross or are flush are.
   double reach() const;
 
   // A vertex at each place.
@@ -63,7 +70,7 @@ class CrossingTest {
   double extent() const;
   void choose_inset();
   void move_points_inward(const Surface& surface);
-  std::vector<int> parts() const;
+  void number_parts();
   int side(int a, int b, int c, int d) const;
   Sides filtered_sides(int triangle, int other) const;
   bool share_vertex_or_are_flat(int s, int t) const;
@@ -78,6 +85,7 @@ class CrossingTest {
   std::vector<int> vertices_;        // (places)
   Points points_;                    // (places) scaled, the largest coordinate 1 .. 2
   Points moved_;                     // (places) points_ moved inward: what is decided on
+  std::vector<int> parts_;           // (places) connected part, numbered by first place
   double scale_ = 1;                 // world length of 1 in points_
   double inset_ = 0;                 // how far points are moved, in points_
 };

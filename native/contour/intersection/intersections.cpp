@@ -5,6 +5,7 @@
 #include <set>
 
 #include "contour/intersection/crossing_test.h"
+#include "contour/intersection/flush.h"
 #include "contour/intersection/triple_points.h"
 
 namespace illustrate {
@@ -77,7 +78,8 @@ class KeptSegments {
 };
 
 void find_segments(const CrossingTest& test, const Bvh& bvh, std::size_t triangles,
-                   KeptSegments& kept, Counts& report, const Progress& progress) {
+                   KeptSegments& kept, std::vector<FlushTriangles>& flush, Counts& report,
+                   const Progress& progress) {
   std::int64_t undecided = 0, visited = 0;
   const double expected = expected_pairs * static_cast<double>(triangles);
   const auto visit = [&](int s, int t) {
@@ -89,9 +91,13 @@ void find_segments(const CrossingTest& test, const Bvh& bvh, std::size_t triangl
     Segment segment{{s, t}, {}, {}};
     const TriangleIntersection found = test.cross(s, t, segment.ends);
     if (found == TriangleIntersection::segment) kept.add(segment);
+    if (test.are_flush(s, t)) flush.push_back({{s, t}, {test.part(s), test.part(t)}});
     undecided += found == TriangleIntersection::undecided;
   };
   bvh.overlapping_pairs(visit, test.reach());
+  std::sort(flush.begin(), flush.end(), [](const FlushTriangles& a, const FlushTriangles& b) {
+    return a.triangles < b.triangles;
+  });
   report["intersection_ties"] += undecided;
 }
 
@@ -198,16 +204,25 @@ class Linker {
 
 }  // namespace
 
+void complete(const Surface& surface, IntersectionCurves& curves) {
+  curves.triple_points = triple_points(surface, curves);
+  curves.flush_edges = flush_edges(surface, curves);
+  curves.flush_segments = flush_segments(surface, curves);
+}
+
 IntersectionCurves intersections(const Surface& surface, const Bvh& bvh, Counts& report,
                                  const Progress& progress, std::int64_t most) {
   const CrossingTest test(surface);
   KeptSegments kept(surface, most);
-  find_segments(test, bvh, surface.triangles.size(), kept, report, progress);
+  std::vector<FlushTriangles> flush;
+  find_segments(test, bvh, surface.triangles.size(), kept, flush, report, progress);
   const std::vector<ObjectPair> left_out = kept.left_out();
   IntersectionCurves curves = Linker(surface, test, std::move(kept).sorted()).link();
   curves.left_out = left_out;
   curves.insets = test.insets(surface);
-  curves.triple_points = triple_points(surface, curves);
+  curves.flush_triangles = std::move(flush);
+  curves.reach = test.reach();
+  complete(surface, curves);
   report["intersections_left_out"] += static_cast<std::int64_t>(left_out.size());
   report["intersection_curves"] += static_cast<std::int64_t>(curves.curves.size());
   return curves;

@@ -10,6 +10,7 @@
 // vertex are left out, coplanar ones too: a curve that reaches such a pair ends.
 #pragma once
 
+#include "contour/shape/feature_edges.h"
 #include "core/progress.h"
 #include "core/ragged.h"
 #include "core/report.h"
@@ -40,6 +41,22 @@ struct TriplePoint {
   std::vector<Passage> passages;  // three, or two where the third curve was not found
 };
 
+// Two triangles of different connected parts in one plane that face the same way; their boxes
+// touch.
+struct FlushTriangles {
+  std::array<int, 2> triangles;
+  std::array<int, 2> parts;
+};
+
+// A stretch of a crease, in shares of the side's edge from its corner to the next one, that
+// lies within a face of another part: the face is in the plane of the side's triangle, on both
+// sides of the crease (flush.h).
+struct FlushEdge {
+  EdgeSide side;
+  double from, to;
+  int plane;  // a triangle of that face
+};
+
 // Objects that meet, or one with itself.
 using ObjectPair = std::array<int, 2>;  // ascending
 
@@ -52,12 +69,20 @@ struct IntersectionCurves {
   std::vector<std::array<int, 2>> segment_triangles;
   std::vector<TriplePoint> triple_points;  // triple_points.h
   Points insets;  // (vertices) by which each was moved inward; what hides what is decided there too
+  std::vector<FlushTriangles> flush_triangles;  // ascending
+  double reach = 0;  // how far apart planes may be that count as one, world units
+  std::vector<FlushEdge> flush_edges;
+  std::vector<int> flush_segments;   // (points) flush.h
   std::vector<ObjectPair> left_out;  // too much to follow, ascending
 };
 
 // Pairs of triangles that cross: crumpled meshes of tens of thousands of triangles have fewer, fur
 // of half a million has more, and all that is made of them grows with them.
 constexpr std::int64_t most_crossing_triangles = 500'000;
+
+// Fills what follows from the curves and from their flush triangles: triple points, flush edges and
+// segments.
+void complete(const Surface& surface, IntersectionCurves& curves);
 
 // bvh: over the surface's positions and triangles. Open curves first, then closed ones. Whenever
 // there are more than `most` pairs of triangles that cross, the objects (or the one object) to

@@ -28,8 +28,9 @@ class PieceMaker {
              const std::vector<NetworkNode>& nodes)
       : surface_(surface), functions_(functions), camera_(camera), nodes_(nodes) {}
 
-  // The pieces of an edge between its cuts.
-  void add(const FeatureEdge& edge, Span<const EdgeCut> cuts, std::vector<Piece>& pieces) const {
+  // The pieces of an edge between its cuts; those within `flush` are.
+  void add(const FeatureEdge& edge, Span<const EdgeCut> cuts, Span<const FlushStretch> flush,
+           std::vector<Piece>& pieces) const {
     double from = 0;
     int start_node = none;
     for (std::size_t i = 0; i <= cuts.size(); ++i) {
@@ -37,6 +38,10 @@ class PieceMaker {
       const double to = last ? 1 : cuts[i].fraction;
       const int end_node = last ? none : cuts[i].node;
       pieces.push_back(piece(edge, cuts, from, to, start_node, end_node));
+      pieces.back().strand.is_flush =
+          std::any_of(flush.begin(), flush.end(), [middle = (from + to) / 2](const auto& stretch) {
+            return stretch.from < middle && middle < stretch.to;
+          });
       from = to;
       start_node = end_node;
     }
@@ -182,7 +187,8 @@ class Linker {
     const Piece& q = pieces_[idx(b.piece)];
     const bool same = p.strand.kind == q.strand.kind && p.strand.object == q.strand.object &&
                       p.strand.left_layers == q.strand.left_layers &&
-                      p.strand.right_layers == q.strand.right_layers;
+                      p.strand.right_layers == q.strand.right_layers &&
+                      p.strand.is_flush == q.strand.is_flush;
     const bool in_line = p.symmetric() || a.end != b.end;
     return same && in_line && !p.from_polygons && !q.from_polygons && a.piece != b.piece;
   }
@@ -215,6 +221,14 @@ class Linker {
   std::vector<std::uint8_t> used_;
 };
 
+// The entries of a feature, which begin at `next`; `next` moves past them.
+template <class Entry>
+Span<const Entry> run_of(int feature, const std::vector<Entry>& entries, std::size_t& next) {
+  const std::size_t begin = next;
+  while (next < entries.size() && entries[next].feature == feature) ++next;
+  return {entries.data() + begin, next - begin};
+}
+
 }  // namespace
 
 void add_feature_strands(const Surface& surface, const std::vector<FeatureEdge>& features,
@@ -223,13 +237,13 @@ void add_feature_strands(const Surface& surface, const std::vector<FeatureEdge>&
                          const Joints& joints, CurveNetwork& network) {
   const PieceMaker maker(surface, functions, camera, joints.nodes);
   std::vector<Piece> pieces;
-  std::size_t next = 0;
+  std::size_t next_cut = 0, next_flush = 0;
   for (std::size_t f = 0; f < features.size(); ++f) {
-    const std::size_t begin = next;
-    while (next < joints.edges.size() && joints.edges[next].feature == static_cast<int>(f)) ++next;
-    maker.add(features[f], {joints.edges.data() + begin, next - begin}, pieces);
+    const int feature = static_cast<int>(f);
+    maker.add(features[f], run_of(feature, joints.edges, next_cut),
+              run_of(feature, joints.flush, next_flush), pieces);
   }
-  for (const FeatureEdge& edge : polygon_silhouettes) maker.add(edge, {}, pieces);
+  for (const FeatureEdge& edge : polygon_silhouettes) maker.add(edge, {}, {}, pieces);
   Linker(pieces, network).run();
 }
 

@@ -30,6 +30,8 @@ class JointFinder {
 
   Joints run() {
     index_features();
+    for (const FlushEdge& edge : intersections_.flush_edges) cut_flush(edge);
+    find_flush_segments();
     for (std::size_t c = 0; c < silhouettes_.chains.size(); ++c) cut_chain(static_cast<int>(c));
     if (!intersections_.curves.empty() || !lines_.curves.empty()) {
       chain_pieces_ = pieces_of_chains(surface_, silhouettes_);
@@ -104,6 +106,42 @@ class JointFinder {
     return node;
   }
 
+  void cut_flush(const FlushEdge& edge) {
+    const auto [triangle, corner] = edge.side;
+    if (!is_front_face(surface_, camera_, edge.plane)) return;
+    const int feature = feature_of_side_.at(side_key(triangle, corner));
+    const double from = along_feature(feature, triangle, corner, edge.from);
+    const double to = along_feature(feature, triangle, corner, edge.to);
+    joints_.flush.push_back({feature, std::min(from, to), std::max(from, to)});
+    for (const double end : {from, to}) {
+      if (end > 0 && end < 1) cut_feature_at(feature, end);
+    }
+  }
+
+  void cut_feature_at(int feature, double fraction) {
+    const EdgeSide& first = features_[idx(feature)].sides[0];
+    const Triangle& corners = surface_.triangles[idx(first.triangle)];
+    const Vec3& start = surface_.positions[idx(corners[idx(first.corner)])];
+    const Vec3& end = surface_.positions[idx(corners[idx(next_corner(first.corner))])];
+    const int node = add_node(NodeKind::joint, start + fraction * (end - start));
+    joints_.edges.push_back({feature, fraction, node, EdgeSide{}});
+  }
+
+  void find_flush_segments() {
+    for (const int plane : intersections_.flush_segments) {
+      joints_.flush_segments.push_back(plane != none && is_front_face(surface_, camera_, plane));
+    }
+  }
+
+  // Whether a curve begins or ends to be flush at a point; open ones do not at their ends.
+  bool flush_changes(int c, int i) const {
+    const int count = static_cast<int>(intersections_.curves[idx(c)].size());
+    const auto is_flush = [&](int k) {
+      return joints_.flush_segments[global_point(c, (k + count) % count)] != 0;
+    };
+    return (i > 0 || intersections_.closed[idx(c)]) && is_flush(i - 1) != is_flush(i);
+  }
+
   void cut_chain(int c) {
     const Span<const ChainPoint> chain = silhouettes_.chains[idx(c)];
     const bool closed = silhouettes_.closed[idx(c)];
@@ -128,7 +166,12 @@ class JointFinder {
       int node = cut_at_edge(curve[i].a, curve[i].position);
       if (node == none) node = cut_at_edge(curve[i].b, curve[i].position);
       if (node == none && tip) node = add_node(NodeKind::end, curve[i].position);
-      if (node != none) joints_.intersections.push_back({c, static_cast<int>(i), 0, node, {}});
+      if (node != none) {
+        joints_.intersections.push_back({c, static_cast<int>(i), 0, node, {}});
+      } else if (flush_changes(c, static_cast<int>(i))) {
+        node = add_node(NodeKind::joint, curve[i].position);
+        joints_.intersections.push_back({c, static_cast<int>(i), 0, node, 0});
+      }
     }
   }
 
@@ -222,6 +265,8 @@ class JointFinder {
     std::sort(joints_.chains.begin(), joints_.chains.end(), order);
     std::sort(joints_.intersections.begin(), joints_.intersections.end(), order);
     std::sort(joints_.lines.begin(), joints_.lines.end(), order);
+    std::sort(joints_.flush.begin(), joints_.flush.end(),
+              [](const FlushStretch& a, const FlushStretch& b) { return a.feature < b.feature; });
     std::sort(joints_.edges.begin(), joints_.edges.end(), [](const EdgeCut& a, const EdgeCut& b) {
       return std::tie(a.feature, a.fraction, a.node) < std::tie(b.feature, b.fraction, b.node);
     });

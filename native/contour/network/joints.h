@@ -32,13 +32,22 @@ struct CurveCut {
   std::optional<int> jump;
 };
 
+// A stretch of a feature edge, in shares from the first corner of its first side, that lies within
+// a face of another part (flush.h), which is seen from its front.
+struct FlushStretch {
+  int feature;
+  double from, to;
+};
+
 struct Joints {
   std::vector<NetworkNode> nodes;
-  std::vector<EdgeCut> edges;           // sorted by feature, fraction
-  std::vector<CurveCut> chains;         // sorted by curve, segment, fraction
-  std::vector<CurveCut> intersections;  // sorted likewise
-  std::vector<CurveCut> lines;          // of free lines, sorted likewise
-  int first_line_node = 0;              // nodes from here on are only due to free lines
+  std::vector<EdgeCut> edges;                // sorted by feature, fraction
+  std::vector<FlushStretch> flush;           // sorted by feature
+  std::vector<std::uint8_t> flush_segments;  // (points of intersections) such a stretch follows
+  std::vector<CurveCut> chains;              // sorted by curve, segment, fraction
+  std::vector<CurveCut> intersections;       // sorted likewise
+  std::vector<CurveCut> lines;               // of free lines, sorted likewise
+  int first_line_node = 0;                   // nodes from here on are only due to free lines
 };
 
 // Where a contour passes through another sheet it goes behind it (+1) or comes out in front of it
@@ -46,7 +55,8 @@ struct Joints {
 // meet at the contour to the farther one (+1), or back.
 //
 // Nodes where chains end on or pass over feature edges, where self-intersection curves cross
-// feature edges and chains, and at cusps; where free lines end or meet any of these.
+// feature edges and chains, and at cusps; where either begins or ends to be flush; where free lines
+// end or meet any of these.
 Joints find_joints(const Surface& surface, const std::vector<FeatureEdge>& features,
                    const Silhouettes& silhouettes, const IntersectionCurves& intersections,
                    const FreeLines& free_lines, const Camera& camera);

@@ -205,9 +205,14 @@ void add_intersection_strands(const Surface& surface, const IntersectionCurves& 
       line.points.push_back({p.position, p.a});
     }
     const Span<const CurveCut> cuts = cuts_of(joints.intersections, static_cast<int>(c));
-    const int first = static_cast<int>(network.strands.size());
-    add_polyline(surface, line, cuts, strand, network);
-    add_ties(cuts, line.closed, first, network);
+    const std::size_t first = network.strands.size();
+    std::vector<int> sources = add_polyline(surface, line, cuts, strand, network);
+    if (sources.empty()) sources.push_back(0);
+    for (std::size_t s = first; s < network.strands.size(); ++s) {
+      const auto start = idx(intersections.curves.offsets[c] + sources[s - first]);
+      network.strands[s].is_flush = joints.flush_segments[start] != 0;
+    }
+    add_ties(cuts, line.closed, static_cast<int>(first), network);
   }
 }
 

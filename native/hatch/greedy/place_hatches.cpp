@@ -148,7 +148,7 @@ class Placer {
     const LabelledGraph& graph = scene_.graph;
     const double offset = curve_offset * graph.unit_px;
     for (int arc = 0; arc < static_cast<int>(graph.arcs.size()); ++arc) {
-      if (graph.arcs[idx(arc)].invisibility != 0 || !is_critical(graph.arcs[idx(arc)].kind))
+      if (layers_over(graph.arcs[idx(arc)]) != 0 || !is_critical(graph.arcs[idx(arc)].kind))
         continue;
       progress_.report(0);
       std::array<double, 2> apart{infinite, infinite};  // from the last hatch on either side

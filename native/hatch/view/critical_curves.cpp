@@ -37,7 +37,7 @@ CriticalCurves::CriticalCurves(const LabelledGraph& graph, double width_px, doub
   Pieces pieces;
   for (int arc = 0; arc < static_cast<int>(graph.arcs.size()); ++arc) {
     const GraphArc& data = graph.arcs[idx(arc)];
-    if (data.invisibility == 0 && is_critical(data.kind)) add_arc(graph, arc, pieces);
+    if (layers_over(data) == 0 && is_critical(data.kind)) add_arc(graph, arc, pieces);
   }
   fill_grid(pieces);
   measure_clearance(pieces);

@@ -92,7 +92,7 @@ class TileMarker {
   void add_curves() {
     const LabelledGraph& graph = scene_.graph;
     for (int arc = 0; arc < static_cast<int>(graph.arcs.size()); ++arc) {
-      if (graph.arcs[idx(arc)].invisibility != 0 || !is_critical(graph.arcs[idx(arc)].kind)) {
+      if (layers_over(graph.arcs[idx(arc)]) != 0 || !is_critical(graph.arcs[idx(arc)].kind)) {
         continue;
       }
       const Span<const Vec2> line = graph.image[idx(arc)];

@@ -69,7 +69,8 @@ def test_every_public_name_is_there() -> None:
         ("invisibility", "i4", None), ("graph.node_kind", "u1", None),
         ("graph.node_image", "f8", 2), ("graph.node_arcs", "i4", 4),
         ("graph.arc_nodes", "i4", 2), ("graph.arc_kind", "u1", None),
-        ("graph.arc_invisibility", "i4", None), ("graph.arc_offsets", "i4", None),
+        ("graph.arc_invisibility", "i4", None), ("graph.arc_flush", "u1", None),
+        ("graph.arc_offsets", "i4", None),
         ("graph.arc_image", "f8", 2), ("graph.arc_points", "f8", 3),
     ],
 )  # fmt: skip

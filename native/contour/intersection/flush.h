@@ -1,0 +1,23 @@
+// Flush parts: two connected parts of the surface overlap in one plane and face the same way, as
+// where the end of a beam lies in the face of a wall. A render shows one face, which goes on
+// unchanged beyond the edge of either; so an edge of one that lies within the face of the other is
+// no line of a drawing.
+//
+// Planes no farther apart than IntersectionCurves::reach are one. A crease at which the surface
+// rises from the plane is a line all the same, and so is the seam of parts that only abut, since
+// neither goes on beyond it. Overlaps of a connected part with itself are not looked for.
+#pragma once
+
+#include "contour/intersection/intersections.h"
+
+namespace illustrate {
+
+// From the flush triangles of these curves; by side, then by share.
+std::vector<FlushEdge> flush_edges(const Surface& surface, const IntersectionCurves& curves);
+
+// (points) Of the segment that follows each point: the one of its two triangles in whose plane it
+// is flush, where it runs along a flush edge of the other one's sheet, or both triangles are flush;
+// else none.
+std::vector<int> flush_segments(const Surface& surface, const IntersectionCurves& curves);
+
+}  // namespace illustrate

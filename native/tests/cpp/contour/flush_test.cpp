@@ -1,0 +1,112 @@
+#include "contour/intersection/flush.h"
+
+#include <gtest/gtest.h>
+
+#include "pipeline/draw.h"
+#include "tests/cpp/shapes.h"
+
+namespace illustrate {
+namespace {
+
+// Sharp-edged, of one quad a face.
+PolygonMesh sharp(PolygonMesh mesh) {
+  mesh.cage = false;
+  mesh.crease_angle_deg = 30;
+  return mesh;
+}
+
+PolygonMesh block(const Vec3& low, const Vec3& high) {
+  PolygonMesh mesh = shapes::cube();
+  for (Vec3& p : mesh.positions) {
+    p = (low + high) / 2 + (p.array() * (high - low).array() / 2).matrix();
+  }
+  return sharp(mesh);
+}
+
+PolygonMesh turned(PolygonMesh mesh, const Eigen::Quaterniond& by) {
+  for (Vec3& p : mesh.positions) p = by * p;
+  return mesh;
+}
+
+// Of all flush edges, world units.
+double flush_length(const std::vector<PolygonMesh>& meshes) {
+  std::vector<MeshPointer> pointers;
+  for (const PolygonMesh& mesh : meshes) {
+    pointers.push_back(std::make_shared<const PolygonMesh>(mesh));
+  }
+  PrepareOptions options;
+  options.field = false;
+  options.surface.triangle_budget = 5000;
+  const auto prepared = prepare(pointers, options);
+  const Surface& surface = prepared->surface();
+  double length = 0;
+  for (const FlushEdge& edge : prepared->intersections().flush_edges) {
+    const Triangle& corners = surface.triangles[idx(edge.side.triangle)];
+    const Vec3& start = surface.positions[idx(corners[idx(edge.side.corner)])];
+    const Vec3& end = surface.positions[idx(corners[idx(next_corner(edge.side.corner))])];
+    length += (edge.to - edge.from) * (end - start).norm();
+  }
+  return length;
+}
+
+const PolygonMesh slab = block(Vec3(-2, -2, -1), Vec3(2, 2, 0));
+
+void expect_length(const PolygonMesh& other, double expected) {
+  const Eigen::Quaterniond askew = Eigen::Quaterniond(0.3, 0.5, -0.7, 0.2).normalized();
+  for (const auto& turn : {Eigen::Quaterniond::Identity(), askew}) {
+    const PolygonMesh a = turned(slab, turn), b = turned(other, turn);
+    EXPECT_NEAR(flush_length({a, b}), expected, 1e-3);
+    EXPECT_NEAR(flush_length({b, a}), expected, 1e-3);
+  }
+}
+
+TEST(FlushEdges, OfABlockWithinASlabAreThoseOfItsTop) {
+  expect_length(block(Vec3(-0.5, -0.5, -0.7), Vec3(0.5, 0.5, 0)), 4);
+}
+
+// Two edges of the block as far as the slab, the third wholly, and the slab's as far as the block.
+TEST(FlushEdges, EndWhereTheOtherFaceEnds) {
+  expect_length(block(Vec3(1.2, -0.5, -0.7), Vec3(2.5, 0.5, 0)), 0.8 + 0.8 + 1 + 1);
+}
+
+TEST(FlushEdges, AreNotTheSeamsOfBlocksThatAbut) {
+  expect_length(block(Vec3(2, -2, -1), Vec3(4, 2, 0)), 0);
+  expect_length(block(Vec3(2, -0.5, -0.7), Vec3(3, 0.5, 0)), 0);
+}
+
+// Of a block that is flush with two faces of the slab, the edge that both have is none.
+TEST(FlushEdges, AreNotWhereBothFacesEnd) {
+  expect_length(block(Vec3(0, -0.5, -0.7), Vec3(2, 0.5, 0)), (2 + 2 + 1) + (0.7 + 0.7 + 1));
+}
+
+TEST(FlushEdges, AreNotOfFacesThatFaceEachOther) {
+  expect_length(block(Vec3(-0.5, -0.5, 0), Vec3(0.5, 0.5, 1)), 0);
+}
+
+// An angle whose flat leg lies in the slab: along the standing leg its top rises from the plane.
+TEST(FlushEdges, AreNotWhereTheSurfaceRises) {
+  const PolygonMesh angle = sharp(shapes::polygon_mesh({{0, 0, -0.5},
+                                                        {1, 0, -0.5},
+                                                        {1, 0, 0},
+                                                        {0.2, 0, 0},
+                                                        {0.2, 0, 1},
+                                                        {0, 0, 1},
+                                                        {0, 1, -0.5},
+                                                        {1, 1, -0.5},
+                                                        {1, 1, 0},
+                                                        {0.2, 1, 0},
+                                                        {0.2, 1, 1},
+                                                        {0, 1, 1}},
+                                                       {{0, 1, 2, 3, 4, 5},
+                                                        {11, 10, 9, 8, 7, 6},
+                                                        {0, 6, 7, 1},
+                                                        {1, 7, 8, 2},
+                                                        {2, 8, 9, 3},
+                                                        {3, 9, 10, 4},
+                                                        {4, 10, 11, 5},
+                                                        {5, 11, 6, 0}}));
+  expect_length(angle, 0.8 + 0.8 + 1);
+}
+
+}  // namespace
+}  // namespace illustrate
