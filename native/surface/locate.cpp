@@ -1,8 +1,16 @@
 #include "surface/locate.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace illustrate {
+namespace {
+
+// Of coordinates that are shares of a triangle: far above their rounding, far below any angle
+// between two curves that cross.
+constexpr double parallel = 1e-12;
+
+}  // namespace
 
 Vec2 barycentrics(const std::array<Vec3, 3>& corners, const Vec3& p) {
   const Vec3& origin = corners[0];
@@ -34,7 +42,8 @@ SurfacePoint nearest_on(const Surface& surface, int triangle, const Vec3& p) {
 bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, double& f,
                     double& h) {
   const double determinant = cross(b - a, d - c);
-  if (determinant == 0) return false;
+  const double rounding = parallel * ((b - a).norm() + (d - c).norm());
+  if (std::abs(determinant) <= rounding) return false;
   f = cross(c - a, d - c) / determinant;
   h = cross(c - a, b - a) / determinant;
   return f >= 0 && f < 1 && h >= 0 && h < 1;

@@ -22,8 +22,9 @@ inline SurfacePoint on_edge(int triangle, int corner, double fraction) {
                         : 0};
 }
 
-// Whether the segments a b and c d of a plane cross; then at the shares f and h of their lengths,
-// each in [0, 1).
+// Whether the segments a b and c d, in shares of a triangle, cross; then at the shares f and h of
+// their lengths, each in [0, 1). Not where they are parallel up to rounding: two pieces of a
+// straight line would cross anywhere.
 bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, double& f,
                     double& h);
 

@@ -277,39 +277,30 @@ TriangleIntersection CrossingTest::cross(int s, int t, std::array<Piercing, 2>& 
   return TriangleIntersection::segment;
 }
 
+double CrossingTest::share_to_plane(const Points& points, const Piercing& piercing,
+                                    double& farther) const {
+  const Triangle& t = triangles_[idx(piercing.triangle)];
+  const Vec3 normal = winding_normal(points, t);
+  const Vec3& origin = points[idx(t[0])];
+  const double low = normal.dot(points[idx(piercing.low)] - origin);
+  const double high = normal.dot(points[idx(piercing.high)] - origin);
+  farther = std::max(std::abs(low), std::abs(high)) / normal.norm();
+  return low == high ? 0.5 : std::clamp(low / (low - high), 0.0, 1.0);
+}
+
+// Where an edge lies in the triangle's plane only the inset says where it pierces it; on both sides
+// of it, along the curve, that is what they were decided by.
 double CrossingTest::parameter(const Piercing& piercing) const {
-  const int t = piercing.triangle;
-  const Vec3 normal = (at(t, 1) - at(t, 0)).cross(at(t, 2) - at(t, 0));
-  const double low = normal.dot(points_[idx(piercing.low)] - at(t, 0));
-  const double high = normal.dot(points_[idx(piercing.high)] - at(t, 0));
-  if (std::max(std::abs(low), std::abs(high)) <= in_plane * inset_ * normal.norm())
-    return middle_of_overlap(piercing);
-  return std::clamp(low / (low - high), 0.0, 1.0);
+  double farther = 0;
+  const double share = share_to_plane(points_, piercing, farther);
+  return farther <= in_plane * inset_ ? share_to_plane(moved_, piercing, farther) : share;
 }
 
 Vec3 CrossingTest::decided(const Piercing& piercing) const {
-  const int t = piercing.triangle;
-  const Vec3 normal = (moved(t, 1) - moved(t, 0)).cross(moved(t, 2) - moved(t, 0));
+  double farther = 0;
+  const double s = share_to_plane(moved_, piercing, farther);
   const Vec3 &from = moved_[idx(piercing.low)], &to = moved_[idx(piercing.high)];
-  const double low = normal.dot(from - moved(t, 0)), high = normal.dot(to - moved(t, 0));
-  const double s = low == high ? 0.5 : std::clamp(low / (low - high), 0.0, 1.0);
   return scale_ * (from + s * (to - from));
-}
-
-// For an edge in the triangle's plane, which only the inset makes pierce it: the middle of what
-// they share.
-double CrossingTest::middle_of_overlap(const Piercing& piercing) const {
-  const int t = piercing.triangle;
-  const Vec3 normal = (at(t, 1) - at(t, 0)).cross(at(t, 2) - at(t, 0));
-  double enter = 0, leave = 1;
-  for (int k = 0; k < 3; ++k) {
-    const Vec3 outward = (at(t, next_corner(k)) - at(t, k)).cross(normal);
-    const double low = outward.dot(points_[idx(piercing.low)] - at(t, k));
-    const double high = outward.dot(points_[idx(piercing.high)] - at(t, k));
-    if (low > 0 && high < low) enter = std::max(enter, low / (low - high));
-    if (high > 0 && low < high) leave = std::min(leave, low / (low - high));
-  }
-  return std::clamp((enter + leave) / 2, 0.0, 1.0);
 }
 
 SurfacePoint CrossingTest::surface_point(const Piercing& piercing, int triangle) const {

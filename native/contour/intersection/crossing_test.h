@@ -77,7 +77,8 @@ class CrossingTest {
   bool has_separating_edge(int s, int t) const;
   bool are_coplanar(int s, int t) const;
   bool pierces(int a, int b, int triangle) const;
-  double middle_of_overlap(const Piercing& piercing) const;
+  // Where an edge meets the triangle's plane, and how far the farther of its ends is from it.
+  double share_to_plane(const Points& points, const Piercing& piercing, double& farther) const;
   SurfacePoint projected(const Vec3& point, int triangle) const;
   void add_piercings(int triangle, int other, Ends& ends) const;
 

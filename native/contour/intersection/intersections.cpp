@@ -189,7 +189,8 @@ class Linker {
     const Vec3& low = surface_.positions[idx(test_.vertices()[idx(piercing.low)])];
     const Vec3& high = surface_.positions[idx(test_.vertices()[idx(piercing.high)])];
     result_.curves.push({low * (1 - s) + high * s, test_.surface_point(piercing, triangles[0]),
-                         test_.surface_point(piercing, triangles[1]), test_.decided(piercing)});
+                         test_.surface_point(piercing, triangles[1]), test_.decided(piercing),
+                         {piercing.low, piercing.high}});
     result_.segment_triangles.push_back(segment_triangles);
   }
 

@@ -24,6 +24,7 @@ struct IntersectionPoint {
   Vec3 position;
   SurfacePoint a, b;
   Vec3 decided;  // the same edge's and triangle's place once everything is moved inward
+  Edge edge{none, none};  // places of its ends
 };
 
 // A curve's segment that passes, at `fraction` of its way, through a triangle of the third sheet,

@@ -59,7 +59,7 @@ class TriplePointFinder {
     const int b = s.sheets[s.sheets[0] == triangle ? 1 : 0];
     const int c = t.sheets[t.sheets[0] == triangle ? 1 : 0];
     double f, h;
-    if (b == c || !cross(triangle, s, t, f, h)) return;
+    if (share_corner(b, c) || !cross(triangle, s, t, f, h)) return;
     std::array<int, 3> sheets{triangle, b, c};
     std::sort(sheets.begin(), sheets.end());
     const auto [found, is_new] = found_.try_emplace(sheets);
@@ -71,6 +71,19 @@ class TriplePointFinder {
     if (third == of_pair_.end()) return;
     const CurveSegment& u = segments_[idx(third->second)];
     point.passages.push_back(passage(u, nearest(u, s.start + f * (s.end - s.start)), triangle));
+  }
+
+  // Then they are of one sheet, and have no curve.
+  bool share_corner(int a, int b) const {
+    const auto place = [&](int t, std::size_t k) {
+      return surface_.places[idx(surface_.triangles[idx(t)][k])];
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        if (place(a, i) == place(b, j)) return true;
+      }
+    }
+    return false;
   }
 
   Passage passage(const CurveSegment& s, double fraction, int through) const {

@@ -11,9 +11,6 @@
 namespace illustrate {
 namespace {
 
-// A point counts as lying on an edge of its triangle below this barycentric weight.
-constexpr double on_edge_weight = 1e-9;
-
 std::int64_t side_key(int triangle, int corner) { return std::int64_t{triangle} * 3 + corner; }
 
 class JointFinder {
@@ -163,8 +160,8 @@ class JointFinder {
     const bool closed = intersections_.closed[idx(c)];
     for (std::size_t i = 0; i < curve.size(); ++i) {
       const bool tip = !closed && (i == 0 || i + 1 == curve.size());
-      int node = cut_at_edge(curve[i].a, curve[i].position);
-      if (node == none) node = cut_at_edge(curve[i].b, curve[i].position);
+      int node = cut_at_edge(curve[i].a, curve[i]);
+      if (node == none) node = cut_at_edge(curve[i].b, curve[i]);
       if (node == none && tip) node = add_node(NodeKind::end, curve[i].position);
       if (node != none) {
         joints_.intersections.push_back({c, static_cast<int>(i), 0, node, {}});
@@ -175,13 +172,18 @@ class JointFinder {
     }
   }
 
-  int cut_at_edge(const SurfacePoint& p, const Vec3& position) {
-    if (p.triangle == none) return none;
-    const std::array<double, 3> weights{1 - p.b1 - p.b2, p.b1, p.b2};
+  // At the edge that pierces. Other edges may pass through the same place, but the curve does not
+  // come to them.
+  int cut_at_edge(const SurfacePoint& on, const IntersectionPoint& point) {
+    if (on.triangle == none) return none;
+    const std::array<double, 3> weights{1 - on.b1 - on.b2, on.b1, on.b2};
+    const auto place = [&](int corner) {
+      return surface_.places[idx(surface_.triangles[idx(on.triangle)][idx(corner)])];
+    };
     for (int k = 0; k < 3; ++k) {
-      if (weights[idx(previous_corner(k))] > on_edge_weight) continue;
-      const int node = cut_feature({p.triangle, k}, weights[idx(next_corner(k))], position);
-      if (node != none) return node;
+      const auto [low, high] = std::minmax({place(k), place(next_corner(k))});
+      if (Edge{low, high} != point.edge) continue;
+      return cut_feature({on.triangle, k}, weights[idx(next_corner(k))], point.position);
     }
     return none;
   }

@@ -2,26 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/draw.h"
-#include "tests/cpp/shapes.h"
+#include "tests/cpp/blocks.h"
 
 namespace illustrate {
 namespace {
-
-// Sharp-edged, of one quad a face.
-PolygonMesh sharp(PolygonMesh mesh) {
-  mesh.cage = false;
-  mesh.crease_angle_deg = 30;
-  return mesh;
-}
-
-PolygonMesh block(const Vec3& low, const Vec3& high) {
-  PolygonMesh mesh = shapes::cube();
-  for (Vec3& p : mesh.positions) {
-    p = (low + high) / 2 + (p.array() * (high - low).array() / 2).matrix();
-  }
-  return sharp(mesh);
-}
 
 PolygonMesh turned(PolygonMesh mesh, const Eigen::Quaterniond& by) {
   for (Vec3& p : mesh.positions) p = by * p;
@@ -30,14 +14,7 @@ PolygonMesh turned(PolygonMesh mesh, const Eigen::Quaterniond& by) {
 
 // Of all flush edges, world units.
 double flush_length(const std::vector<PolygonMesh>& meshes) {
-  std::vector<MeshPointer> pointers;
-  for (const PolygonMesh& mesh : meshes) {
-    pointers.push_back(std::make_shared<const PolygonMesh>(mesh));
-  }
-  PrepareOptions options;
-  options.field = false;
-  options.surface.triangle_budget = 5000;
-  const auto prepared = prepare(pointers, options);
+  const auto prepared = blocks::prepared(meshes);
   const Surface& surface = prepared->surface();
   double length = 0;
   for (const FlushEdge& edge : prepared->intersections().flush_edges) {
@@ -49,7 +26,7 @@ double flush_length(const std::vector<PolygonMesh>& meshes) {
   return length;
 }
 
-const PolygonMesh slab = block(Vec3(-2, -2, -1), Vec3(2, 2, 0));
+const PolygonMesh slab = blocks::block(Vec3(-2, -2, -1), Vec3(2, 2, 0));
 
 void expect_length(const PolygonMesh& other, double expected) {
   const Eigen::Quaterniond askew = Eigen::Quaterniond(0.3, 0.5, -0.7, 0.2).normalized();
@@ -61,50 +38,50 @@ void expect_length(const PolygonMesh& other, double expected) {
 }
 
 TEST(FlushEdges, OfABlockWithinASlabAreThoseOfItsTop) {
-  expect_length(block(Vec3(-0.5, -0.5, -0.7), Vec3(0.5, 0.5, 0)), 4);
+  expect_length(blocks::block(Vec3(-0.5, -0.5, -0.7), Vec3(0.5, 0.5, 0)), 4);
 }
 
 // Two edges of the block as far as the slab, the third wholly, and the slab's as far as the block.
 TEST(FlushEdges, EndWhereTheOtherFaceEnds) {
-  expect_length(block(Vec3(1.2, -0.5, -0.7), Vec3(2.5, 0.5, 0)), 0.8 + 0.8 + 1 + 1);
+  expect_length(blocks::block(Vec3(1.2, -0.5, -0.7), Vec3(2.5, 0.5, 0)), 0.8 + 0.8 + 1 + 1);
 }
 
 TEST(FlushEdges, AreNotTheSeamsOfBlocksThatAbut) {
-  expect_length(block(Vec3(2, -2, -1), Vec3(4, 2, 0)), 0);
-  expect_length(block(Vec3(2, -0.5, -0.7), Vec3(3, 0.5, 0)), 0);
+  expect_length(blocks::block(Vec3(2, -2, -1), Vec3(4, 2, 0)), 0);
+  expect_length(blocks::block(Vec3(2, -0.5, -0.7), Vec3(3, 0.5, 0)), 0);
 }
 
 // Of a block that is flush with two faces of the slab, the edge that both have is none.
 TEST(FlushEdges, AreNotWhereBothFacesEnd) {
-  expect_length(block(Vec3(0, -0.5, -0.7), Vec3(2, 0.5, 0)), (2 + 2 + 1) + (0.7 + 0.7 + 1));
+  expect_length(blocks::block(Vec3(0, -0.5, -0.7), Vec3(2, 0.5, 0)), (2 + 2 + 1) + (0.7 + 0.7 + 1));
 }
 
 TEST(FlushEdges, AreNotOfFacesThatFaceEachOther) {
-  expect_length(block(Vec3(-0.5, -0.5, 0), Vec3(0.5, 0.5, 1)), 0);
+  expect_length(blocks::block(Vec3(-0.5, -0.5, 0), Vec3(0.5, 0.5, 1)), 0);
 }
 
 // An angle whose flat leg lies in the slab: along the standing leg its top rises from the plane.
 TEST(FlushEdges, AreNotWhereTheSurfaceRises) {
-  const PolygonMesh angle = sharp(shapes::polygon_mesh({{0, 0, -0.5},
-                                                        {1, 0, -0.5},
-                                                        {1, 0, 0},
-                                                        {0.2, 0, 0},
-                                                        {0.2, 0, 1},
-                                                        {0, 0, 1},
-                                                        {0, 1, -0.5},
-                                                        {1, 1, -0.5},
-                                                        {1, 1, 0},
-                                                        {0.2, 1, 0},
-                                                        {0.2, 1, 1},
-                                                        {0, 1, 1}},
-                                                       {{0, 1, 2, 3, 4, 5},
-                                                        {11, 10, 9, 8, 7, 6},
-                                                        {0, 6, 7, 1},
-                                                        {1, 7, 8, 2},
-                                                        {2, 8, 9, 3},
-                                                        {3, 9, 10, 4},
-                                                        {4, 10, 11, 5},
-                                                        {5, 11, 6, 0}}));
+  const PolygonMesh angle = blocks::sharp(shapes::polygon_mesh({{0, 0, -0.5},
+                                                                {1, 0, -0.5},
+                                                                {1, 0, 0},
+                                                                {0.2, 0, 0},
+                                                                {0.2, 0, 1},
+                                                                {0, 0, 1},
+                                                                {0, 1, -0.5},
+                                                                {1, 1, -0.5},
+                                                                {1, 1, 0},
+                                                                {0.2, 1, 0},
+                                                                {0.2, 1, 1},
+                                                                {0, 1, 1}},
+                                                               {{0, 1, 2, 3, 4, 5},
+                                                                {11, 10, 9, 8, 7, 6},
+                                                                {0, 6, 7, 1},
+                                                                {1, 7, 8, 2},
+                                                                {2, 8, 9, 3},
+                                                                {3, 9, 10, 4},
+                                                                {4, 10, 11, 5},
+                                                                {5, 11, 6, 0}}));
   expect_length(angle, 0.8 + 0.8 + 1);
 }
 

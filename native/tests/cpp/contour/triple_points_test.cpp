@@ -7,7 +7,7 @@
 
 #include "contour/contour_functions.h"
 #include "contour/intersection/intersections.h"
-#include "tests/cpp/shapes.h"
+#include "tests/cpp/blocks.h"
 
 namespace illustrate {
 namespace {
@@ -47,6 +47,18 @@ TEST(TriplePoints, CurvesPassAlongTheNormalOrAgainstIt) {
       const Vec3 along = curve[idx(p.segment) + 1].position - curve[idx(p.segment)].position;
       EXPECT_EQ(p.along_normal, winding_normal(surface, p.through).dot(along) > 0);
     }
+  }
+}
+
+// A block whose edges lie in a ground's plane: the curve runs straight through its triangles.
+TEST(TriplePoints, AreNoneAlongAStraightCurve) {
+  PolygonMesh ground = blocks::sharp(shapes::plane(3, 3));
+  for (Vec3& p : ground.positions) p = 4 * p - Vec3(2, 2, 0);
+  const PolygonMesh block = blocks::block(Vec3(0.9, -0.4, -0.3), Vec3(1.7, 0.4, 0.5));
+  for (const auto& meshes : {std::vector<PolygonMesh>{ground, block}, {block, ground}}) {
+    const auto prepared = blocks::prepared(meshes, 200'000);
+    EXPECT_EQ(prepared->intersections().curves.size(), 1u);
+    EXPECT_TRUE(prepared->intersections().triple_points.empty());
   }
 }
 
