@@ -201,6 +201,27 @@ bool Bvh::is_hit(const Vec3& origin, const Vec3& direction, double low, double h
   return any_hit(origin, direction, low, high, [](const RayHit&) { return true; });
 }
 
+void Bvh::met_by_plane(const Vec4& plane, const std::function<void(int)>& visit) const {
+  const auto meets = [&](const Eigen::AlignedBox3d& box) {
+    const double middle = plane.dot(box.center().homogeneous());
+    return std::abs(middle) <= plane.head<3>().cwiseAbs().dot(box.sizes()) / 2;
+  };
+  std::vector<int> stack;
+  if (!nodes_.empty()) stack.push_back(0);
+  while (!stack.empty()) {
+    const Node& node = nodes_[idx(stack.back())];
+    stack.pop_back();
+    if (!meets(node.box)) continue;
+    if (node.count == 0) {
+      stack.push_back(node.first + 1);
+      stack.push_back(node.first);
+    }
+    for (int i = node.first; i < node.first + node.count; ++i) {
+      if (meets(boxes_[idx(i)])) visit(order_[idx(i)]);
+    }
+  }
+}
+
 void Bvh::overlapping_pairs(const std::function<void(int, int)>& visit, double margin) const {
   Pairs(*this, visit, margin).run();
 }

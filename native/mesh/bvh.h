@@ -42,6 +42,10 @@ class Bvh {
   // `margin` apart along each axis; each pair once, in a fixed order.
   void overlapping_pairs(const std::function<void(int, int)>& visit, double margin = 0) const;
 
+  // Calls visit(t) for every triangle whose box a plane passes through or touches, in a fixed
+  // order. plane: zero for homogeneous points on it.
+  void met_by_plane(const Vec4& plane, const std::function<void(int)>& visit) const;
+
   // Half of the area of a box's surface, 0 for an empty one.
   static double half_area(const Eigen::AlignedBox3d& box);
 

@@ -68,11 +68,6 @@ Vec2 Camera::project_direction(const Vec3& p, const Vec3& d) const {
           -(moved[1] * clip[3] - clip[1] * moved[3]) / w / 2 * height_};
 }
 
-double Camera::near_distance(const Vec3& p) const {
-  const Vec4 clip = clip_ * p.homogeneous();
-  return clip[2] + clip[3];
-}
-
 double Camera::ray_end(const Vec3& p) const {
   const Eigen::RowVector4d plane = clip_.row(2) + clip_.row(3);
   const double slope = -plane.head<3>().dot(to_eye(p));

@@ -49,7 +49,8 @@ class Camera {
   Vec2 project_direction(const Vec3& p, const Vec3& d) const;
 
   // Clip-space distance to the near plane, z + w: linear in p, positive where p can be seen.
-  double near_distance(const Vec3& p) const;
+  double near_distance(const Vec3& p) const { return near_plane().dot(p.homogeneous()); }
+  Vec4 near_plane() const { return clip_.row(2) + clip_.row(3); }
 
   // How far along to_eye(p) (in units of its length) the near plane is: where a ray to the eye
   // ends.

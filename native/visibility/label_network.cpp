@@ -4,6 +4,7 @@
 
 #include "visibility/arrangement/touch_images.h"
 #include "visibility/build_graph.h"
+#include "visibility/evidence/outline.h"
 #include "visibility/labels/label_pile.h"
 #include "visibility/labels/repairs.h"
 #include "visibility/labels/swallowtails.h"
@@ -45,7 +46,8 @@ LabelledGraph label_network(const CurveNetwork& network, const Surface& surface,
                             int threads, const Points& insets) {
   std::optional<Arrangement> settled;
   if (!network.is_incomplete) {
-    settled = arrange(network, camera, most_settled, inset_points(network, surface, insets));
+    settled = arrange(network, camera, most_settled, inset_points(network, surface, insets),
+                      near_cuts(surface, bvh, camera));
   }
   counts["sampled_views"] += !settled;
   if (!settled) return label_pile(network, surface, camera, threads);

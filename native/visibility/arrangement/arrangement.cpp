@@ -178,7 +178,8 @@ Arrangement arrange(const CurveNetwork& network, const Camera& camera) {
 }
 
 std::optional<Arrangement> arrange(const CurveNetwork& network, const Camera& camera,
-                                   std::size_t most, Points decided) {
+                                   std::size_t most, Points decided,
+                                   const std::vector<ImageSegment>& cuts) {
   Arrangement result(network);
   result.image_ = project_strands(network, camera, std::move(decided));
   std::optional<std::vector<Crossing>> crossings = find_crossings(network, result.image_, most);
@@ -186,7 +187,8 @@ std::optional<Arrangement> arrange(const CurveNetwork& network, const Camera& ca
   result.crossings_ = std::move(*crossings);
   result.states_.assign(result.crossings_.size(), CrossingState::live);
   result.paths_ = PathFinder(network).run();
-  result.outline_ = outline_places(network, result.image_);
+  const Eigen::AlignedBox2d frame(Vec2::Zero(), Vec2(camera.width_px(), camera.height_px()));
+  result.outline_ = outline_places(network, result.image_, frame, cuts);
   result.visits_ = sorted_visits(result.crossings_, network.strands.size());
   return result;
 }

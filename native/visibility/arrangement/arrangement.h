@@ -73,7 +73,8 @@ class Arrangement {
   explicit Arrangement(const CurveNetwork& network) : network_(&network) {}
   friend Arrangement arrange_apart(const CurveNetwork& network, const Camera& camera);
   friend std::optional<Arrangement> arrange(const CurveNetwork& network, const Camera& camera,
-                                            std::size_t most, Points decided);
+                                            std::size_t most, Points decided,
+                                            const std::vector<ImageSegment>& cuts);
 
   void forget_visits(const std::vector<int>& crossings);
 
@@ -88,9 +89,11 @@ class Arrangement {
 
 // `network` must outlive the result.
 Arrangement arrange(const CurveNetwork& network, const Camera& camera);
-// Nothing where there are more crossings than `most`. `decided`: as of project_strands.
+// Nothing where there are more crossings than `most`. `decided`: as of project_strands, `cuts`: as
+// of outline_places.
 std::optional<Arrangement> arrange(const CurveNetwork& network, const Camera& camera,
-                                   std::size_t most, Points decided = {});
+                                   std::size_t most, Points decided = {},
+                                   const std::vector<ImageSegment>& cuts = {});
 // Strands that cross nothing and follow nothing.
 Arrangement arrange_apart(const CurveNetwork& network, const Camera& camera);
 

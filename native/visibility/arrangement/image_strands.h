@@ -44,6 +44,8 @@ ImageStrands project_strands(const CurveNetwork& network, const Camera& camera,
 // share its place. Empty where there are no insets.
 Points inset_points(const CurveNetwork& network, const Surface& surface, const Points& insets);
 
+using ImageSegment = std::array<Vec2, 2>;  // px
+
 struct StrandSegment {
   int strand;
   int segment;  // of the strand

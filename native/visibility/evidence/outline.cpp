@@ -6,12 +6,13 @@
 #include <utility>
 
 #include "visibility/reaches.h"
+
 namespace illustrate {
 namespace {
 
 constexpr int directions = 8;
 constexpr double half_turn = 3.141592653589793;
-constexpr int most_rows = 8192;  // a drawing that reaches far out of the frame gets wider rows
+constexpr int most_rows = 8192;  // a larger frame gets wider rows
 constexpr int finer_rows = 16;   // in a row where they are
 
 // The nearest two curves to one end of a scan line.
@@ -33,9 +34,11 @@ struct RowEnd {
 
 class OutlineScan {
  public:
-  OutlineScan(const std::vector<StrandSegment>& segments, const std::vector<Vec2>& points)
+  OutlineScan(const std::vector<StrandSegment>& segments, const std::vector<Vec2>& points,
+              const Eigen::AlignedBox2d& frame)
       : segments_(segments),
         points_(points),
+        frame_(frame),
         rows_(points.size()),
         along_(points.size()),
         next_line_(points.size()),
@@ -53,8 +56,24 @@ class OutlineScan {
   const std::vector<double>& hits() const { return hits_; }
 
  private:
-  // Scan lines run through the middle of rows, at multiples of a row's width.
+  // Scan lines run through the middle of rows, at multiples of a row's width, as far as both the
+  // frame and the drawing reach.
   void set_rows() {
+    const auto [low, high] = span();
+    const double row = std::max(reaches.outline_row, (high - low) / most_rows);
+    const double start = (std::floor(low / row) - 0.5) * row;
+    const std::size_t count = static_cast<std::size_t>(std::max(0.0, high - start) / row) + 2;
+    for (std::size_t p = 0; p < points_.size(); ++p) {
+      rows_[p] = (rows_[p] - start) / row;
+      next_line_[p] =
+          static_cast<int>(std::ceil(std::clamp(rows_[p] - 0.5, 0.0, static_cast<double>(count))));
+    }
+    lower_.assign(count, {});
+    upper_.assign(count, {});
+  }
+
+  // Of rows_, which are px here.
+  std::pair<double, double> span() {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (std::size_t p = 0; p < points_.size(); ++p) {
       rows_[p] = points_[p].dot(across_);
@@ -62,16 +81,9 @@ class OutlineScan {
       low = std::min(low, rows_[p]);
       high = std::max(high, rows_[p]);
     }
-    const double row = std::max(reaches.outline_row, (high - low) / most_rows);
-    low = (std::floor(low / row) - 0.5) * row;
-    for (std::size_t p = 0; p < points_.size(); ++p) {
-      rows_[p] = (rows_[p] - low) / row;
-      const double from_first = rows_[p] - 0.5;  // not negative
-      next_line_[p] = static_cast<int>(from_first);
-      next_line_[p] += next_line_[p] < from_first;
-    }
-    lower_.assign(static_cast<std::size_t>((high - low) / row) + 2, {});
-    upper_.assign(lower_.size(), {});
+    const double middle = frame_.center().dot(across_);
+    const double half = frame_.sizes().dot(across_.cwiseAbs()) / 2;
+    return {std::max(low, middle - half), std::min(high, middle + half)};
   }
 
   // A segment that ends on a scan line belongs to it at its lower end only.
@@ -121,8 +133,9 @@ class OutlineScan {
   void cross_finer_rows(int i) {
     const StrandSegment& s = segments_[idx(i)];
     const double a = rows_[idx(s.a)], b = rows_[idx(s.b)];
-    const auto first = static_cast<std::size_t>(std::min(a, b));
-    const auto last = static_cast<std::size_t>(std::max(a, b));
+    const double end = static_cast<double>(finer_.size() - 2);
+    const auto first = static_cast<std::size_t>(std::clamp(std::min(a, b), 0.0, end));
+    const auto last = static_cast<std::size_t>(std::clamp(std::max(a, b), 0.0, end));
     if (finer_[first] == finer_[last + 1]) return;
     const double width = 1.0 / finer_rows;
     for (std::size_t row = first; row <= last; ++row) {
@@ -144,6 +157,7 @@ class OutlineScan {
 
   const std::vector<StrandSegment>& segments_;
   const std::vector<Vec2>& points_;
+  Eigen::AlignedBox2d frame_;
   Vec2 across_ = Vec2::UnitX();
   std::vector<double> rows_;    // (points) where each one is, in rows
   std::vector<double> along_;   // (points) and along them, px
@@ -154,7 +168,7 @@ class OutlineScan {
   std::vector<int> finer_;     // (rows + 1) how many of the rows before are scanned again
 };
 
-bool is_cut_open(const CurveNetwork& network) {
+bool has_open_silhouette(const CurveNetwork& network) {
   return std::any_of(network.strands.begin(), network.strands.end(), [&](const Strand& s) {
     const auto is_end = [&](int node) { return network.nodes[idx(node)].kind == NodeKind::end; };
     return s.kind == Kind::silhouette && !s.closed() &&
@@ -162,16 +176,46 @@ bool is_cut_open(const CurveNetwork& network) {
   });
 }
 
+// The points of a triangle's edges on the near plane.
+std::vector<Vec3> near_points(const Surface& surface, int triangle, const Camera& camera) {
+  std::vector<Vec3> points;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3& a = surface.positions[idx(surface.triangles[idx(triangle)][idx(k)])];
+    const Vec3& b = surface.positions[idx(surface.triangles[idx(triangle)][idx(next_corner(k))])];
+    const double at_a = camera.near_distance(a), at_b = camera.near_distance(b);
+    if ((at_a > 0) != (at_b > 0)) points.push_back(a + at_a / (at_a - at_b) * (b - a));
+  }
+  return points;
+}
+
 }  // namespace
 
+std::vector<ImageSegment> near_cuts(const Surface& surface, const Bvh& bvh, const Camera& camera) {
+  std::vector<ImageSegment> cuts;
+  bvh.met_by_plane(camera.near_plane(), [&](int triangle) {
+    const std::vector<Vec3> ends = near_points(surface, triangle, camera);
+    if (ends.size() == 2) cuts.push_back({camera.project(ends[0]).xy, camera.project(ends[1]).xy});
+  });
+  return cuts;
+}
+
 std::vector<std::vector<StrandPlace>> outline_places(const CurveNetwork& network,
-                                                     const ImageStrands& strands) {
+                                                     const ImageStrands& strands,
+                                                     const Eigen::AlignedBox2d& frame,
+                                                     const std::vector<ImageSegment>& cuts) {
   std::vector<std::vector<StrandPlace>> result(network.strands.size());
-  const std::vector<StrandSegment> segments = all_segments(network);
-  if (segments.empty() || is_cut_open(network)) return result;
-  OutlineScan scan(segments, strands.image);
+  std::vector<StrandSegment> segments = all_segments(network);
+  const std::size_t of_strands = segments.size();
+  if (segments.empty() || (cuts.empty() && has_open_silhouette(network))) return result;
+  std::vector<Vec2> points = strands.image;
+  for (const ImageSegment& cut : cuts) {
+    const int first = static_cast<int>(points.size());
+    segments.push_back({none, none, first, first + 1});
+    points.insert(points.end(), cut.begin(), cut.end());
+  }
+  OutlineScan scan(segments, points, frame);
   for (int d = 0; d < directions; ++d) scan.scan(half_turn * (d + 0.137) / directions);
-  for (std::size_t i = 0; i < segments.size(); ++i) {
+  for (std::size_t i = 0; i < of_strands; ++i) {
     const double fraction = scan.hits()[i];
     if (fraction < 0) continue;
     const StrandSegment& s = segments[i];

@@ -79,14 +79,27 @@ void add_square(CurveNetwork& network, ImageStrands& strands, double half) {
   network.strands.push_back({});
 }
 
+const Eigen::AlignedBox2d everywhere(Vec2(-1000, -1000), Vec2(1000, 1000));
+
 TEST(Outline, IsTheOuterOfTwoNestedSquares) {
   CurveNetwork network;
   ImageStrands strands;
   add_square(network, strands, 10);
   add_square(network, strands, 30);
-  const std::vector<std::vector<StrandPlace>> outline = outline_places(network, strands);
+  const std::vector<std::vector<StrandPlace>> outline =
+      outline_places(network, strands, everywhere, {});
   EXPECT_TRUE(outline[0].empty());
   EXPECT_EQ(outline[1].size(), 4U) << "each of its sides";
+}
+
+TEST(Outline, IsNothingWithinWhatIsCutOff) {
+  CurveNetwork network;
+  ImageStrands strands;
+  add_square(network, strands, 30);
+  const std::vector<ImageSegment> cuts{
+      {Vec2(-50, -40), Vec2(50, -40)}, {Vec2(50, -40), Vec2(0, 300)}, {Vec2(0, 300), Vec2(-50, -40)}};
+  EXPECT_EQ(outline_places(network, strands, everywhere, {cuts[0]})[0].size(), 4U);
+  EXPECT_TRUE(outline_places(network, strands, everywhere, cuts)[0].empty());
 }
 
 // From a joint over a cusp `reach_px` away to a far end.
@@ -138,7 +151,8 @@ TEST(Outline, HasWhatStandsOutBetweenScanLines) {
   }
   network.points.close_list();
   network.strands.push_back({});
-  const std::vector<std::vector<StrandPlace>> outline = outline_places(network, strands);
+  const std::vector<std::vector<StrandPlace>> outline =
+      outline_places(network, strands, everywhere, {});
   for (const int tip : tips) {
     EXPECT_TRUE(std::any_of(outline[1].begin(), outline[1].end(), [&](const StrandPlace& place) {
       return place.segment == tip || place.segment == tip - 1;
