@@ -43,10 +43,10 @@ std::vector<LabelledPath> label_paths(Arrangement& arrangement, LayerRays& rays,
 
 LabelledGraph label_network(const CurveNetwork& network, const Surface& surface, const Bvh& bvh,
                             const Camera& camera, Counts& counts, const Progress& progress,
-                            int threads, const Points& insets) {
+                            int threads, const Insets& insets) {
   std::optional<Arrangement> settled;
   if (!network.is_incomplete) {
-    settled = arrange(network, camera, most_settled, inset_points(network, surface, insets),
+    settled = arrange(network, camera, most_settled, inset_points(network, surface, insets.moves),
                       near_cuts(surface, bvh, camera));
   }
   counts["sampled_views"] += !settled;

@@ -12,6 +12,7 @@
 // repaired first (repairs.h).
 #pragma once
 
+#include "contour/intersection/intersections.h"
 #include "contour/network/curve_network.h"
 #include "core/progress.h"
 #include "mesh/bvh.h"
@@ -32,6 +33,6 @@ namespace illustrate {
 // "dropped_touches" apart: crossings next to joints that are no crossings (repairs.h).
 LabelledGraph label_network(const CurveNetwork& network, const Surface& surface, const Bvh& bvh,
                             const Camera& camera, Counts& counts, const Progress& progress = {},
-                            int threads = 1, const Points& insets = {});
+                            int threads = 1, const Insets& insets = {});
 
 }  // namespace illustrate

@@ -54,6 +54,10 @@ struct Reaches {
   // not on its triangles. They leave the count open; counted as nothing they let the far branch of
   // a shallow fold look as free as the near one. Half changes little, double nothing.
   double blind = 3;
+  // But creases, borders and intersections lie on the triangles, and contours not on other parts
+  // than their own: what lies farther than this from them hides them for certain. A rail a few
+  // millimetres within a picket is not seen through it.
+  double blind_on_mesh = 0.3;
   // Hits nearer than this do not hide a curve that lies on no surface, so that one drawn on a
   // surface is seen; shorter parts of it go with the part before.
   double loose_blind = 1, least_loose = 0.5;

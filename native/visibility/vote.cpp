@@ -168,7 +168,7 @@ LabelledGraph vote_network(const CurveNetwork& network, const Surface& surface, 
                            const Camera& camera, Counts& counts, const Progress& progress) {
   const Arrangement arrangement = arrange(network, camera);
   SilhouetteEdges edges(surface, bvh, camera);
-  const Points no_insets;
+  const Insets no_insets;
   LayerRays rays(surface, bvh, camera, no_insets);
   Voter voter(arrangement, edges, rays);
   std::vector<LabelledPath> labels;

@@ -187,11 +187,14 @@ void CrossingTest::move_points_inward(const Surface& surface) {
   }
 }
 
-Points CrossingTest::insets(const Surface& surface) const {
-  Points insets;
-  insets.reserve(surface.places.size());
-  for (const int place : surface.places)
-    insets.push_back(scale_ * (moved_[idx(place)] - points_[idx(place)]));
+Insets CrossingTest::insets(const Surface& surface) const {
+  Insets insets;
+  insets.moves.reserve(surface.places.size());
+  insets.parts.reserve(surface.places.size());
+  for (const int place : surface.places) {
+    insets.moves.push_back(scale_ * (moved_[idx(place)] - points_[idx(place)]));
+    insets.parts.push_back(parts_[idx(place)]);
+  }
   return insets;
 }
 

@@ -1,6 +1,7 @@
 // Whether two triangles of a surface cross, decided exactly, for `intersections` only.
 #pragma once
 
+#include "contour/intersection/intersections.h"
 #include "surface/surface.h"
 
 namespace illustrate {
@@ -46,8 +47,8 @@ class CrossingTest {
   // Of a piercing, in a triangle that it lies in.
   SurfacePoint surface_point(const Piercing& piercing, int triangle) const;
 
-  // (vertices of the surface) how far each is moved inward, world units.
-  Points insets(const Surface& surface) const;
+  // Of the vertices of the surface, world units.
+  Insets insets(const Surface& surface) const;
 
   // How near each other, in world units, the boxes of triangles that cross or are flush are.
   double reach() const;

@@ -188,8 +188,10 @@ class Linker {
     const double s = test_.parameter(piercing);
     const Vec3& low = surface_.positions[idx(test_.vertices()[idx(piercing.low)])];
     const Vec3& high = surface_.positions[idx(test_.vertices()[idx(piercing.high)])];
-    result_.curves.push({low * (1 - s) + high * s, test_.surface_point(piercing, triangles[0]),
-                         test_.surface_point(piercing, triangles[1]), test_.decided(piercing),
+    result_.curves.push({low * (1 - s) + high * s,
+                         test_.surface_point(piercing, triangles[0]),
+                         test_.surface_point(piercing, triangles[1]),
+                         test_.decided(piercing),
                          {piercing.low, piercing.high}});
     result_.segment_triangles.push_back(segment_triangles);
   }

@@ -23,7 +23,7 @@ namespace illustrate {
 struct IntersectionPoint {
   Vec3 position;
   SurfacePoint a, b;
-  Vec3 decided;  // the same edge's and triangle's place once everything is moved inward
+  Vec3 decided;           // the same edge's and triangle's place once everything is moved inward
   Edge edge{none, none};  // places of its ends
 };
 
@@ -61,6 +61,12 @@ struct FlushEdge {
 // Objects that meet, or one with itself.
 using ObjectPair = std::array<int, 2>;  // ascending
 
+// What tells surfaces apart that touch, here and where it is decided what hides what.
+struct Insets {
+  Points moves;            // (vertices) by which each was moved inward
+  std::vector<int> parts;  // (vertices) connected part of each
+};
+
 struct IntersectionCurves {
   Ragged<IntersectionPoint> curves;  // closed ones do not repeat their first point
   std::vector<std::uint8_t> closed;  // (curves)
@@ -69,7 +75,7 @@ struct IntersectionCurves {
   // curve, which lies in those before.
   std::vector<std::array<int, 2>> segment_triangles;
   std::vector<TriplePoint> triple_points;  // triple_points.h
-  Points insets;  // (vertices) by which each was moved inward; what hides what is decided there too
+  Insets insets;
   std::vector<FlushTriangles> flush_triangles;  // ascending
   double reach = 0;  // how far apart planes may be that count as one, world units
   std::vector<FlushEdge> flush_edges;

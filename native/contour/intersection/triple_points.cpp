@@ -119,7 +119,7 @@ class TriplePointFinder {
     std::array<Vec3, 3> moved;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t v = idx(surface_.triangles[idx(triangle)][k]);
-      moved[k] = surface_.positions[v] + intersections_.insets[v];
+      moved[k] = surface_.positions[v] + intersections_.insets.moves[v];
     }
     return moved;
   }

@@ -42,15 +42,15 @@ double LayerRays::blind_distance(const Strand& strand, int triangle, const Vec3&
 // Of a triangle in whose plane the curve lies, up to rounding. Open where the line of sight would
 // pass the face's rim.
 LayerRays::Side LayerRays::side_of_touch(int triangle, const Touching& curve) const {
-  if (insets_.empty() || curve.is_of_two) return Side::open;
+  if (insets_.moves.empty() || curve.is_of_two) return Side::open;
   const Triangle& t = surface_.triangles[idx(triangle)];
   Corners here, moved;
   for (std::size_t k = 0; k < 3; ++k) {
     here[k] = surface_.positions[idx(t[k])];
-    moved[k] = here[k] + insets_[idx(t[k])];
+    moved[k] = here[k] + insets_.moves[idx(t[k])];
   }
   const Vec3 normal = unit_or_zero((moved[1] - moved[0]).cross(moved[2] - moved[0]));
-  const double inset = insets_[idx(t[0])].norm();
+  const double inset = insets_.moves[idx(t[0])].norm();
   const double apart = normal.dot(curve.decided - moved[0]);
   if (std::abs(normal.dot(curve.position - here[0])) > inset || std::abs(apart) < inset / 2)
     return Side::open;
@@ -72,6 +72,21 @@ bool LayerRays::is_beyond_rim(int triangle, const Corners& corners, const Vec3& 
   return false;
 }
 
+// Asked of the plane: from beside a curve, rays meet what it stands on some way off.
+bool LayerRays::lies_apart(int triangle, const Touching& curve) const {
+  if (!curve.is_on_mesh) {
+    if (insets_.parts.empty()) return false;
+    const auto part = [&](int t) { return insets_.parts[idx(surface_.triangles[idx(t)][0])]; };
+    if (part(triangle) == part(curve.triangle)) return false;
+  }
+  const Triangle& t = surface_.triangles[idx(triangle)];
+  const Vec3& corner = surface_.positions[idx(t[0])];
+  const Vec3 normal = unit_or_zero(
+      (surface_.positions[idx(t[1])] - corner).cross(surface_.positions[idx(t[2])] - corner));
+  return std::abs(normal.dot(curve.position - corner)) >
+         reaches.blind_on_mesh * camera_.pixel_size(curve.position);
+}
+
 LayerCount LayerRays::count_from(const Vec3& origin, double blind, const Touching& curve) {
   const Vec3 towards = camera_.to_eye(origin);
   const double length = towards.norm();
@@ -85,7 +100,7 @@ LayerCount LayerRays::count_from(const Vec3& origin, double blind, const Touchin
     if (side == Side::before || (side == Side::open && distance > blind)) {
       ++count.layers;
     } else if (side == Side::open && distance > rounding * blind) {
-      ++count.unsure;
+      ++(lies_apart(hit.triangle, curve) ? count.layers : count.unsure);
     } else {
       ++count.behind;
     }
@@ -99,8 +114,10 @@ LayerCount LayerRays::count(const Arrangement& arrangement, const StrandPlace& p
   const std::size_t i = arrangement.point(place.strand, place.segment);
   const std::size_t j = arrangement.point(place.strand, place.segment + 1);
   const Vec3 p = arrangement.world_at(place);
-  const Touching curve{p, arrangement.decided_at(place), strand.kind == Kind::intersection};
-  const double blind = blind_distance(strand, network.points.values[i].on.triangle, p);
+  const int triangle = network.points.values[i].on.triangle;
+  const Touching curve{p, arrangement.decided_at(place), strand.kind == Kind::intersection,
+                       strand.kind != Kind::silhouette, triangle};
+  const double blind = blind_distance(strand, triangle, p);
   if (strand.left_layers == strand.right_layers) {
     const LayerCount on_curve = count_from(p, blind, curve);
     return {on_curve.layers, on_curve.unsure, on_curve.behind, false};

@@ -1,6 +1,7 @@
 // Layers of surface in front of a curve, counted by a ray to the eye.
 #pragma once
 
+#include "contour/intersection/intersections.h"
 #include "mesh/bvh.h"
 #include "surface/surface.h"
 #include "visibility/arrangement/arrangement.h"
@@ -19,7 +20,7 @@ struct LayerCount {
 class LayerRays {
  public:
   // insets: IntersectionCurves', or none.
-  LayerRays(const Surface& surface, const Bvh& bvh, const Camera& camera, const Points& insets)
+  LayerRays(const Surface& surface, const Bvh& bvh, const Camera& camera, const Insets& insets)
       : surface_(surface), bvh_(bvh), camera_(camera), insets_(insets) {}
 
   // At an inner place of a strand. The ray starts a little to the side where the strand's own
@@ -38,11 +39,14 @@ class LayerRays {
   // A place of a curve, and where it is once all is moved inward.
   struct Touching {
     Vec3 position, decided;
-    bool is_of_two;  // an intersection, which lies on both its sheets wherever they are moved
+    bool is_of_two;   // an intersection, which lies on both its sheets wherever they are moved
+    bool is_on_mesh;  // no interpolated contour
+    int triangle;     // that it lies on
   };
   enum class Side { open, before, behind };
 
   LayerCount count_from(const Vec3& origin, double blind, const Touching& curve);
+  bool lies_apart(int triangle, const Touching& curve) const;
   Side side_of_touch(int triangle, const Touching& curve) const;
   using Corners = std::array<Vec3, 3>;
   bool is_beyond_rim(int triangle, const Corners& corners, const Vec3& normal, const Vec3& p) const;
@@ -52,7 +56,7 @@ class LayerRays {
   const Surface& surface_;
   const Bvh& bvh_;
   const Camera& camera_;
-  const Points& insets_;
+  const Insets& insets_;
   std::vector<RayHit> hits_;
   std::int64_t rays_ = 0;
 };

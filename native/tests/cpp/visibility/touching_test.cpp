@@ -167,6 +167,28 @@ TEST(TouchingSolids, MeetingInAnEdgeDoNotHideIt) {
   EXPECT_EQ(found.missed, 0) << "of " << found.samples;
 }
 
+// Of pickets, and of a rail that runs through them a pixel or two behind their fronts.
+TEST(TouchingSolids, ARailWithinPicketsIsNotSeenThroughThem) {
+  const Camera camera = cameras::perspective(Vec3(0.5, -10, 1), Vec3::Zero());
+  const double pixel = camera.pixel_size(Vec3::Zero());
+  for (const double depth : {0.7 * pixel, 1.5 * pixel, 2.5 * pixel}) {
+    std::vector<PolygonMesh> meshes{mesh_of(box(Vec3(-2, depth, -0.2), Vec3(2, depth + 0.3, 0.2)))};
+    for (const double x : {-1.5, 0., 1.5}) {
+      meshes.push_back(mesh_of(box(Vec3(x - 0.3, 0, -1), Vec3(x + 0.3, 4 * pixel, 1))));
+    }
+    const Drawing drawing = blocks::drawn(meshes, camera);
+    for (const double x : {-1.5, 0., 1.5}) {
+      for (const double z : {-0.2, 0.2}) {
+        const auto distance = [&](double at) {
+          return distance_px(drawing, camera.project(Vec3(at, depth, z)).xy);
+        };
+        EXPECT_GT(distance(x), 10) << depth / pixel << " px behind the front";
+        EXPECT_LT(distance(x + 0.4), 1) << "beside the picket";
+      }
+    }
+  }
+}
+
 // Where it enters the other's plane it lies in its own and in that one, however they are moved.
 TEST(TouchingSolids, IntersectionsAreHiddenByNeitherSheet) {
   const Camera camera = cameras::perspective(Vec3(3, -20, 14), Vec3::Zero());
