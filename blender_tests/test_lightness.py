@@ -1,11 +1,13 @@
 """How light materials are: base colours, textures and attributes, as Blender has them."""
 
+import contextlib
 from typing import Any
 
 import bpy
 import numpy as np
 import pytest
 from illustrate.reading import lightness
+from illustrate.reading.kept_images import IMAGES
 from illustrate.running import illustration
 
 import tools
@@ -216,3 +218,41 @@ def test_objects_of_transparent_materials_are_seen_through(scene: Any, kind: str
         thing.data.materials.append(material()[0])
     (style,) = read(scene).styles
     assert style.get("see_through", False) == (kind != "half")
+
+
+def test_images_are_read_again_when_they_change(scene: Any, monkeypatch: Any) -> None:
+    made, shader = material()
+    image = checks()
+    link(made, "ShaderNodeTexImage", shader.inputs["Base Color"]).image = image
+    board(scene, made)
+    image.pack()  # it is as in its file
+    counted: list[Any] = []
+    plain = lightness.read_image
+    monkeypatch.setattr(lightness, "read_image", lambda i: counted.append(i) or plain(i))
+
+    def reads(asked: bool) -> int:
+        counted.clear()
+        with IMAGES.asked() if asked else contextlib.nullcontext():
+            texture = read(scene).meshes[0].textures[0]
+        assert np.array_equal(texture.luminance, plain(image))
+        return len(counted)
+
+    IMAGES.forget()
+    assert [reads(True), reads(True), reads(False), reads(True)] == [1, 0, 1, 0]
+    image.pixels[0] = 0.5  # that nobody has saved
+    assert reads(True) == 1
+    image.pack()
+    IMAGES.forget()
+    assert reads(True) == 1
+    IMAGES.forget()
+
+
+def test_sequences_are_another_picture_at_each_time() -> None:
+    image = checks()
+    image.pack()
+    image.source = "SEQUENCE"
+    made: list[int] = []
+    with IMAGES.asked():
+        for _ in range(2):
+            IMAGES.of(image, "tone", lambda: made.append(1))
+    assert len(made) == 2

@@ -162,6 +162,30 @@ def test_updates_tell_shapes_from_lights(scene: Any) -> None:
     assert stale(lambda: cube.hide_set(True)) == (True, False)
 
 
+def test_a_changed_image_is_read_again(scene: Any, monkeypatch: Any) -> None:
+    cube = tools.cube_scene(scene)
+    made, image = bpy.data.materials.new("Ink"), bpy.data.images.new("Picture", 4, 4)
+    made.use_nodes = True
+    node = made.node_tree.nodes.new("ShaderNodeTexImage")
+    node.image = image
+    cube.data.materials.append(made)
+    bpy.context.view_layer.update()
+    forgotten: list[int] = []
+    monkeypatch.setattr(live_view.IMAGES, "forget", lambda: forgotten.append(1))
+    seen: list[Any] = []
+    look = lambda s, d: seen.append(live_view.VIEW.look_at(s, d))  # noqa: E731
+    bpy.app.handlers.depsgraph_update_post.append(look)
+    try:
+        cube.location.x += 1
+        bpy.context.view_layer.update()
+        assert seen and not forgotten
+        image.update_tag()
+        bpy.context.view_layer.update()
+        assert forgotten
+    finally:
+        bpy.app.handlers.depsgraph_update_post.remove(look)
+
+
 def test_what_is_wrong_is_told_and_tried_again_after_a_change(scene: Any) -> None:
     cube = tools.cube_scene(scene)
     cube.hide_render = True

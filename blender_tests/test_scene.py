@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 import pytest
 from bpy_extras.object_utils import world_to_camera_view
-from illustrate.reading import cages
+from illustrate.reading import cages, mesh_arrays
 from illustrate.reading.scene import NO_COLOUR, colour_of, read_camera
 from mathutils import Matrix, Vector
 
@@ -343,3 +343,16 @@ def test_the_colour_of_a_material_is_its_base_colour_or_in_the_viewport() -> Non
         made.use_nodes = True
     made.node_tree.links.new(made.node_tree.nodes.new("ShaderNodeRGB").outputs[0], base)
     assert colour_of(made) == (1.0, 0.0, 0.0, 1.0)
+
+
+def test_integers_are_copied_as_blender_holds_them(scene: Any) -> None:
+    cube = tools.cube_scene(scene)
+    for elements, name in ((cube.data.loops, "vertex_index"), (cube.data.polygons, "loop_total")):
+        values = np.zeros(len(elements), np.int32)
+        held = mesh_arrays._as_held(elements, name, values)
+        is_unsigned = elements[0].bl_rna.properties[name].subtype == "UNSIGNED"
+        assert held.dtype == (np.uint32 if is_unsigned else np.int32)
+        assert np.shares_memory(held, values)
+        found = mesh_arrays._get(elements, name, np.int32)
+        assert found.dtype == np.int32 and found.tolist() == [getattr(e, name) for e in elements]
+    assert len(mesh_arrays._get(bpy.data.meshes.new("Empty").loops, "vertex_index", np.int32)) == 0

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from ..running.cache import digest
+from .kept_images import IMAGES
 
 PAPER = 0.8  # Blender's own base colour: what is as light is white paper, and nothing is whiter
 LUMINANCE = (0.2126, 0.7152, 0.0722)
@@ -319,11 +320,15 @@ class LightnessReader:
         key = (look.image, look.wrap)
         if key not in self._textures:
             try:
-                self._textures[key] = TextureArrays(read_image(look.image), look.wrap)
+                self._textures[key] = IMAGES.of(look.image, look.wrap, lambda: _texture_of(look))
             except ValueError as error:
                 self.unread[look.image.name] = str(error)
                 self._textures[key] = None
         return self._textures[key]
+
+
+def _texture_of(look: Look) -> TextureArrays:
+    return TextureArrays(read_image(look.image), look.wrap)
 
 
 def _uv_layer(mesh: Any, name: str) -> Any:

@@ -92,8 +92,16 @@ def open_edges(mesh: Any) -> Any:
 def _get(collection: Any, name: str, dtype: Any, columns: int = 1) -> Any:
     """A property of all elements: (n,) or (n, columns)."""
     values = np.zeros(len(collection) * columns, dtype)
-    collection.foreach_get(name, values)
+    collection.foreach_get(name, _as_held(collection, name, values))
     return values if columns == 1 else values.reshape(-1, columns)
+
+
+def _as_held(collection: Any, name: str, values: Any) -> Any:
+    """`values` with the sign that Blender's own integers have: others are copied one by one."""
+    if values.dtype != np.int32 or not len(collection):
+        return values
+    is_unsigned = collection[0].bl_rna.properties[name].subtype == "UNSIGNED"
+    return values.view(np.uint32) if is_unsigned else values
 
 
 def _held(mesh: Any, attribute: str, elements: Any, name: str, dtype: Any, columns: int = 1) -> Any:
@@ -189,7 +197,7 @@ def _corner_normals(mesh: Any, corners: Any, is_smooth: Any) -> Any:
     if hasattr(mesh, "corner_normals"):  # from 4.1
         return _get(mesh.corner_normals, "vector", np.float32, 3)
     if is_smooth.all() and not mesh.use_auto_smooth:  # nothing makes corners differ
-        return _get(mesh.vertex_normals, "vector", np.float32, 3)[corners]
+        return np.take(_get(mesh.vertex_normals, "vector", np.float32, 3), corners, axis=0)
     # Before, the normals of loops are zero.
     mesh.calc_normals_split()
     try:

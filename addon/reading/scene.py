@@ -238,7 +238,8 @@ def _lamps(depsgraph: Any) -> Iterator[tuple[Any, Any]]:
 
 
 def _finite(points: Any) -> Any:
-    return points[np.isfinite(points).all(axis=1)]
+    is_finite = np.isfinite(points)
+    return points if is_finite.all() else points[is_finite.all(axis=1)]
 
 
 # --- Meshes -------------------------------------------------------------------------------------

@@ -11,6 +11,7 @@ from typing import Any
 import bpy
 import numpy as np
 
+from .kept_images import IMAGES
 from .lightness import read_image
 
 SOURCES = [
@@ -66,7 +67,7 @@ def luminance_of(image: Any, frame: int) -> Any:
         raise ValueError("it is a movie. Save its frames as an image sequence")
     if image.source == "SEQUENCE":
         return _luminance_of_file(path_at(image, frame), image)
-    return tone_of(image)
+    return IMAGES.of(image, "tone", lambda: tone_of(image))
 
 
 def tone_of(image: Any) -> Any:

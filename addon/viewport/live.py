@@ -13,6 +13,7 @@ from typing import Any
 from .. import native
 from ..messages import IllustrateError
 from ..preferences import preference
+from ..reading.kept_images import IMAGES
 from ..reading.scene import SceneArrays
 from ..running.illustration import (
     Illustration,
@@ -78,6 +79,7 @@ class LiveDrawing:
     def forget(self) -> None:
         """Lets go of everything, and of the job."""
         self._drop_job()
+        IMAGES.forget()
         self.views: dict[int, Seen] = {}
         self.prepared: Any = None
         self.features: Any = None
@@ -211,7 +213,8 @@ class LiveDrawing:
             return
         try:
             depsgraph = context.evaluated_depsgraph_get()
-            self.read = read_arrays(context.scene, depsgraph, camera)
+            with IMAGES.asked():
+                self.read = read_arrays(context.scene, depsgraph, camera)
         finally:
             self.reading_s, self.read_at = time.perf_counter() - start, time.monotonic()
 
@@ -237,7 +240,8 @@ class LiveDrawing:
     def _draw(self, scene: Any, seen: Seen, part: str) -> None:
         assert self.arrays is not None
         arrays = replace(self.arrays, camera=seen.view.camera)
-        request = request_of(scene, arrays)
+        with IMAGES.asked():
+            request = request_of(scene, arrays)
         if part == LINES and request.draw["hatching"]:
             request.draw |= {"hatching": False, "tone_image": None}
         elif part == LINES:

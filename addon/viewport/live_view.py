@@ -13,6 +13,7 @@ from bpy.app.handlers import persistent
 from .. import native, output
 from ..messages import IllustrateError, counted
 from ..plot.areas import fills_of
+from ..reading.kept_images import IMAGES
 from ..reading.scene import CameraArrays, camera_problem, read_camera
 from ..settings.guides import is_guide
 from ..settings.scene_settings import draw_values
@@ -81,6 +82,8 @@ class LiveView:
     def look_at(self, scene: Any, depsgraph: Any) -> None:
         """Marks what an update has made stale: shapes, or only lights."""
         seen = _what_is_seen(scene)
+        if any(isinstance(update.id, bpy.types.Image) for update in depsgraph.updates):
+            IMAGES.forget()
         if seen != self._seen or any(map(_changes_shapes, depsgraph.updates)):
             self._seen = seen
             LIVE.shapes_are_stale = True
@@ -243,7 +246,13 @@ def _after_update(scene: Any, depsgraph: Any = None) -> None:
 
 
 @persistent
-def _everything_changed(*_: Any) -> None:
+def _after_frame(*_: Any) -> None:
+    LIVE.shapes_are_stale = True
+
+
+@persistent
+def _after_undo(*_: Any) -> None:
+    IMAGES.forget()  # they are other datablocks now
     LIVE.shapes_are_stale = True
 
 
@@ -254,9 +263,9 @@ def _before_load(*_: Any) -> None:
 
 HANDLERS = (
     (bpy.app.handlers.depsgraph_update_post, _after_update),
-    (bpy.app.handlers.frame_change_post, _everything_changed),
-    (bpy.app.handlers.undo_post, _everything_changed),
-    (bpy.app.handlers.redo_post, _everything_changed),
+    (bpy.app.handlers.frame_change_post, _after_frame),
+    (bpy.app.handlers.undo_post, _after_undo),
+    (bpy.app.handlers.redo_post, _after_undo),
 )
 
 
