@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from illustrate.reading.scene import read_camera
 from illustrate.running import illustration
-from illustrate.viewport import live_view
+from illustrate.viewport import live, live_view
 from illustrate.viewport.live import LINES, LIVE, REST_S, WHOLE, Seen
 from illustrate.viewport.live_strokes import has_others
 from illustrate.viewport.ribbons import ribbons_of
@@ -107,6 +107,17 @@ def test_reading_and_preparing_are_looks_of_their_own(scene: Any) -> None:
     assert LIVE.read is not None and LIVE.running is None and not LIVE.is_idle()
     LIVE.tick(bpy.context)
     assert LIVE.read is None and LIVE.running is not None
+
+
+def test_looks_come_when_there_may_be_something_to_do(scene: Any) -> None:
+    tools.cube_scene(scene)
+    seen = drawn()
+    assert LIVE.next_look_s() == live.TICK_S
+    seen.moved_at = time.monotonic() + 0.001 - REST_S
+    assert LIVE.next_look_s() <= 0.001
+    seen.moved_at, seen.whole_of = 0.0, None
+    LIVE.tick(bpy.context)
+    assert LIVE.running is not None and LIVE.next_look_s() == live.POLL_S < live.TICK_S
 
 
 def test_a_view_that_moves_on_stops_its_drawing(scene: Any) -> None:

@@ -27,6 +27,8 @@ from ..running.jobs import let_go
 from ..settings import scene_settings as settings
 from .views import View
 
+TICK_S = 0.02  # between looks
+POLL_S = 0.005  # the same while a job runs
 REST_S = 0.05  # that a view must rest before it is drawn
 SOON_S = 0.25  # the last whole drawing took: the next is not kept waiting by one of lines alone
 READING_SHARE = 2.0  # of the time that reading took until it is read again
@@ -120,6 +122,14 @@ class LiveDrawing:
             and not (self.shapes_are_stale or self.look_is_stale)
             and self._next_part(time.monotonic() + REST_S) is None
         )
+
+    def next_look_s(self) -> float:
+        """Until there may be something to do: soon after a job's end, or a view's coming to rest."""
+        if self.running is not None or self.read is not None:
+            return POLL_S
+        now = time.monotonic()
+        waits = [seen.moved_at + REST_S - now for seen in self.views.values()]
+        return min([TICK_S, *(wait for wait in waits if wait > 0)])
 
     def tick(self, context: Any) -> bool:
         """Takes what a job has made and starts the next; True when there is something to show."""

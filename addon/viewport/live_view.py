@@ -22,7 +22,6 @@ from .live_strokes import has_others, inks_of, strokes_as_ribbons
 from .shown import redraw, viewports
 from .views import View, view_of
 
-TICK_S = 0.02
 TIMES_KEPT = 2000
 SHAPED = ("MESH", "CURVE", "SURFACE", "FONT", "META", "EMPTY", "ARMATURE", "LATTICE")
 DATA = (bpy.types.Mesh, bpy.types.Curve, bpy.types.MetaBall)
@@ -103,7 +102,7 @@ class LiveView:
         if not self.is_on:
             return None
         self.tick()
-        return TICK_S
+        return LIVE.next_look_s()
 
     def _view(self, context: Any) -> View | None:
         depsgraph = context.evaluated_depsgraph_get()
