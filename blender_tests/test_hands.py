@@ -161,16 +161,27 @@ def test_a_field_without_singularities_says_so(scene: Any) -> None:
 
 
 def test_guides_are_drawn_among_the_guides(scene: Any) -> None:
-    tools.cube_scene(scene)
-    assert bpy.ops.illustrate.draw_guide() == {"FINISHED"}
-    active = bpy.context.view_layer.objects.active
-    assert active.type == tools.pencil_type() and active.mode.startswith("PAINT")
-    assert active.name in scene.illustrate.guides.objects
+    cube = tools.cube_scene(scene)
+    objects = bpy.context.view_layer.objects
+    objects.active = cube
+    for _ in range(2):  # the second time into the same one
+        assert bpy.ops.illustrate.draw_guide() == {"FINISHED"}
+        active = objects.active
+        assert active.type == tools.pencil_type() and active.mode.startswith("PAINT")
+        assert list(scene.illustrate.guides.objects) == [active]
+        assert bpy.ops.illustrate.draw_guide() == {"FINISHED"}
+        assert objects.active == cube and bpy.context.mode == "OBJECT"
+    bpy.ops.object.mode_set(mode="EDIT")
     assert not bpy.ops.illustrate.draw_guide.poll()
     bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def test_the_object_before_a_guide_may_be_gone(scene: Any) -> None:
+    bpy.context.view_layer.objects.active = tools.cube_scene(scene)
     bpy.ops.illustrate.draw_guide()
-    assert bpy.context.view_layer.objects.active == active
-    bpy.ops.object.mode_set(mode="OBJECT")
+    bpy.data.objects.remove(bpy.data.objects["Box"])
+    assert bpy.ops.illustrate.draw_guide() == {"FINISHED"}
+    assert bpy.context.mode == "OBJECT"
 
 
 def test_every_preset_has_a_small_picture() -> None:

@@ -59,6 +59,7 @@ def context(**more: Any) -> Any:
         window_manager=bpy.context.window_manager,
         preferences=SimpleNamespace(system=SimpleNamespace(ui_scale=1.0)),
         region=SimpleNamespace(width=250),
+        mode=bpy.context.mode,
         space_data=SimpleNamespace(as_pointer=lambda: 0),
         **more,
     )

@@ -28,6 +28,7 @@ from ..viewport.pick import (
     ILLUSTRATE_OT_hide_stroke,
     ILLUSTRATE_OT_hold_singularities,
     ILLUSTRATE_OT_pick,
+    is_drawing_guide,
     thing_of,
 )
 from . import gallery
@@ -252,7 +253,12 @@ class ILLUSTRATE_PT_hands(SidePanel, bpy.types.Panel):
             column.active = thing.illustrate.use_own
             for name in OBJECT_OPTIONS:
                 column.prop(thing.illustrate, name)
-        layout.operator(ILLUSTRATE_OT_draw_guide.bl_idname, icon="GREASEPENCIL")
+        if is_drawing_guide(context):
+            layout.operator(
+                ILLUSTRATE_OT_draw_guide.bl_idname, text="End Drawing", icon="CHECKMARK"
+            )
+        else:
+            layout.operator(ILLUSTRATE_OT_draw_guide.bl_idname, icon="GREASEPENCIL")
         layout.operator(ILLUSTRATE_OT_hold_singularities.bl_idname, icon="EMPTY_AXIS")
 
 

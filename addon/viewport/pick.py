@@ -294,28 +294,56 @@ def _prepared() -> Any:
     return INSPECTOR.made.prepared if INSPECTOR.made is not None else None
 
 
+def is_drawing_guide(context: Any) -> bool:
+    """True in the mode that Draw Guide begins."""
+    guides, thing = context.scene.illustrate.guides, context.view_layer.objects.active
+    is_drawing = context.mode in ("PAINT_GPENCIL", "PAINT_GREASE_PENCIL")
+    return bool(is_drawing and guides is not None and thing.name in guides.all_objects)
+
+
 class ILLUSTRATE_OT_draw_guide(bpy.types.Operator):
-    """Lets the artist draw guides."""
+    """Lets the artist draw guides, and go back to what was at hand."""
 
     bl_idname = "illustrate.draw_guide"
     bl_label = "Draw Guide"
-    bl_description = "Draw strokes on the surfaces that hatches are to follow"
+    bl_description = (
+        "Draw strokes on the surfaces that hatches are to follow; once more: back to the object "
+        "that was active before"
+    )
     bl_options = {"REGISTER", "UNDO"}
+
+    _before = ""  # the name of the object that was active
 
     @classmethod
     def poll(cls, context: Any) -> bool:
-        """Nothing is being edited."""
-        return bool(context.mode == "OBJECT")
+        """Nothing else is being edited."""
+        return bool(context.mode == "OBJECT") or is_drawing_guide(context)
 
     def execute(self, context: Any) -> set[str]:
-        """A Grease Pencil object among the guides, and the mode that draws on surfaces."""
-        scene = context.scene
+        """A Grease Pencil object among the guides, and the mode that draws on surfaces; or back."""
+        if is_drawing_guide(context):
+            self._leave(context)
+        else:
+            self._enter(context)
+        return {"FINISHED"}
+
+    @classmethod
+    def _enter(cls, context: Any) -> None:
+        scene, objects = context.scene, context.view_layer.objects
         guide = _guide_pencil(collection_of_guides(scene))
         scene.tool_settings.gpencil_stroke_placement_view3d = "SURFACE"
-        context.view_layer.objects.active = guide
+        if objects.active is not None and objects.active != guide:
+            cls._before = objects.active.name
+        objects.active = guide
         is_new = guide.type == "GREASEPENCIL"
         bpy.ops.object.mode_set(mode="PAINT_GREASE_PENCIL" if is_new else "PAINT_GPENCIL")
-        return {"FINISHED"}
+
+    @classmethod
+    def _leave(cls, context: Any) -> None:
+        bpy.ops.object.mode_set(mode="OBJECT")
+        objects = context.view_layer.objects
+        if cls._before in objects:
+            objects.active = objects[cls._before]
 
 
 def _guide_pencil(guides: Any) -> Any:
