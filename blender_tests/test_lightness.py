@@ -228,7 +228,12 @@ def test_images_are_read_again_when_they_change(scene: Any, monkeypatch: Any) ->
     image.pack()  # it is as in its file
     counted: list[Any] = []
     plain = lightness.read_image
-    monkeypatch.setattr(lightness, "read_image", lambda i: counted.append(i) or plain(i))
+
+    def watched(one: Any) -> Any:
+        counted.append(one)
+        return plain(one)
+
+    monkeypatch.setattr(lightness, "read_image", watched)
 
     def reads(asked: bool) -> int:
         counted.clear()

@@ -124,7 +124,7 @@ class LiveDrawing:
         )
 
     def next_look_s(self) -> float:
-        """Until there may be something to do: soon after a job's end, or a view's coming to rest."""
+        """Until there may be something to do: a job ends, or a view comes to rest."""
         if self.running is not None or self.read is not None:
             return POLL_S
         now = time.monotonic()
