@@ -104,8 +104,11 @@ def test_reading_and_preparing_are_looks_of_their_own(scene: Any) -> None:
     tools.cube_scene(scene)
     LIVE.look(1, camera_view(scene))
     LIVE.tick(bpy.context)
-    assert LIVE.read is not None and LIVE.running is None and not LIVE.is_idle()
+    read: Any = LIVE.read
+    assert read is not None and LIVE.running is None and not LIVE.is_idle()
+    assert len(read.placed) == 1 and not read.meshes, "what needs no Blender is left to the next"
     LIVE.tick(bpy.context)
+    assert not read.placed and len(read.meshes) == 1
     assert LIVE.read is None and LIVE.running is not None
 
 

@@ -143,16 +143,14 @@ def read_request(scene: Any, depsgraph: Any, rendered: Any = None) -> Request:
     return request
 
 
-def read_arrays(scene: Any, depsgraph: Any, camera: CameraArrays | None = None) -> SceneArrays:
-    """The scene as its settings have it read. camera: another one than the scene's."""
+def read_arrays(
+    scene: Any, depsgraph: Any, camera: CameraArrays | None = None, in_world: bool = True
+) -> SceneArrays:
+    """The scene as its settings have it read; camera, in_world: as `read_scene` has them."""
     chosen = scene.illustrate
+    selected_only = chosen.source == "SELECTION"
     arrays = read_scene(
-        scene,
-        depsgraph,
-        selected_only=chosen.source == "SELECTION",
-        use_lights=False,
-        guides=chosen.guides,
-        camera=camera,
+        scene, depsgraph, selected_only, False, chosen.guides, camera, in_world=in_world
     )
     arrays.lights = lights_of(scene, depsgraph)
     if chosen.lighting == "SCENE":

@@ -14,7 +14,7 @@ from .. import native
 from ..messages import IllustrateError
 from ..preferences import preference
 from ..reading.kept_images import IMAGES
-from ..reading.scene import SceneArrays
+from ..reading.scene import SceneArrays, put_into_world
 from ..running.illustration import (
     Illustration,
     lights_of,
@@ -224,7 +224,7 @@ class LiveDrawing:
         try:
             depsgraph = context.evaluated_depsgraph_get()
             with IMAGES.asked():
-                self.read = read_arrays(context.scene, depsgraph, camera)
+                self.read = read_arrays(context.scene, depsgraph, camera, in_world=False)
         finally:
             self.reading_s, self.read_at = time.perf_counter() - start, time.monotonic()
 
@@ -232,6 +232,7 @@ class LiveDrawing:
         """Starts to prepare what has been read."""
         arrays, self.read = self.read, None
         assert arrays is not None
+        put_into_world(arrays)
         job = _start_preparing(scene, arrays, self.prepared)
         self.running = Running(job, PREPARE, self.version, arrays)
 
