@@ -12,6 +12,7 @@ from typing import Any
 import bpy
 import hands
 import illustrate
+from illustrate import native
 from illustrate.running import jobs, tasks
 from illustrate.viewport.live import LIVE
 from illustrate.viewport.live_view import VIEW
@@ -122,17 +123,33 @@ bpy.app.timers.register(begin, first_interval=0.5)
 """
 
 
+def other_blender(script: pathlib.Path) -> Any:
+    """Another Blender that runs a script, with the add-on as it is here, installed or not."""
+    folder = pathlib.Path(illustrate.__path__[0]).parent
+    variables = {name: value for name, value in os.environ.items() if name != "ILLUSTRATE_ZIP"}
+    command = [bpy.app.binary_path, "--factory-startup", "--python", str(script)]
+    return subprocess.Popen(
+        command,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        env=variables | {"ILLUSTRATE_ADDONS": str(folder)},
+    )
+
+
 def blender_quits_during_a_job(out: pathlib.Path) -> Steps:
     """Other Blenders are quit while they draw: each ends well and at once."""
     here = pathlib.Path(__file__).parent
+    module = pathlib.Path(str(native.load().__file__)).parents[1]
+    paths = [str(here), str(here.parent), str(module)]
     for number in range(REPEATS):
         script = out / "quit.py"
-        paths = [str(here), str(here.parent)]
         script.write_text(QUIT.format(paths=paths, number=number, moment=moment()))
-        command = [bpy.app.binary_path, "--factory-startup", "--python", str(script)]
-        with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as other:
+        other = other_blender(script)
+        try:
             yield lambda other=other: other.poll() is not None
-            said: Any = other.stdout.read().decode(errors="replace") if other.stdout else ""
+        finally:
+            other.kill()  # one that hangs is waited for in vain: it must not stop the others
+            said = other.communicate()[0].decode(errors="replace")
         assert other.returncode == 0 and "crash" not in said.lower(), said
         assert "Traceback" not in said, said
         script.unlink()
