@@ -1,6 +1,6 @@
 # Each target sets up what it needs and can be run first; what is already there is not done again.
 # `make help` prints the lines that begin with ##.
-.PHONY: help build demo test test-window farm bench sanitize unoptimised extension \
+.PHONY: help build demo test test-window test-windows farm bench sanitize unoptimised extension \
 	windows macos repository gallery matrix lint fresh docs coverage
 
 ## these lines
@@ -22,6 +22,10 @@ test:
 ## the add-on in a real window, on a screen of its own
 test-window:
 	tools/test_window.sh
+
+## the same, from the packages, in every Blender that has windows
+test-windows:
+	tools/matrix.sh --window
 
 ## farm templates on a real Slurm, openjd-cli and Node; as root
 farm:

@@ -14,6 +14,7 @@ SHARED = Path(os.environ.get("ILLUSTRATE_SHARED", ROOT.parent / "shared"))
 MADE = ("build", "out")  # folders of the checkout that the tests do not read
 CHECKOUT_IN_ROOT = "srv/illustrate/main"
 SCREEN = ["xvfb-run", "--auto-servernum", "--server-args", "-screen 0 1280x800x24 +extension GLX"]
+PASSED_ON = ("ILLUSTRATE_REPEATS", "ILLUSTRATE_MEASURE")  # to the scenarios in a window
 PATH_IN_ROOT = "PATH=/usr/local/bin:/usr/bin:/bin:/usr/sbin:/sbin"
 
 
@@ -128,13 +129,14 @@ def background_suite(blender: Blender, place: Place, options: list[str]) -> Suit
     return Suite(f"Blender {blender.version}", command, junit)
 
 
-def window_suite(blender: Blender, place: Place) -> Suite:
-    """What artists do in a window."""
+def window_suite(blender: Blender, place: Place, scenarios: list[str]) -> Suite:
+    """What artists do in a window: these scenarios, all when none is named."""
     results = _fresh(place, blender, "window")
     script = place.inside(place.checkout / "blender_tests" / "window" / "drive.py")
     start = [*SCREEN, place.program, "--factory-startup", "--enable-event-simulate"]
-    words = [*start, "--python", script, "--", place.inside(results)]
-    variables = _variables(blender, place, results) | {"LIBGL_ALWAYS_SOFTWARE": "1"}
+    words = [*start, "--python", script, "--", place.inside(results), *scenarios]
+    passed_on = {name: os.environ[name] for name in PASSED_ON if name in os.environ}
+    variables = _variables(blender, place, results) | passed_on | {"LIBGL_ALWAYS_SOFTWARE": "1"}
     command = place.command(words, variables)
     return Suite(f"Blender {blender.version} in a window", command, results / "window.xml")
 

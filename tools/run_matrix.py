@@ -6,12 +6,13 @@ A line for each version, its skipped tests with their reasons, then the total.
 from __future__ import annotations
 
 import argparse
+import shutil
 import sys
 
 import blenders
 import suites
-from blenders import Blender
-from suites import Outcome
+from blenders import Blender, Place
+from suites import ROOT, Outcome
 
 
 def test(blender: Blender, window: bool, options: list[str]) -> Outcome:
@@ -21,10 +22,33 @@ def test(blender: Blender, window: bool, options: list[str]) -> Outcome:
         place = blenders.set_up(blender)
         found.add(suites.run(blenders.background_suite(blender, place, options)))
         if window and blender.is_program:
-            found.add(suites.run(blenders.window_suite(blender, place)))
+            found.add(_in_window(blender, place, []))
     except blenders.SetUpError as error:
         print(f"Blender {blender.version}: {error}", file=sys.stderr)
         found.counts["failed"] += 1
+    return found
+
+
+def test_window(blender: Blender, scenarios: list[str]) -> Outcome:
+    """These scenarios in a window alone, all when none is named; what cannot run has failed."""
+    found = Outcome()
+    try:
+        found.add(_in_window(blender, blenders.set_up(blender), scenarios))
+    except blenders.SetUpError as error:
+        print(f"Blender {blender.version}: {error}", file=sys.stderr)
+        found.counts["failed"] += 1
+    return found
+
+
+def _in_window(blender: Blender, place: Place, scenarios: list[str]) -> Outcome:
+    """The pictures of the screen go to out/window/VERSION."""
+    suite = blenders.window_suite(blender, place, scenarios)
+    found = suites.run(suite)
+    pictures = ROOT / "out" / "window" / blender.version
+    shutil.rmtree(pictures, ignore_errors=True)
+    pictures.mkdir(parents=True)
+    for picture in suite.junit.parent.glob("*.png"):
+        shutil.copy(picture, pictures)
     return found
 
 
@@ -42,12 +66,26 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("versions", nargs="*", help="such as 4.2.23; all when left out")
     parser.add_argument("--no-window", action="store_true", help="leave the window suite out")
+    parser.add_argument(
+        "--window",
+        nargs="*",
+        metavar="SCENARIO",
+        help="these scenarios in a window alone, all when none is named",
+    )
     parser.add_argument("-k", help="only the tests that match, as pytest's -k; no window")
     arguments = parser.parse_args()
     try:
         wanted = chosen(arguments.versions)
     except ValueError as error:
         parser.error(str(error))
+    if arguments.window is not None:
+        return suites.report(
+            {
+                f"Blender {blender.version} in a window": test_window(blender, arguments.window)
+                for blender in wanted
+                if blender.is_program
+            }
+        )
     window = not arguments.no_window and arguments.k is None
     options = [] if arguments.k is None else ["-k", arguments.k]
     return suites.report(
