@@ -11,6 +11,7 @@ import pathlib
 import sys
 import time
 import traceback
+import unittest
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable, Generator
 from typing import Any
@@ -30,6 +31,7 @@ class Driver:
     def __init__(self, scenarios: list[Scenario], out: pathlib.Path) -> None:
         self.waiting, self.out = list(scenarios), out
         self.results: dict[str, str] = {}  # name: what went wrong, empty where nothing did
+        self.skipped: dict[str, str] = {}  # name: why
         self._name, self._run = "", iter(())
         self._wanted: Any = None
         self._since = time.monotonic()
@@ -41,6 +43,9 @@ class Driver:
         try:
             self._wanted, self._since = next(self._run), time.monotonic()
         except StopIteration:
+            self._finish("")
+        except unittest.SkipTest as reason:
+            self.skipped[self._name] = str(reason)
             self._finish("")
         except Exception:
             self._finish(traceback.format_exc())
@@ -59,7 +64,8 @@ class Driver:
     def _finish(self, error: str) -> None:
         if self._name:
             self.results[self._name] = error
-            print(f"{self._name}: {error or 'passed'}", flush=True)
+            skipped = self.skipped.get(self._name)
+            print(f"{self._name}: {error or skipped or 'passed'}", flush=True)
         self._wanted, self._since = None, time.monotonic()
         if not self.waiting:
             self._leave()
@@ -72,6 +78,8 @@ class Driver:
             case = ElementTree.SubElement(suite, "testcase", classname="window", name=name)
             if error:
                 ElementTree.SubElement(case, "failure").text = error
+            elif name in self.skipped:
+                ElementTree.SubElement(case, "skipped", message=self.skipped[name])
         ElementTree.ElementTree(suite).write(self.out / "window.xml")
         sys.stdout.flush()
         sys.stderr.flush()

@@ -11,7 +11,7 @@ import numpy as np
 from illustrate.viewport.live import LINES, LIVE, WHOLE
 from illustrate.viewport.live_view import VIEW
 from mathutils import Matrix, Quaternion
-from staging import Steps, new_scene, pencils, strokes
+from staging import Steps, has_brushes, new_scene, pencils, strokes
 
 
 def dark(path: pathlib.Path) -> int:
@@ -185,13 +185,13 @@ def pose(_scene: Any) -> None:
 
 
 def live_drawing_follows_modes(out: pathlib.Path) -> Steps:
-    """Sculpting and posing are followed while their modes are on."""
+    """Sculpting, where there are brushes, and posing are followed while their modes are on."""
     scene = new_scene(0)
     hands.show_side_panel(False)
     hands.manager().illustrate_live = True
     hands.redraw()
     yield is_whole
-    for change, mode in ((sculpt, "SCULPT"), (pose, "POSE")):
+    for change, mode in ((sculpt, "SCULPT"), (pose, "POSE"))[not has_brushes() :]:
         before = seen().drawing_of(WHOLE)
         change(scene)
         hands.redraw()

@@ -258,6 +258,8 @@ def every_panel_is_shown(out: pathlib.Path) -> Steps:
         for panel in SUB_PANELS:
             with hands.opened(panel):
                 hands.redraw()
+                yield 0.1  # from 5 on a panel grows to its height
+                hands.redraw()
                 hands.scroll_to_the_end(hands.viewport(), "UI")
                 yield 0.1
                 hands.picture(out / f"15_{panel.bl_label}_{unit}.png".lower().replace(" ", "_"))

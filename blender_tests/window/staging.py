@@ -1,5 +1,6 @@
 """Scenes that the scenarios work in, and what they find there."""
 
+import pathlib
 from collections.abc import Generator
 from typing import Any
 
@@ -31,6 +32,14 @@ def new_scene(detail: int = 2) -> Any:
     with hands.override():
         bpy.ops.ed.undo_push(message="New Scene")
     return scene
+
+
+def has_brushes() -> bool:
+    """Whether one can draw and sculpt: from 4.3 on brushes are files, not in Debian 13."""
+    if bpy.app.version < (4, 3, 0):
+        return True
+    assets = pathlib.Path(bpy.utils.system_resource("DATAFILES")) / "assets" / "brushes"
+    return assets.is_dir()
 
 
 def pencils() -> list[Any]:
