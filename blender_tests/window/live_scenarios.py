@@ -166,6 +166,8 @@ def sculpt(_scene: Any) -> None:
             | {"time": 0.01 * i, "is_start": i == 0}
             for i, place in enumerate(places)
         ]
+        known = bpy.types.OperatorStrokeElement.bl_rna.properties.keys()  # fewer in newer versions
+        stroke = [{key: step[key] for key in step if key in known} for step in stroke]
         bpy.ops.sculpt.brush_stroke(stroke=stroke)
 
 
