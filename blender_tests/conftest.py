@@ -23,8 +23,9 @@ def _addon() -> None:
 
 @pytest.fixture(autouse=True)
 def scene() -> Iterator[Any]:
-    """The only scene of an empty file."""
+    """The only scene of an empty file; its surfaces are coarse, which is enough of any cube."""
     tools.new_file()
+    bpy.context.scene.illustrate.triangle_budget = 15_000
     yield bpy.context.scene
 
 

@@ -158,19 +158,19 @@ def resident_mb() -> float:
 
 @pytest.mark.skipif(not pathlib.Path("/proc/self/statm").exists(), reason="reads Linux's /proc")
 def test_runs_do_not_grow(scene: Any) -> None:
-    tools.add_camera(scene, (2.5, -5, 2))
+    tools.add_camera(scene, (2.5, -5, 2), (160, 120))
     bpy.ops.mesh.primitive_monkey_add()
     monkey = bpy.context.object
     tools.subdivide(monkey)
-    scene.illustrate.triangle_budget = 15_000
+    scene.illustrate.triangle_budget = 2_000
     sizes = []
     for i in range(99):
         monkey.location.x = 0.01 * i
         assert bpy.ops.illustrate.illustrate() == {"FINISHED"}
         sizes.append(resident_mb())
-    # What the heaps keep for later goes up and down by ten megabytes; a leak grows with each run.
+    # What the heaps keep for later goes up and down by some megabytes; a leak grows with each run.
     thirds = np.median(np.reshape(sizes, (3, 33)), axis=1)
-    assert thirds[2] - thirds[0] < 66 * 0.3, sizes
+    assert thirds[2] - thirds[0] < 66 * 0.2, sizes
 
 
 def test_digests_tell_things_apart() -> None:
