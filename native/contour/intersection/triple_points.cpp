@@ -59,7 +59,7 @@ class TriplePointFinder {
     const int b = s.sheets[s.sheets[0] == triangle ? 1 : 0];
     const int c = t.sheets[t.sheets[0] == triangle ? 1 : 0];
     double f, h;
-    if (share_corner(b, c) || !cross(triangle, s, t, f, h)) return;
+    if (share_place(b, c) || !cross(triangle, s, t, f, h)) return;
     std::array<int, 3> sheets{triangle, b, c};
     std::sort(sheets.begin(), sheets.end());
     const auto [found, is_new] = found_.try_emplace(sheets);
@@ -73,16 +73,12 @@ class TriplePointFinder {
     point.passages.push_back(passage(u, nearest(u, s.start + f * (s.end - s.start)), triangle));
   }
 
-  // Then they are of one sheet, and have no curve.
-  bool share_corner(int a, int b) const {
-    const auto place = [&](int t, std::size_t k) {
-      return surface_.places[idx(surface_.triangles[idx(t)][k])];
-    };
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) {
-        if (place(a, i) == place(b, j)) return true;
-      }
-    }
+  // Sheets that share a vertex pass through each other nowhere: one curve runs from one to the
+  // other. Where all three are nearly in one plane only rounding lets it cross itself.
+  bool share_place(int a, int b) const {
+    for (const int v : surface_.triangles[idx(a)])
+      for (const int w : surface_.triangles[idx(b)])
+        if (surface_.places[idx(v)] == surface_.places[idx(w)]) return true;
     return false;
   }
 

@@ -7,6 +7,7 @@
 
 #include "contour/contour_functions.h"
 #include "contour/intersection/intersections.h"
+#include "core/pi.h"
 #include "tests/cpp/blocks.h"
 
 namespace illustrate {
@@ -84,6 +85,42 @@ TEST(TriplePoints, ACurveThatPassesASheetAgainComesBack) {
       EXPECT_NE(p->second, next->second) << next->first.first;
   }
   EXPECT_GE(most, 5u);
+}
+
+PolygonMesh prism(int sides, const Eigen::Quaterniond& by) {
+  PolygonMesh mesh;
+  for (const double z : {0., 1.})
+    for (int i = 0; i < sides; ++i)
+      mesh.positions.push_back(by *
+                               Vec3(std::cos(2 * pi * i / sides), std::sin(2 * pi * i / sides), z));
+  for (int i = 0; i < sides; ++i) {
+    const int next = (i + 1) % sides;
+    shapes::add_face(mesh, {i, next, sides + i});
+    shapes::add_face(mesh, {next, sides + next, sides + i});
+    if (i == 0 || next == 0) continue;
+    shapes::add_face(mesh, {0, next, i});
+    shapes::add_face(mesh, {sides, sides + i, sides + next});
+  }
+  return mesh;
+}
+
+// Walls of two prisms run in and out of each other, and their ends lie flush: a curve that runs
+// over a corner, in one plane with what it lies on, crossed itself there as rounding had it.
+TEST(TriplePoints, AreNotOfSheetsThatShareAVertex) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> number;
+  for (int scene = 0; scene < 20; ++scene) {
+    const Eigen::Quaterniond by =
+        Eigen::Quaterniond(number(random), number(random), number(random), number(random))
+            .normalized();
+    const Surface surface =
+        shapes::joined(shapes::plain_surface(prism(24, by)), shapes::plain_surface(prism(36, by)));
+    for (const TriplePoint& point : found_on(surface).triple_points) {
+      for (const int v : surface.triangles[idx(point.passages[0].through)])
+        for (const int w : surface.triangles[idx(point.passages[1].through)])
+          EXPECT_NE(surface.places[idx(v)], surface.places[idx(w)]) << scene;
+    }
+  }
 }
 
 }  // namespace
