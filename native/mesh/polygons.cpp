@@ -137,6 +137,11 @@ Vec3 unit_or_zero(const Vec3& v) {
   return (v / largest).normalized();
 }
 
+Vec3 unit_of_sum(const Vec3& sum) {
+  constexpr double rounding = 1e-10;
+  return sum.norm() > rounding ? sum.normalized() : Vec3::Zero();
+}
+
 Vec3 any_tangent(const Vec3& v) {
   int smallest = 0;
   // The axis that v is farthest from: the product is never small.

@@ -8,6 +8,8 @@ namespace illustrate {
 
 // v / |v| without overflow; zero where v has no direction.
 Vec3 unit_or_zero(const Vec3& v);
+// The same of a sum of unit vectors: zero also where they cancel out but for rounding.
+Vec3 unit_of_sum(const Vec3& sum);
 
 // Some unit vector across `v` (unit).
 Vec3 any_tangent(const Vec3& v);

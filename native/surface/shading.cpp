@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "core/tolerances.h"
 #include "mesh/polygons.h"
 
 namespace illustrate {
@@ -48,20 +49,55 @@ void for_each_corner(const RefinedMesh& mesh, const Sectors& sectors, std::size_
   }
 }
 
-// From the limit positions of the vertices around; nothing better is left where even they have no
-// area.
+// From the limit positions of the vertices around, edges no longer than `least` having no
+// direction; of faces that cancel out, that of the first. Zero where none has an area.
 Vec3 normal_around(const RefinedMesh& mesh, const Sectors& sectors, const Points& positions,
-                   std::size_t sector) {
+                   double least, std::size_t sector) {
   const auto position = [&](int corner) {
     return positions[idx(sectors.corner_sectors[idx(corner)])];
   };
-  Vec3 sum = Vec3::Zero();
+  Vec3 sum = Vec3::Zero(), first = Vec3::Zero();
   for_each_corner(mesh, sectors, sector, [&](int c) {
     const Vec3 p = position(c);
-    sum += unit_or_zero((position(mesh.next(c)) - p).cross(position(mesh.previous(c)) - p));
+    const Vec3 normal =
+        spanned_normal(position(mesh.next(c)) - p, position(mesh.previous(c)) - p, 0, least);
+    if (first.isZero()) first = normal;
+    sum += normal;
   });
-  const Vec3 normal = unit_or_zero(sum);
-  return normal.isZero() ? Vec3::UnitZ() : normal;
+  const Vec3 mean = unit_of_sum(sum);
+  return mean.isZero() ? first : mean;
+}
+
+// Of those at the other ends of its edges that have one.
+Vec3 mean_beside(const RefinedMesh& mesh, const Sectors& sectors, const Points& normals,
+                 std::size_t sector) {
+  Vec3 sum = Vec3::Zero();
+  for_each_corner(mesh, sectors, sector, [&](int c) {
+    for (const int other : {mesh.next(c), mesh.previous(c)})
+      sum += normals[idx(sectors.corner_sectors[idx(other)])];
+  });
+  return unit_of_sum(sum);
+}
+
+// Normals that are zero spread from where there are some, ring by ring. Nothing better than an axis
+// is left where a whole part has none.
+void spread_normals(const RefinedMesh& mesh, const Sectors& sectors, Points& normals) {
+  std::vector<std::size_t> open;
+  for (std::size_t s = 0; s < normals.size(); ++s) {
+    if (normals[s].isZero()) open.push_back(s);
+  }
+  for (std::size_t before = open.size() + 1; open.size() < before;) {
+    before = open.size();
+    Points found;
+    for (const std::size_t s : open) found.push_back(mean_beside(mesh, sectors, normals, s));
+    std::vector<std::size_t> left;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      normals[open[i]] = found[i];
+      if (found[i].isZero()) left.push_back(open[i]);
+    }
+    open = std::move(left);
+  }
+  for (const std::size_t s : open) normals[s] = Vec3::UnitZ();
 }
 
 // Sectors at seams, ordered by place.
@@ -115,19 +151,21 @@ void polygon_normals(const RefinedMesh& mesh, const Sectors& sectors, int thread
     for (std::size_t s = begin; s < end; ++s) {
       Vec3 sum = Vec3::Zero();
       for_each_corner(mesh, sectors, s, [&](int c) { sum += corner_normal(mesh, of_faces, c); });
-      normals[s] = unit_or_zero(sum);
+      normals[s] = unit_of_sum(sum);
     }
   });
 }
 
 void mend_normals(const RefinedMesh& mesh, const Sectors& sectors, int threads,
                   SectorLimits& limits) {
+  const double least = tolerance::same_place * mean_edge(mesh);
   parallel_for(sectors.count(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s) {
       if (!limits.normals[s].isZero()) continue;
-      limits.normals[s] = normal_around(mesh, sectors, limits.positions, s);
+      limits.normals[s] = normal_around(mesh, sectors, limits.positions, least, s);
     }
   });
+  spread_normals(mesh, sectors, limits.normals);
   const std::vector<std::array<int, 2>> seams = sectors_at_seams(mesh, sectors);
   for (std::size_t from = 0, to = 0; from < seams.size(); from = to) {
     while (to < seams.size() && seams[to][0] == seams[from][0]) ++to;
@@ -135,6 +173,14 @@ void mend_normals(const RefinedMesh& mesh, const Sectors& sectors, int threads,
                   seams.begin() + static_cast<std::ptrdiff_t>(to)},
                  limits.normals);
   }
+}
+
+double mean_edge(const RefinedMesh& mesh) {
+  double sum = 0;
+  const int corners = static_cast<int>(mesh.mates.size());
+  for (int c = 0; c < corners; ++c)
+    sum += (mesh.point(mesh.next(c)) - mesh.point(c)).stableNorm() / corners;
+  return sum;
 }
 
 int place_of(const RefinedMesh& mesh, int vertex) {

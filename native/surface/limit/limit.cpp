@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "core/tolerances.h"
 #include "mesh/polygons.h"
 #include "surface/jets/curvature.h"
 #include "surface/limit/limit_patches.h"
@@ -12,12 +13,11 @@
 namespace illustrate {
 namespace {
 
-// Sine of the angle between tangents below which they span no plane.
-constexpr double parallel_tangents = 1e-10;
-
-Vec3 normal_of(const LimitPoint& p) {
-  const Vec3 across = unit_or_zero(p.du).cross(unit_or_zero(p.dv));
-  return across.norm() > parallel_tangents ? across.normalized() : Vec3::Zero();
+Vec3 normal_of(const LimitPoint& p, double least) {
+  double reach = 0;
+  for (const Vec3* d : {&p.du, &p.dv, &p.duu, &p.duv, &p.dvv})
+    reach = std::max(reach, d->stableNorm());
+  return spanned_normal(p.du, p.dv, reach, least);
 }
 
 void resize(SectorLimits& result, std::size_t count) {
@@ -32,8 +32,8 @@ void set_undefined(std::size_t i, SectorLimits& result) {
   result.curvature[i] = {};
 }
 
-void limit_of_sector(const RefinedMesh& mesh, const Sectors& sectors, std::size_t s, Ring& ring,
-                     SectorLimits& result) {
+void limit_of_sector(const RefinedMesh& mesh, const Sectors& sectors, std::size_t s, double least,
+                     Ring& ring, SectorLimits& result) {
   if (!read_ring(mesh, sectors, static_cast<int>(s), ring)) {
     result.positions[s] = ring.centre;
     set_undefined(s, result);
@@ -44,11 +44,11 @@ void limit_of_sector(const RefinedMesh& mesh, const Sectors& sectors, std::size_
   const bool smooth = ring.rule == VertexRule::smooth;
   result.positions[s] = smooth ? p.position : limit_position(ring);
   if (fitted) {
-    result.normals[s] = normal_of(p);
+    result.normals[s] = normal_of(p, least);
     result.curvature[s] = principal_curvature(p, result.normals[s]);
   } else {
     set_undefined(s, result);
-    result.normals[s] = unit_or_zero(limit_normal(ring));
+    result.normals[s] = limit_normal(ring, least);
     result.needs_jet[s] = 1;
   }
 }
@@ -56,7 +56,7 @@ void limit_of_sector(const RefinedMesh& mesh, const Sectors& sectors, std::size_
 // Where sharpness has not faded yet, and at the end of a sharp edge, the limit is several levels
 // away: the patches know it.
 void evaluate_patches(const Subdivision& subdivision, const RefinedMesh& mesh,
-                      const Sectors& sectors, int threads, SectorLimits& result) {
+                      const Sectors& sectors, double least, int threads, SectorLimits& result) {
   const auto beyond_masks = [&](int vertex) {
     const bool semi_sharp = !mesh.semi_sharp.empty() && mesh.semi_sharp[idx(vertex)];
     return semi_sharp || sectors.sharp_edges[idx(vertex)] == 1;
@@ -74,7 +74,7 @@ void evaluate_patches(const Subdivision& subdivision, const RefinedMesh& mesh,
       const std::optional<LimitPoint> p = pass.evaluate(base_place(mesh, corner));
       if (!p || !p->position.allFinite()) continue;
       result.positions[s] = p->position;
-      result.normals[s] = normal_of(*p);
+      result.normals[s] = normal_of(*p, least);
       result.needs_jet[s] = 0;
       result.curvature[s] = principal_curvature(*p, result.normals[s]);
     }
@@ -138,9 +138,11 @@ SectorLimits limits(const Subdivision& subdivision, const RefinedMesh& mesh, con
                     int level, int threads, const Progress& progress) {
   SectorLimits result;
   resize(result, sectors.count());
+  const double least = tolerance::same_place * mean_edge(mesh);
   parallel_for(sectors.count(), threads, [&](std::size_t begin, std::size_t end) {
     Ring ring;
-    for (std::size_t s = begin; s < end; ++s) limit_of_sector(mesh, sectors, s, ring, result);
+    for (std::size_t s = begin; s < end; ++s)
+      limit_of_sector(mesh, sectors, s, least, ring, result);
   });
   progress.report(.5);
   const std::vector<int> extraordinary = extraordinary_sectors(mesh, sectors);
@@ -149,7 +151,7 @@ SectorLimits limits(const Subdivision& subdivision, const RefinedMesh& mesh, con
     inherit_extraordinary(subdivision, extraordinary, birth, level, result);
   }
   progress.report(.8);
-  evaluate_patches(subdivision, mesh, sectors, threads, result);
+  evaluate_patches(subdivision, mesh, sectors, least, threads, result);
   share_positions(mesh, sectors, result.positions);
   mend_normals(mesh, sectors, threads, result);
   turn_directions(threads, result);

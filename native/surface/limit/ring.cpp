@@ -1,5 +1,6 @@
 #include "surface/limit/ring.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/pi.h"
@@ -163,28 +164,41 @@ Vec3 inward_tangent(const Ring& ring) {
   return sum + centre * ring.centre + end * (ring.edges.front() + ring.edges.back());
 }
 
-Vec3 crease_normal(const Ring& ring) {
+double reach(const Ring& ring) {
+  double reach = 0;
+  for (const Vec3& p : ring.edges) reach = std::max(reach, (p - ring.centre).stableNorm());
+  for (const Vec3& p : ring.faces) reach = std::max(reach, (p - ring.centre).stableNorm());
+  return reach;
+}
+
+Vec3 crease_normal(const Ring& ring, double least) {
   const Vec3 along = ring.edges.front() - ring.edges.back();
-  if (ring.face_count() == 1) {
-    return along.cross(ring.edges.front() + ring.edges.back() - 2 * ring.centre);
-  }
-  return along.cross(inward_tangent(ring));
+  const Vec3 inward = ring.face_count() == 1
+                          ? Vec3(ring.edges.front() + ring.edges.back() - 2 * ring.centre)
+                          : inward_tangent(ring);
+  return spanned_normal(along, inward, reach(ring), least);
+}
+
+double angle_between(const Vec3& a, const Vec3& b) {
+  const Vec3 u = unit_or_zero(a), v = unit_or_zero(b);
+  return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
 // Exact for one face, and for two triangles, whose plane is that of the sharp edges. A corner of
 // more faces has no tangent plane: there the mean of its faces.
-Vec3 corner_normal(const Ring& ring) {
+Vec3 corner_normal(const Ring& ring, double least) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < ring.face_count(); ++i) {
-    const Vec3 a = unit_or_zero(ring.edges[i] - ring.centre);
-    const Vec3 b = unit_or_zero(ring.edges[(i + 1) % ring.edges.size()] - ring.centre);
-    const Vec3 across = a.cross(b);
-    sum += std::atan2(across.norm(), a.dot(b)) * unit_or_zero(across);
+    const Vec3 a = ring.edges[i] - ring.centre;
+    const Vec3 b = ring.edges[(i + 1) % ring.edges.size()] - ring.centre;
+    sum += angle_between(a, b) * spanned_normal(a, b, 0, least);
   }
-  if (!ring.faces.empty() || ring.closed || ring.face_count() != 2) return sum;
-  const Vec3 across = (ring.edges[0] - ring.centre).cross(ring.edges[2] - ring.centre);
-  if (across.isZero()) return sum;
-  return sum.dot(across) < 0 ? Vec3(-across) : across;
+  const Vec3 mean = unit_of_sum(sum);
+  if (!ring.faces.empty() || ring.closed || ring.face_count() != 2) return mean;
+  const Vec3 across =
+      spanned_normal(ring.edges[0] - ring.centre, ring.edges[2] - ring.centre, 0, least);
+  if (across.isZero()) return mean;
+  return mean.dot(across) < 0 ? Vec3(-across) : across;
 }
 
 VertexRule rule_at(const RefinedMesh& mesh, const Sectors& sectors, int vertex) {
@@ -222,11 +236,11 @@ Vec3 limit_position(const Ring& ring) {
   return fit(ring).position;
 }
 
-Vec3 limit_normal(const Ring& ring) {
-  if (ring.rule == VertexRule::corner) return corner_normal(ring);
-  if (ring.rule == VertexRule::crease) return crease_normal(ring);
+Vec3 limit_normal(const Ring& ring, double least) {
+  if (ring.rule == VertexRule::corner) return corner_normal(ring, least);
+  if (ring.rule == VertexRule::crease) return crease_normal(ring, least);
   const LimitPoint p = fit(ring);
-  return p.du.cross(p.dv);
+  return spanned_normal(p.du, p.dv, reach(ring), least);
 }
 
 bool is_regular(const Ring& ring) {

@@ -30,8 +30,8 @@ bool read_ring(const RefinedMesh& mesh, const Sectors& sectors, int sector, Ring
 
 Vec3 limit_position(const Ring& ring);
 
-// Not normalised, and zero where the surface has no normal.
-Vec3 limit_normal(const Ring& ring);
+// Unit, and zero where the surface has no normal: edges no longer than `least` have no direction.
+Vec3 limit_normal(const Ring& ring, double least);
 
 // Limit position and first and second derivatives where closed forms exist: in smooth rings, and in
 // open ones that are regular, which are completed by reflection. In regular rings these are the

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "control/split_faces.h"
+#include "core/pi.h"
 #include "surface/jets/curvature.h"
 #include "surface/limit/limit_patches.h"
 #include "tests/cpp/surface_checks.h"
@@ -225,6 +226,33 @@ TEST(Limit, LevelZeroOfNgonsLiesOnTheLimit) {
   }
   EXPECT_LT(from_patches(prism, Scheme::catmull_clark, 0).position, 1e-6);
   EXPECT_LT(from_patches(prism, Scheme::catmull_clark, 2).position, 1e-6);
+}
+
+// A cone whose ring of seven and the fan within it lie in one place: what is left of their edges is
+// rounding, and so were normals.
+PolygonMesh blunt_cone() {
+  constexpr int n = 7;
+  PolygonMesh mesh;
+  for (int i = 0; i < n; ++i)
+    mesh.positions.emplace_back(std::cos(2 * pi * i / n), std::sin(2 * pi * i / n), 0);
+  mesh.positions.resize(2 * n + 1, Vec3(.1, .2, 1.8));
+  for (int i = 0; i < n; ++i) {
+    const int next = (i + 1) % n;
+    shapes::add_face(mesh, {i, next, n + next});
+    shapes::add_face(mesh, {i, n + next, n + i});
+    shapes::add_face(mesh, {n + i, n + next, 2 * n});
+  }
+  return mesh;
+}
+
+TEST(Limit, NormalsTurnWithTheMeshAlsoWhereEdgesHaveNoLength) {
+  const Mat3 turn = Eigen::Quaterniond(.3, -.7, .5, .1).normalized().toRotationMatrix();
+  PolygonMesh turned = blunt_cone();
+  for (Vec3& p : turned.positions) p = turn * p + Vec3(5, -3, 2);
+  const Surface here = refined(blunt_cone(), at_level(3)), there = refined(turned, at_level(3));
+  ASSERT_EQ(here.normals.size(), there.normals.size());
+  for (std::size_t v = 0; v < here.normals.size(); ++v)
+    EXPECT_LT((turn * here.normals[v] - there.normals[v]).norm(), 1e-6) << v;
 }
 
 }  // namespace
