@@ -91,7 +91,7 @@ bool ExactChain::is_suspect(std::size_t i) const {
   if (linear_[i].is_unseen) return false;
   if (!closed_ && (i == 0 || i + 1 == segments())) return true;
   const EdgePoint &from = linear_[i], &to = linear_[after(i)];
-  const bool changes_sign = (from.cusp_function > 0) != (to.cusp_function > 0);
+  const bool changes_sign = (from.cusp_function >= 0) != (to.cusp_function >= 0);
   return from.has_both_signs || changes_sign != stations_[i].turns_over || turns_off(i);
 }
 

@@ -107,7 +107,7 @@ class ExactChain {
   // Of kappa, as seen from the station's own triangle, and at the end of a segment.
   int sign(std::size_t station) const {
     const int exact = stations_[station].exact;
-    if (exact == none) return linear_[station].cusp_function > 0 ? -1 : 1;
+    if (exact == none) return linear_[station].cusp_function >= 0 ? -1 : 1;
     return exact_[idx(exact)].sample.kappa < 0 ? -1 : 1;
   }
   int sign_at_end(std::size_t segment) const {

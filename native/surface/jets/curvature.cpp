@@ -1,5 +1,6 @@
 #include "surface/jets/curvature.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "mesh/polygons.h"
@@ -8,6 +9,10 @@ namespace illustrate {
 namespace {
 
 using Mat2 = Eigen::Matrix2d;
+
+// Radians from a point to its neighbours below which a surface is flat: rounding leaves less, and
+// its sign would tell of cusps.
+constexpr double least_bend = 1e-9;
 
 // Determinant of the parametrisation against the lengths of its tangents: below this there is no
 // plane.
@@ -58,6 +63,14 @@ PrincipalCurvature principal_curvature(const Vec3& du, const Vec3& dv, const Vec
   result.w1 = std::cos(e.angle) * x + std::sin(e.angle) * y;
   result.w2 = normal.cross(result.w1);
   return result;
+}
+
+PrincipalCurvature principal_curvature(const LimitPoint& p, const Vec3& normal) {
+  const double least = least_bend * std::max(p.du.norm(), p.dv.norm());
+  const auto bend = [&](const Vec3& second) -> Vec3 {
+    return std::abs(normal.dot(second)) > least ? second : Vec3::Zero();
+  };
+  return principal_curvature(p.du, p.dv, bend(p.duu), bend(p.duv), bend(p.dvv), normal);
 }
 
 }  // namespace illustrate

@@ -10,9 +10,8 @@ namespace illustrate {
 // The two fundamental forms' eigenproblem, I^-1 II (paper eq. 2 with the inverse that it needs).
 PrincipalCurvature principal_curvature(const Vec3& du, const Vec3& dv, const Vec3& duu,
                                        const Vec3& duv, const Vec3& dvv, const Vec3& normal);
-inline PrincipalCurvature principal_curvature(const LimitPoint& p, const Vec3& normal) {
-  return principal_curvature(p.du, p.dv, p.duu, p.duv, p.dvv, normal);
-}
+// Of a limit surface; exactly 0 where it bends by no more than rounding.
+PrincipalCurvature principal_curvature(const LimitPoint& p, const Vec3& normal);
 
 // Curvature for hatching directions: a polynomial jet fitted to the vertices around, smoother than
 // the line curvature. Departure from section 5, step 1: the support takes the place of a smoothed

@@ -110,5 +110,16 @@ TEST(Principal, SignAndOrder) {
   EXPECT_NEAR(std::abs(k.w2.x()), 1, 1e-12);
 }
 
+// The sign of what rounding leaves of it would tell of cusps.
+TEST(PrincipalCurvature, OfWhatIsFlatIsExactlyNone) {
+  LimitPoint p{Vec3::Zero(),       .1 * Vec3::UnitX(), .1 * Vec3::UnitY(),
+               Vec3(.1, 0, 1e-12), Vec3(0, 0, -1e-12), Vec3(0, .1, -1e-12)};
+  EXPECT_EQ(principal_curvature(p, Vec3::UnitZ()).k1, 0);
+  EXPECT_EQ(principal_curvature(p, Vec3::UnitZ()).k2, 0);
+  p.duu.z() = 1e-6;
+  EXPECT_NEAR(principal_curvature(p, Vec3::UnitZ()).k1, 1e-4, 1e-12);
+  EXPECT_EQ(principal_curvature(p, Vec3::UnitZ()).k2, 0);
+}
+
 }  // namespace
 }  // namespace illustrate
