@@ -6,6 +6,7 @@
 #include "control/smoothstep.h"
 #include "core/pi.h"
 #include "mesh/edge_table.h"
+#include "mesh/mesh_size.h"
 #include "mesh/polygons.h"
 
 namespace illustrate {
@@ -58,9 +59,7 @@ class FoldFinder {
       : mesh_(mesh), edges_(edges), faces_(edges.faces), distances_(distances) {}
 
   std::vector<double> run() {
-    Eigen::AlignedBox3d box;
-    for (const int v : mesh_.corner_vertices) box.extend(mesh_.positions[idx(v)]);
-    px_ = diagonal_px / box.diagonal().norm();
+    px_ = diagonal_px / diagonal(mesh_);
     normals_ = unit_normals(faces_, mesh_.positions);
     std::vector<double> sharpness;
     for (const int h : edges_.first) sharpness.push_back(sharpness_of(h));

@@ -9,6 +9,7 @@
 #include "control/slides.h"
 #include "control/smoothstep.h"
 #include "control/split_once.h"
+#include "mesh/mesh_size.h"
 
 namespace illustrate {
 namespace {
@@ -24,16 +25,11 @@ double median(std::vector<double>& values) {
   return *middle;
 }
 
-double diagonal(const SoundMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const int v : mesh.corner_vertices) box.extend(mesh.positions[idx(v)]);
-  return box.isEmpty() ? 0 : box.diagonal().stableNorm();
-}
-
 bool is_usable(const SoundMesh& mesh) {
-  double extent = diagonal(mesh);
+  const double size = diagonal(mesh);
+  double extent = size;
   for (const Vec3& p : mesh.positions) extent = std::max(extent, p.cwiseAbs().maxCoeff());
-  return diagonal(mesh) > least_extent && extent < largest_extent;
+  return size > least_extent && extent < largest_extent;
 }
 
 bool is_none(const std::vector<double>& weights) {

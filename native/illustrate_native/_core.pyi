@@ -344,7 +344,7 @@ class PrepareOptions:
     where a coarse part bends stay within an eighth of it of their arcs, within the budget.
     """
     edge_length: float
-    """World units; 0: 1/600 of the diagonal of the box of all meshes."""
+    """World units; 0: 1/600 of the diagonal of all meshes."""
     triangle_budget: int
     """Binds automatic levels only, all meshes together."""
     threads: int

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -55,7 +56,7 @@ class SeenObjects {
                                                      aside_px.y() * image_up(camera_));
     const Vec3 towards = camera_.to_eye(origin);
     hits_.clear();
-    bvh_.hits(origin, towards, -2 * surface_.diagonal / towards.norm(), camera_.ray_end(origin),
+    bvh_.hits(origin, towards, -std::numeric_limits<double>::infinity(), camera_.ray_end(origin),
               hits_);
     const auto nearest =
         std::max_element(hits_.begin(), hits_.end(),

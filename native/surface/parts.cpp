@@ -1,27 +1,28 @@
 #include "surface/parts.h"
 
+#include "core/spread.h"
+
 namespace illustrate {
 namespace {
 
-// Gives the triangles that are connected with `first` its part's number; the box round them.
-Eigen::AlignedBox3d number_part(const Surface& surface, int first, int part,
-                                std::vector<int>& of_triangle) {
-  Eigen::AlignedBox3d box;
+// Gives the triangles that are connected with `first` its part's number; their diagonal.
+double number_part(const Surface& surface, int first, int part, std::vector<int>& of_triangle) {
+  Spread spread;
   std::vector<int> open{first};
   of_triangle[idx(first)] = part;
   while (!open.empty()) {
     const int triangle = open.back();
     open.pop_back();
-    for (const int vertex : surface.triangles[idx(triangle)]) {
-      box.extend(surface.positions[idx(vertex)]);
-    }
+    const Triangle& v = surface.triangles[idx(triangle)];
+    spread.add(surface.positions[idx(v[0])], surface.positions[idx(v[1])],
+               surface.positions[idx(v[2])]);
     for (const int other : surface.neighbours[idx(triangle)]) {
       if (other == none || of_triangle[idx(other)] != none) continue;
       of_triangle[idx(other)] = part;
       open.push_back(other);
     }
   }
-  return box;
+  return spread.diagonal();
 }
 
 }  // namespace
@@ -32,8 +33,7 @@ SurfaceParts surface_parts(const Surface& surface) {
   for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
     if (parts.of_triangle[idx(t)] != none) continue;
     const auto part = static_cast<int>(parts.diagonals.size());
-    parts.diagonals.push_back(
-        number_part(surface, t, part, parts.of_triangle).sizes().stableNorm());
+    parts.diagonals.push_back(number_part(surface, t, part, parts.of_triangle));
   }
   return parts;
 }

@@ -8,7 +8,7 @@ namespace illustrate {
 // What edges connect, also creases.
 struct SurfaceParts {
   std::vector<int> of_triangle;   // (t)
-  std::vector<double> diagonals;  // (parts) of the box round each
+  std::vector<double> diagonals;  // (parts) how large each is (core/spread.h)
 };
 
 SurfaceParts surface_parts(const Surface& surface);

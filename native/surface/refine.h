@@ -20,7 +20,7 @@ struct SurfaceOptions {
   // -1: the first level whose median edge is at most edge_length, and on which chords over coarse
   // bends are short beside it (subdivision/coarse_bends.h), within the budget, at most 7.
   int level = -1;
-  double edge_length = 0;  // world units; 0: 1/600 of the diagonal of the box of all meshes
+  double edge_length = 0;  // world units; 0: 1/600 of the diagonal of all meshes (core/spread.h)
   // Binds automatic levels only, all meshes together: the mesh with the shortest edges gives up a
   // level first.
   int triangle_budget = 250000;

@@ -1,5 +1,7 @@
 #include "surface/surface.h"
 
+#include "core/spread.h"
+
 namespace illustrate {
 namespace {
 
@@ -7,12 +9,6 @@ namespace {
 Vec3 weights(const SurfacePoint& point) { return {1 - point.b1 - point.b2, point.b1, point.b2}; }
 
 }  // namespace
-
-double diagonal(const Points& positions) {
-  Eigen::AlignedBox3d box;
-  for (const Vec3& p : positions) box.extend(p);
-  return box.isEmpty() ? 0 : box.diagonal().stableNorm();
-}
 
 std::vector<Eigen::AlignedBox3d> object_boxes(const Surface& surface) {
   std::vector<Eigen::AlignedBox3d> boxes(surface.object_is_smooth.size());
@@ -23,10 +19,17 @@ std::vector<Eigen::AlignedBox3d> object_boxes(const Surface& surface) {
 }
 
 void measure_diagonals(Surface& surface) {
-  surface.diagonal = diagonal(surface.positions);
+  Spread all;
+  std::vector<Spread> objects(surface.object_is_smooth.size());
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const Triangle& v = surface.triangles[t];
+    for (Spread* spread : {&all, &objects[idx(surface.triangle_objects[t])]})
+      spread->add(surface.positions[idx(v[0])], surface.positions[idx(v[1])],
+                  surface.positions[idx(v[2])]);
+  }
+  surface.diagonal = all.diagonal();
   surface.object_diagonals.clear();
-  for (const Eigen::AlignedBox3d& box : object_boxes(surface))
-    surface.object_diagonals.push_back(box.isEmpty() ? 0 : box.diagonal().norm());
+  for (const Spread& object : objects) surface.object_diagonals.push_back(object.diagonal());
 }
 
 Vec3 position_at(const Surface& surface, const SurfacePoint& point) {

@@ -103,8 +103,8 @@ struct Surface {
   // Ascending: vertices that the surface is held to without an edge, as a cone to its tip. It has
   // no tangent plane there; their normals are means.
   std::vector<int> tips;
-  double diagonal = 0;                   // of the bounding box of all positions
-  std::vector<double> object_diagonals;  // (objects) of that of each object's; 0 where it has none
+  double diagonal = 0;                   // how large it is (core/spread.h)
+  std::vector<double> object_diagonals;  // (objects) how large each of them is
 
   bool is_tip(int vertex) const {
     return !tips.empty() && std::binary_search(tips.begin(), tips.end(), vertex);
@@ -116,13 +116,10 @@ struct Surface {
   }
 };
 
-// Length of the diagonal of the box of all points.
-double diagonal(const Points& positions);
-
 // (objects) the box of each object's vertices, empty where it has none.
 std::vector<Eigen::AlignedBox3d> object_boxes(const Surface& surface);
 
-// Sets the diagonals of a surface whose positions are known.
+// Sets the diagonals of a surface whose positions and triangles are known.
 void measure_diagonals(Surface& surface);
 
 // Position and unit normal (of the triangle's own sheet) by linear interpolation.

@@ -14,8 +14,8 @@
 
 namespace illustrate {
 
-// The thresholds have no unit: curvature is measured against the diagonal d of the object's
-// bounding box. Larger ones leave fewer and shorter lines.
+// The thresholds have no unit: curvature is measured against the diagonal d of the object
+// (core/spread.h). Larger ones leave fewer and shorter lines.
 struct CurvatureCurveOptions {
   bool suggestive_contours = false;
   bool ridges = false;

@@ -14,7 +14,7 @@ struct Alignment {
   std::vector<FieldEdge> couplings;  // between copies of one point, along the edge they share
 };
 
-// diagonals: (n) diagonal of the box of each vertex's object.
+// diagonals: (n) of each vertex's object.
 Alignment align_to_features(const Surface& surface, const TangentFrames& frames,
                             const std::vector<double>& diagonals, double weight,
                             const Progress& progress = {});

@@ -52,11 +52,10 @@ FieldParts connected_parts(std::size_t vertices, const std::vector<FieldEdge>& e
 }
 
 std::vector<double> object_diagonals(const Surface& surface) {
-  const std::vector<Eigen::AlignedBox3d> boxes = object_boxes(surface);
   std::vector<double> diagonals;
   diagonals.reserve(surface.objects.size());
   for (const int object : surface.objects)
-    diagonals.push_back(boxes[idx(object)].diagonal().norm());
+    diagonals.push_back(surface.object_diagonals[idx(object)]);
   return diagonals;
 }
 

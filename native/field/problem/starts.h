@@ -15,7 +15,7 @@ struct FieldParts {
 FieldParts connected_parts(std::size_t vertices, const std::vector<FieldEdge>& edges,
                            const Progress& progress = {});
 
-// (n) diagonal of the bounding box of each vertex's object.
+// (n) of each vertex's object, how large it is (core/spread.h).
 std::vector<double> object_diagonals(const Surface& surface);
 
 // One of the directions of each cross is at right angles to w2, even where w1 and w2 lie in another

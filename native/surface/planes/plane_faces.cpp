@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "mesh/mesh_size.h"
 #include "mesh/polygons.h"
 #include "surface/planes/plane_rim.h"
 #include "surface/subdivision/base_edges.h"
@@ -44,7 +45,7 @@ struct Piece {
 class PlaneFinder {
  public:
   PlaneFinder(const SoundMesh& mesh, int threads)
-      : base_(mesh), mesh_(polygonal_mesh(mesh, threads)), tolerance_(near_plane * diagonal()) {
+      : base_(mesh), mesh_(polygonal_mesh(mesh, threads)), tolerance_(near_plane * diagonal(mesh)) {
     measure_faces(threads);
     find_lone_faces(threads);
   }
@@ -108,7 +109,6 @@ class PlaneFinder {
   }
 
  private:
-  double diagonal() const { return illustrate::diagonal(base_.positions); }
   bool is_hole(int face) const { return !base_.holes.empty() && base_.holes[idx(face)]; }
 
   void measure_faces(int threads) {

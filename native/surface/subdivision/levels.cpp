@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/errors.h"
+#include "mesh/mesh_size.h"
 #include "surface/subdivision/base_edges.h"
 #include "surface/subdivision/coarse_bends.h"
 
@@ -14,8 +15,8 @@ namespace {
 // Finer than any drawing needs from any cage; the budget usually ends it before.
 constexpr int highest_automatic_level = 7;
 constexpr std::int64_t most_triangles = 200'000'000;
-// Part of the diagonal of the box of all meshes that the edges of an automatic level have: in a
-// drawing as large as 1400 pixels two or three of them.
+// Part of the diagonal of all meshes (core/spread.h) that the edges of an automatic level have: in
+// a drawing as large as 1400 pixels two or three of them.
 constexpr double automatic_edge_share = 1.0 / 600;
 
 bool is_drawn(const SoundMesh& mesh, std::size_t face) {
@@ -92,13 +93,12 @@ Edges measure_edges(const SoundMesh& mesh) {
 
 double automatic_edge_length(const std::vector<SoundMesh>& meshes) {
   static const std::vector<Similarity> as_it_is(1);
-  Eigen::AlignedBox3d box;
+  Spread spread;
   for (const SoundMesh& mesh : meshes) {
-    for (const Similarity& placement : mesh.placements.empty() ? as_it_is : mesh.placements) {
-      for (const int v : mesh.corner_vertices) box.extend(placement.point(mesh.positions[idx(v)]));
-    }
+    for (const Similarity& placement : mesh.placements.empty() ? as_it_is : mesh.placements)
+      add_faces(mesh, placement, spread);
   }
-  return box.isEmpty() ? 0 : box.diagonal().stableNorm() * automatic_edge_share;
+  return spread.diagonal() * automatic_edge_share;
 }
 
 // Each level halves the edges.

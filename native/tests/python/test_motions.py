@@ -32,6 +32,45 @@ def walled() -> Shape:
     return Shape(positions, np.full(6, 16, np.int32), merged.reshape(-1).astype(np.int32))
 
 
+def of_triangles(positions: NDArray[np.float64], triangles: list[list[int]]) -> Shape:
+    corners = np.array(triangles, np.int32)
+    return Shape(positions, np.full(len(corners), 3, np.int32), corners.reshape(-1))
+
+
+def prism(sides: int) -> Shape:
+    """Of radius and height 1, its ends fans from their first corners."""
+    around = 2 * np.pi * np.arange(sides) / sides
+    low = np.stack([np.cos(around), np.sin(around), np.zeros(sides)], axis=-1)
+    walls = [[i, (i + 1) % sides, sides + i] for i in range(sides)]
+    walls += [[(i + 1) % sides, sides + (i + 1) % sides, sides + i] for i in range(sides)]
+    floor = [[0, i + 1, i] for i in range(1, sides - 1)]
+    roof = [[sides, sides + i, sides + i + 1] for i in range(1, sides - 1)]
+    high = low + np.array([0.0, 0.0, 1.0])
+    return of_triangles(np.concatenate([low, high]), walls + floor + roof)
+
+
+def nested(one: Shape, two: Shape) -> Shape:
+    """Both at their places, as one mesh."""
+    return Shape(
+        np.concatenate([one.positions, two.positions]),
+        np.concatenate([one.face_sizes, two.face_sizes]),
+        np.concatenate([one.corner_vertices, two.corner_vertices + len(one.positions)]),
+    )
+
+
+def blunt_cone(sides: int = 7) -> Shape:
+    """Its tip is a ring of vertices and a fan within it, all in one place."""
+    around = 2 * np.pi * np.arange(sides) / sides
+    low = np.stack([np.cos(around), np.sin(around), np.zeros(sides)], axis=-1) / 2
+    tip = np.tile([0.05, 0.1, 0.9], (sides + 1, 1))
+    triangles = []
+    for i in range(sides):
+        k = (i + 1) % sides
+        triangles += [[i, k, sides + k], [i, sides + k, sides + i]]
+        triangles += [[sides + i, sides + k, 2 * sides]]
+    return of_triangles(np.concatenate([low, tip]), triangles)
+
+
 def moved(camera: ill.Camera, turn: NDArray[np.float64], shift: NDArray[np.float64]) -> ill.Camera:
     """The camera that sees a scene turned and shifted as this one sees it where it was."""
     view = np.array(camera.view)
@@ -55,8 +94,10 @@ def a_turn() -> NDArray[np.float64]:
         (walled(), "loop", 180.0),
         (plate(5), "loop", 60.0),
         (plate(24, 0.08), "loop", 60.0),
+        (nested(prism(12), prism(18)), "loop", 60.0),
+        (blunt_cone(), "loop", 180.0),
     ],
-    ids=["cube", "quads", "polygons", "pocket", "wobble"],
+    ids=["cube", "quads", "polygons", "pocket", "wobble", "flush", "tip"],
 )  # fmt: skip
 def test_rigid_motions_move_no_line(shape: Shape, scheme: str, crease_deg: float) -> None:
     turn, shift = a_turn(), np.array([5.0, -3.0, 2.0])
@@ -121,3 +162,14 @@ def test_shifts_far_from_the_origin_move_no_line() -> None:
         two = draw(there, moved(camera, np.eye(3), away + step), LINES)
         assert one.image.shape == two.image.shape
         assert np.abs(one.image - two.image).max() < 1e-3
+
+
+# Sizes are the surface's own and not those of a box along the axes: it would be half as large
+# again, with coarser triangles, and rounder edges.
+def test_rigid_motions_change_no_surface() -> None:
+    turn, shift = a_turn(), np.array([5.0, -3.0, 2.0])
+    for shape, cage in [(cube(), True), (walled(), False), (sphere(3), False), (plate(24), False)]:
+        there = Shape(shape.positions @ turn.T + shift, shape.face_sizes, shape.corner_vertices)
+        options = ill.PrepareOptions(field=False, scheme="catmull-clark")
+        one, two = (ill.prepare([s.mesh(cage=cage)], options).surface for s in (shape, there))
+        assert np.abs(one.positions @ turn.T + shift - two.positions).max() < 1e-9

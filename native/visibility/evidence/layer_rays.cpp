@@ -1,6 +1,7 @@
 #include "visibility/evidence/layer_rays.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "mesh/polygons.h"
 #include "surface/edge_kinds.h"
@@ -91,7 +92,8 @@ LayerCount LayerRays::count_from(const Vec3& origin, double blind, const Touchin
   const Vec3 towards = camera_.to_eye(origin);
   const double length = towards.norm();
   hits_.clear();
-  bvh_.hits(origin, towards, -2 * surface_.diagonal / length, camera_.ray_end(origin), hits_);
+  bvh_.hits(origin, towards, -std::numeric_limits<double>::infinity(), camera_.ray_end(origin),
+            hits_);
   ++rays_;
   LayerCount count{0, 0, 0, hits_.empty()};
   for (const RayHit& hit : hits_) {

@@ -7,6 +7,7 @@
 
 #include "control/bent_points.h"
 #include "control/split_once.h"
+#include "mesh/mesh_size.h"
 #include "surface/planes/plane_faces.h"
 #include "tests/cpp/rounded_box.h"
 
@@ -27,7 +28,7 @@ std::vector<double> slides_of(const PolygonMesh& source, bool with_planes = true
   const LimitPlaces limits =
       limit_places(child, child_edges, find_sectors(child_edges, child.positions.size()), points,
                    Scheme::catmull_clark);
-  return slides(mesh, edges, limits, diagonal(mesh.positions));
+  return slides(mesh, edges, limits, diagonal(mesh));
 }
 
 double largest(const std::vector<double>& values) {

@@ -19,8 +19,8 @@ TEST(Parts, AreWhatEdgesConnect) {
       const bool is_far = surface.positions[idx(surface.triangles[t][0])].x() > 4;
       EXPECT_EQ(parts.of_triangle[t], is_far ? 1 : 0);
     }
-    EXPECT_DOUBLE_EQ(parts.diagonals[0], parts.diagonals[1]);
-    EXPECT_DOUBLE_EQ(parts.diagonals[0], std::sqrt(12.0));
+    EXPECT_NEAR(parts.diagonals[0], parts.diagonals[1], 1e-12);
+    EXPECT_NEAR(parts.diagonals[0], std::sqrt(20.0), 1e-12);
   }
 }
 

@@ -1,0 +1,28 @@
+// How large a surface is, alike however it is turned and wherever it is.
+#pragma once
+
+#include "core/types.h"
+
+namespace illustrate {
+
+// Triangles, and how far they reach from their middle. A box round them, which is usual, depends on
+// the axes: of a cube it grows by half as it turns, and what is told by it changes.
+class Spread {
+ public:
+  void add(const Vec3& a, const Vec3& b, const Vec3& c);
+
+  // The diagonal of a box in which points spread evenly vary as much as on the triangles: of balls,
+  // rods and plates that of the box round them, of a cube a quarter more. 0 without area.
+  double diagonal() const;
+
+ private:
+  // Squares of squares of what may be very large or very small.
+  using Wide = Eigen::Matrix<long double, 3, 1>;
+
+  Wide origin_ = Wide::Zero();  // the first corner
+  long double area_ = 0;
+  Wide sum_ = Wide::Zero();  // of the places from there, and of their squares, over the area
+  long double squares_ = 0;
+};
+
+}  // namespace illustrate
