@@ -66,7 +66,7 @@ void place_after(StreamlineSet& set, const HatchView& view, const Ragged<Surface
     progress.report(0.4 + 0.3 * round);
     if (round > 0) merge_streamlines(set, view);
     relax_streamlines(set, view, 1, threads, {}, even_rules.least_move);
-    cut_streamlines(set, view, even_rules.cut_test, even_rules.last_least);
+    cut_streamlines(set, view, even_rules.crowded_test, even_rules.last_least);
   }
 }
 

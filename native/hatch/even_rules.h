@@ -48,12 +48,16 @@ struct EvenRules {
   // asked of anything new, so that it stays. A place is `clear` where it passes `test`, too: with
   // `kept_clear` below `kept_test`, as at twice this or half of that, a third of all hatches move.
   double kept_test = 0.5, kept_clear = 0.5, kept_least = 0.5;
-  // Gaps that have opened; what ends them must be farther than in a drawing that stands alone.
-  double new_clear = 0.75, new_test = 0.65, new_least = 1.5;
+  // Gaps that have opened. With more clear room wide gaps last, beside what has not yet filled.
+  double new_clear = 0.7, new_test = 0.6, new_least = 1.5;
+  // Surfaces that turn away from the eye crowd what was placed, frame after frame: relaxed
+  // streamlines lose what is nearer. With `cut_test`, enough for a drawing that stands alone, a
+  // sequence is a fifth less even than a still after twenty frames; with more, frames hold less
+  // still, and no more even.
+  double crowded_test = 0.65;
   // What the last drawing placed stays unless it has become uneven by so much. Half of it moves
-  // three times as much of what rests beside something that moves, twice of it leaves frames less
-  // even after a while.
-  double least_move = 0.06;
+  // twice as much of what could stay, with twice of it frames are less even after a while.
+  double least_move = 0.04;
 
   // --- Ends ---
 

@@ -97,7 +97,7 @@ def test_a_sequence_is_that_of_single_drawings() -> None:
 
 
 def test_a_mesh_that_deforms_keeps_its_hatches_where_it_rests() -> None:
-    """One half swells and turns; on the other hatches are as they were."""
+    """One half swells and turns; on the other, hatches away from it are as they were."""
     shape, view = sphere(10), look_at((0.0, -2.0, 0.3))
     moving = np.clip((shape.positions[:, 0] - 0.3) / 0.4, 0, 1)[:, None]
     poses = [np.asarray(shape.positions * (1 + 0.05 * k * moving)) for k in range(4)]
@@ -107,12 +107,47 @@ def test_a_mesh_that_deforms_keeps_its_hatches_where_it_rests() -> None:
         )
     )
     still = hatch_points(drawings[0])
-    still = still[still[:, 0] < -0.2]
+    still = still[still[:, 0] < -0.5]
     alone = ill.draw(ill.prepare([shape.mesh().deformed(poses[-1])], LEVEL), view)
     off_alone = cKDTree(hatch_points(alone)).query(still)[0]
     off = cKDTree(hatch_points(drawings[-1])).query(still)[0]
     assert off.max() < 0.01, "strokes that go on into what moves get other points"
     assert (off_alone > 0.01).any()
+
+
+def gaps(drawing: ill.Drawing, spacing_px: float) -> NDArray[np.float64]:
+    """In spacings, how far the nearest parallel hatch is of each pixel of all hatches."""
+    image, tangents, owners = [], [], []
+    for stroke in np.flatnonzero(np.isin(drawing.kinds, HATCHES[:2])):
+        run = slice(drawing.offsets[stroke], drawing.offsets[stroke + 1])
+        for (a, b), (start, end) in zip(
+            pairwise(drawing.image[run]), pairwise(drawing.points[run]), strict=True
+        ):
+            parts = max(1, int(np.linalg.norm(b - a)))
+            image.append(a + (np.arange(parts)[:, None] + 0.5) / parts * (b - a))
+            tangents += [(end - start) / np.linalg.norm(end - start)] * parts
+            owners += [stroke] * parts
+    points, along, owner = np.concatenate(image), np.array(tangents), np.array(owners)
+    distance, nearest = cKDTree(points).query(points, k=64, distance_upper_bound=2 * spacing_px)
+    found = np.isfinite(distance)
+    nearest = np.where(found, nearest, 0)
+    cosine = np.abs(np.einsum("nkd,nd->nk", along[nearest], along))
+    found &= (owner[nearest] != owner[:, None]) & (cosine > np.sqrt(0.5))
+    least = np.where(found, distance, np.inf).min(axis=1)
+    return np.asarray(least[np.isfinite(least)] / spacing_px)
+
+
+def test_hatches_do_not_crowd_in_a_sequence() -> None:
+    """On a ball, which looks the same in each frame, though a quarter of it is new in the last."""
+    options = ill.DrawOptions(
+        highlight_threshold=1.0, shadow_threshold=1.0, mach_bands=False, undercuts=False
+    )
+    first, *_, last = ill.draw_sequence(
+        [sphere(10).mesh()], orbit(30, 3.0), options=options, prepare_options=LEVEL
+    )
+    before, after = gaps(first, options.spacing_px), gaps(last, options.spacing_px)
+    assert (after < 0.65).mean() < 0.06
+    assert after.std() / after.mean() < before.std() / before.mean() + 0.06
 
 
 def strokes_of(drawing: ill.Drawing) -> dict[bytes, int]:
