@@ -31,6 +31,7 @@ MEASURES = NATIVE / "benchmarks" / "sensitivity.py"
 
 FIELD_LINE = re.compile(r"^  (double|int) (.+?);", re.MULTILINE)
 FIELD = re.compile(r"(\w+) = ([^,]+)")
+INCLUDED = re.compile(r'^#include "(/.+)"', re.MULTILINE)
 TABLE = re.compile(r"inline constexpr (\w+) (\w+);")
 
 Measures = dict[str, float]
@@ -118,15 +119,22 @@ Number tuned(const char* name, Number usual) {
     return text.replace("#pragma once\n", f"#pragma once\n\n{reader}", 1)
 
 
+def sources_of(unit: Path) -> list[Path]:
+    """What is compiled as one: a folder's sources, included by a file of the build, or itself."""
+    if unit.is_relative_to(NATIVE):
+        return [unit]
+    return [Path(path) for path in INCLUDED.findall(unit.read_text(encoding="utf-8"))]
+
+
 def compiled(folder: Path) -> Iterator[Path]:
     """Object files of all sources that include a table, with the headers in `folder` first."""
     headers = [f'#include "{table.header}"' for table in TABLES]
     commands = json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8"))
     for command in {command["file"]: command for command in commands}.values():
         source = Path(command["file"])
-        if "tests" in source.parts or not source.is_relative_to(NATIVE):
-            continue
-        if not any(header in source.read_text(encoding="utf-8") for header in headers):
+        texts = [path.read_text(encoding="utf-8") for path in sources_of(source)
+                 if path.is_relative_to(NATIVE) and "tests" not in path.parts]  # fmt: skip
+        if not any(header in text for header in headers for text in texts):
             continue
         out = folder / f"{source.stem}.o"
         words = shlex.split(command["command"])
