@@ -59,20 +59,37 @@ std::uint64_t view_number(const HatchScene& scene, const HatchOptions& options) 
   return mixed.number();
 }
 
-std::uint64_t triangle_number(const HatchScene& scene, int triangle) {
+std::uint64_t vertex_number(const HatchScene& scene, std::size_t v) {
   Mixed mixed;
-  for (const int v : scene.surface.triangles[idx(triangle)]) {
-    mixed.add(scene.surface.positions[idx(v)]).add(scene.surface.normals[idx(v)]);
-    mixed.add((direction_steps * scene.field.directions[idx(v)]).array().round().matrix());
-    if (!scene.families.empty()) mixed.add(double(scene.families[idx(v)]));
-  }
+  mixed.add(scene.surface.positions[v]).add(scene.surface.normals[v]);
+  mixed.add((direction_steps * scene.field.directions[v]).array().round().matrix());
+  if (!scene.families.empty()) mixed.add(double(scene.families[v]));
   return mixed.number();
+}
+
+// Of the vertices of triangles that are seen; those of others are 0. A triangle is met in some rows
+// of cells, and a vertex in some triangles: what it takes to tell one is mixed once.
+std::vector<std::uint64_t> vertex_numbers(const HatchScene& scene, int threads) {
+  std::vector<std::uint8_t> is_seen(scene.surface.positions.size(), 0);
+  int last = none;
+  for (const int triangle : scene.visible.triangle) {
+    if (triangle == none || triangle == last) continue;
+    for (const int v : scene.surface.triangles[idx(triangle)]) is_seen[idx(v)] = 1;
+    last = triangle;
+  }
+  std::vector<std::uint64_t> numbers(is_seen.size(), 0);
+  parallel_for(numbers.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      if (is_seen[v]) numbers[v] = vertex_number(scene, v);
+    }
+  });
+  return numbers;
 }
 
 class TileMarker {
  public:
-  TileMarker(const HatchScene& scene, const HatchOptions& options, ImageTiles& tiles)
-      : scene_(scene), tiles_(tiles) {
+  TileMarker(const HatchScene& scene, const HatchOptions& options, int threads, ImageTiles& tiles)
+      : scene_(scene), tiles_(tiles), vertices_(vertex_numbers(scene, threads)) {
     const double wanted = std::max(least_tile_px, tile_spacings * options.spacing_px);
     cells_ = std::max(1, static_cast<int>(std::ceil(wanted / scene.visible.cell_px)));
     tiles.tile_px = cells_ * scene.visible.cell_px;
@@ -104,6 +121,12 @@ class TileMarker {
   }
 
  private:
+  std::uint64_t triangle_number(int triangle) const {
+    Mixed mixed;
+    for (const int v : scene_.surface.triangles[idx(triangle)]) mixed.add(vertices_[idx(v)]);
+    return mixed.number();
+  }
+
   void add_row(int row) {
     std::uint64_t* const contents = tiles_.contents.data() + (row / cells_) * tiles_.columns;
     int triangle = none;
@@ -112,7 +135,7 @@ class TileMarker {
       const auto cell = idx(scene_.visible.index(column, row));
       const int seen = scene_.visible.triangle[cell];
       if (seen == none) continue;
-      if (seen != triangle) number = triangle_number(scene_, triangle = seen);
+      if (seen != triangle) number = triangle_number(triangle = seen);
       const auto tone =
           std::uint64_t(scene_.tone.level[cell]) << 8 | std::uint64_t(scene_.tone.band[cell]);
       contents[column / cells_] += Mixed(number).add(std::uint64_t{cell} << 16 | tone).number();
@@ -140,14 +163,15 @@ class TileMarker {
 
   const HatchScene& scene_;
   ImageTiles& tiles_;
-  int cells_;  // along a tile
+  const std::vector<std::uint64_t> vertices_;  // their numbers
+  int cells_;                                  // along a tile
 };
 
 }  // namespace
 
 ImageTiles image_tiles(const HatchScene& scene, const HatchOptions& options, int threads) {
   ImageTiles tiles;
-  TileMarker marker(scene, options, tiles);
+  TileMarker marker(scene, options, threads, tiles);
   marker.add_cells(threads);
   marker.add_curves();
   return tiles;
