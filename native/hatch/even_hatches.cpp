@@ -66,7 +66,9 @@ void place_after(StreamlineSet& set, const HatchView& view, const Ragged<Surface
     progress.report(0.4 + 0.3 * round);
     if (round > 0) merge_streamlines(set, view);
     relax_streamlines(set, view, 1, threads, {}, even_rules.least_move);
-    cut_streamlines(set, view, even_rules.crowded_test, even_rules.last_least);
+    // Once is enough to thin what is crowded; what is short stays as long as it does when placed.
+    const double test = round == 0 ? even_rules.crowded_test : even_rules.cut_test;
+    cut_streamlines(set, view, test, even_rules.kept_least);
   }
 }
 
