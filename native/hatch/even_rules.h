@@ -51,9 +51,9 @@ struct EvenRules {
   // Gaps that have opened. With more clear room wide gaps last, beside what has not yet filled.
   double new_clear = 0.7, new_test = 0.6, new_least = 1.5;
   // Surfaces that turn away from the eye crowd what was placed, frame after frame: relaxed
-  // streamlines lose what is nearer. With `cut_test`, enough for a drawing that stands alone, a
-  // sequence is a fifth less even than a still after twenty frames; with more, frames hold less
-  // still, and no more even.
+  // streamlines lose what is nearer, once in a frame. With `cut_test`, enough for a drawing that
+  // stands alone, a sequence is a fifth less even than a still after twenty frames; with more,
+  // frames hold less still, and no more even.
   double crowded_test = 0.65;
   // What the last drawing placed stays unless it has become uneven by so much. Half of it moves
   // twice as much of what could stay, with twice of it frames are less even after a while.
