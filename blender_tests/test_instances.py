@@ -154,7 +154,9 @@ def test_instances_of_nodes_are_drawn_where_they_are(scene: Any) -> None:
     on_points = next(n for n in group.nodes if n.bl_idname == "GeometryNodeInstanceOnPoints")
     group.links.new(info.outputs["Geometry"], on_points.inputs["Instance"])
     bpy.context.view_layer.update()
-    meshes = [mesh for mesh in read(scene).meshes if mesh.name == "Part"]
+    arrays = read(scene)
+    assert arrays.left_out == {}
+    meshes = [mesh for mesh in arrays.meshes if mesh.name == "Part"]
     assert len(meshes) == 8
     middles = {tuple(np.round(mesh.positions.mean(axis=0))) for mesh in meshes}
     assert middles == {(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)}

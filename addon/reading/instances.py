@@ -58,6 +58,7 @@ def read_shown(scene: Any, depsgraph: Any, is_wanted: Callable[[Any], bool]) -> 
     chosen = cache(lambda owner: (style_of(owner, scene), surface_of(owner, scene)))
     seen = cache(lambda thing, owner: seen_as(thing, owner, depsgraph.view_layer))
     pending: list[_Pending] = []
+    instancers: set[str] = set()
     for instance, owner in _rendered(depsgraph):
         style, surface = chosen(owner)
         if style.get("ignore") or not is_wanted(owner):
@@ -68,6 +69,8 @@ def read_shown(scene: Any, depsgraph: Any, is_wanted: Callable[[Any], bool]) -> 
             continue
         if thing.type == "MESH" and shown.lightness.is_clear(_materials(thing)):
             style = {**style, "see_through": True}
+        if instance.is_instance:
+            instancers.add(owner.name)
         for kind in _without_surface(thing, instance.is_instance):
             shown.leave_out(kind, thing.name)
         # A curve, surface, text or metaball comes twice: as itself, and as the mesh that counts.
@@ -75,7 +78,7 @@ def read_shown(scene: Any, depsgraph: Any, is_wanted: Callable[[Any], bool]) -> 
             place = (thing.name, style, surface, np.array(instance.matrix_world, float))
             mesh = reader.read(thing, surface)
             pending.append((place, thing.original, mesh, _materials(thing)))
-    _place(pending, shown, scene)
+    _place(pending, instancers, shown, scene)
     return shown
 
 
@@ -85,9 +88,13 @@ def _materials(thing: Any) -> list[Any]:
     return slots or list(thing.data.materials)
 
 
-def _place(pending: list[_Pending], shown: Shown, scene: Any) -> None:
-    """Adds meshes at their places; those that are still to be read are cages."""
-    named = {name for listed in shown.left_out.values() for name in listed}
+def _place(pending: list[_Pending], instancers: set[str], shown: Shown, scene: Any) -> None:
+    """Adds meshes at their places; those that are still to be read are cages.
+
+    instancers: names of objects whose instances are drawn; nothing is missed of them where their
+    own mesh has no faces.
+    """
+    named = instancers | {name for listed in shown.left_out.values() for name in listed}
     cages = read_cages(
         [original for _, original, mesh, _ in pending if mesh is None], scene, shown.lightness
     )
