@@ -41,6 +41,11 @@ struct FoldSample {
   Vec3 face_normal = Vec3::Zero();  // of the near face of an edge; zero: not known
 };
 
+// Between two faces that both are seen.
+bool is_visible_crease(const GraphArc& arc) {
+  return layers_over(arc) == 0 && arc.kind == Kind::crease && arc.left_layers == arc.right_layers;
+}
+
 // To the left of a curve as the viewer sees it run, y pointing down.
 Vec2 left_of(const Vec2& heading) { return {heading.y(), -heading.x()}; }
 
@@ -77,6 +82,20 @@ class BandMarker {
         sample.face_normal = near_face_normal(sample);
       }
       mark_round(sample, meets ? -std::numeric_limits<double>::infinity() : behind);
+    }
+  }
+
+  // Once all folds are marked.
+  void clear_beside_crease(int arc) {
+    if (!is_visible_crease(graph_.arcs[arc])) return;
+    for (const FoldSample& sample : samples_of(arc)) {
+      each_cell_round(sample, options_.undercut_px, [&](const Vec2& centre, int cell) {
+        if (band_[cell] != Band::undercut) return;
+        const double distance = (centre - sample.image).norm();
+        const double apart = std::abs(visible_.depth[cell] - sample.depth) / sample.cell;
+        const bool is_beside = apart < behind + recession * distance / visible_.cell_px;
+        if (is_beside && distance < nearest_[cell]) band_[cell] = Band::nothing;
+      });
     }
   }
 
@@ -186,6 +205,14 @@ class BandMarker {
 
   void mark_round(const FoldSample& sample, double least_depth) {
     const double reach = std::max(options_.mach_band_px, options_.undercut_px);
+    each_cell_round(sample, reach, [&](const Vec2& centre, int cell) {
+      mark_cell(sample, least_depth, centre, cell);
+    });
+  }
+
+  // Calls use(middle of a cell, its index) for the square round a sample.
+  template <class Use>
+  void each_cell_round(const FoldSample& sample, double reach, const Use& use) const {
     const double cell_px = visible_.cell_px;
     const auto cells = [cell_px](double px, int end) {
       return static_cast<int>(std::clamp(std::floor(px / cell_px), 0.0, end - 1.0));
@@ -194,7 +221,7 @@ class BandMarker {
     const int column_end = cells(sample.image.x() + reach, visible_.width);
     for (int row = cells(sample.image.y() - reach, visible_.height); row <= row_end; ++row) {
       for (int i = cells(sample.image.x() - reach, visible_.width); i <= column_end; ++i) {
-        mark_cell(sample, least_depth, Vec2(i + 0.5, row + 0.5) * cell_px, visible_.index(i, row));
+        use(Vec2(i + 0.5, row + 0.5) * cell_px, visible_.index(i, row));
       }
     }
   }
@@ -237,7 +264,9 @@ void mark_bands(const Surface& surface, const VisibleImage& visible, const Label
                 const Camera& camera, const std::vector<Light>& lights, const ToneOptions& options,
                 std::vector<Band>& band) {
   BandMarker marker(surface, visible, graph, camera, lights, options, band);
-  for (int arc = 0; arc < static_cast<int>(graph.arcs.size()); ++arc) marker.mark(arc);
+  const int count = static_cast<int>(graph.arcs.size());
+  for (int arc = 0; arc < count; ++arc) marker.mark(arc);
+  for (int arc = 0; arc < count; ++arc) marker.clear_beside_crease(arc);
   for (Band& mark : band) {
     const bool wanted = mark == Band::mach_band ? options.mach_bands : options.undercuts;
     if (!wanted) mark = Band::nothing;

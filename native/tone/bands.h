@@ -17,6 +17,9 @@ namespace illustrate {
 // the side that it comes from. Towards the end of its fold an undercut tapers, and round a small
 // loop it is narrow (tone/fold_extents.h). At c = 0, as in the paper, all are whole.
 //
+// An undercut does not reach over a crease: what is nearer to one that is seen, and beside it, than
+// to the fold is another face, as a board's top beside the groove before it.
+//
 // A visible self-intersection hides nothing: two sheets meet there. Over the whole arc the sheet
 // that is turned farther from the viewer takes the undercut, the other one the Mach band.
 //

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tests/cpp/cameras.h"
 #include "tests/cpp/shapes.h"
@@ -23,13 +24,24 @@ class Step {
         height_(height) {}
 
   // Cells of the image in undercuts, where the edge is drawn between two values of y.
-  int undercuts(double from, double to) const {
-    const ToneMap tone = tone_regions(surface_, render_visible(surface_, camera_, 1, {}, 1),
-                                      edge(from, to), camera_, {}, {});
-    return static_cast<int>(std::count(tone.band.begin(), tone.band.end(), Band::undercut));
+  int undercuts(double from, double to) const { return undercuts(edge(from, to)); }
+
+  // The same with a crease on the floor, so many pixels beyond the edge.
+  int undercuts_before_crease(double from, double to, double beyond_px) const {
+    LabelledGraph graph = edge(from, to);
+    const double x = -height_ - std::sqrt(2.0) * beyond_px * 2 / side_px;
+    graph.nodes.resize(4);
+    add(graph, {Kind::crease, 0, 1, 2, 3, 0, 1, 1}, Vec3(x, from, 0), Vec3(x, to, 0));
+    return undercuts(graph);
   }
 
  private:
+  int undercuts(const LabelledGraph& graph) const {
+    const ToneMap tone =
+        tone_regions(surface_, render_visible(surface_, camera_, 1, {}, 1), graph, camera_, {}, {});
+    return static_cast<int>(std::count(tone.band.begin(), tone.band.end(), Band::undercut));
+  }
+
   LabelledGraph edge(double from, double to) const {
     LabelledGraph graph;
     graph.nodes.resize(2);
@@ -39,6 +51,11 @@ class Step {
     const bool plate_is_left = along.x() * to_plate.y() - along.y() * to_plate.x() < 0;
     GraphArc arc{Kind::boundary, 0, 0, 0, 1};
     (plate_is_left ? arc.left_layers : arc.right_layers) = 1;
+    add(graph, arc, a, b);
+    return graph;
+  }
+
+  void add(LabelledGraph& graph, const GraphArc& arc, const Vec3& a, const Vec3& b) const {
     graph.arcs.push_back(arc);
     for (const Vec3& p : {a, b}) {
       graph.points.push({p, {}});
@@ -46,7 +63,6 @@ class Step {
     }
     graph.points.close_list();
     graph.image.close_list();
-    return graph;
   }
 
   Camera camera_;
@@ -56,6 +72,14 @@ class Step {
 
 TEST(EdgeBands, AnEdgeHighAboveAFloorHasAnUndercut) {
   EXPECT_GT(Step(0.5).undercuts(-0.5, 0.5), 10 * side_px / 4);
+}
+
+// Half way to the crease the undercut ends.
+TEST(EdgeBands, AnUndercutDoesNotReachOverACrease) {
+  const Step step(0.5);
+  const double length_px = side_px / 2.0;
+  EXPECT_NEAR(step.undercuts_before_crease(-0.5, 0.5, 8), 4 * length_px, length_px);
+  EXPECT_EQ(step.undercuts_before_crease(-0.5, 0.5, 60), step.undercuts(-0.5, 0.5));
 }
 
 TEST(EdgeBands, AFloorThatRecedesIsNoUndercutOfWhatHardlyStandsOut) {
