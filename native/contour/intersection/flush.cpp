@@ -204,9 +204,9 @@ std::vector<FlushEdge> flush_edges(const Surface& surface, const IntersectionCur
   return FlushEdgeFinder(surface, curves).run();
 }
 
-std::vector<int> flush_segments(const Surface& surface, const IntersectionCurves& curves) {
-  std::vector<int> planes(curves.segment_triangles.size(), none);
-  if (curves.flush_triangles.empty()) return planes;
+std::vector<std::uint8_t> flush_segments(const Surface& surface, const IntersectionCurves& curves) {
+  std::vector<std::uint8_t> result(curves.segment_triangles.size(), 0);
+  if (curves.flush_triangles.empty()) return result;
   const EdgesAtPlaces along(surface, curves);
   const auto are_flush = [&](int a, int b) {
     const std::array<int, 2> pair{std::min(a, b), std::max(a, b)};
@@ -222,11 +222,11 @@ std::vector<int> flush_segments(const Surface& surface, const IntersectionCurves
       const auto [a, b] = curves.segment_triangles[segment];
       if (a == none) continue;
       const Vec3 &start = curve[i].position, &end = curve[(i + 1) % curve.size()].position;
-      if (are_flush(a, b) || along.has_along(a, b, start, end)) planes[segment] = b;
-      if (along.has_along(b, a, start, end)) planes[segment] = a;
+      result[segment] =
+          are_flush(a, b) || along.has_along(a, b, start, end) || along.has_along(b, a, start, end);
     }
   }
-  return planes;
+  return result;
 }
 
 }  // namespace illustrate

@@ -15,9 +15,8 @@ namespace illustrate {
 // From the flush triangles of these curves; by side, then by share.
 std::vector<FlushEdge> flush_edges(const Surface& surface, const IntersectionCurves& curves);
 
-// (points) Of the segment that follows each point: the one of its two triangles in whose plane it
-// is flush, where it runs along a flush edge of the other one's sheet, or both triangles are flush;
-// else none.
-std::vector<int> flush_segments(const Surface& surface, const IntersectionCurves& curves);
+// (points) Whether the segment that follows each point is no line: it runs along a flush edge of
+// one sheet, which stands for it, or both its triangles are flush.
+std::vector<std::uint8_t> flush_segments(const Surface& surface, const IntersectionCurves& curves);
 
 }  // namespace illustrate

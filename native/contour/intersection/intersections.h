@@ -79,8 +79,8 @@ struct IntersectionCurves {
   std::vector<FlushTriangles> flush_triangles;  // ascending
   double reach = 0;  // how far apart planes may be that count as one, world units
   std::vector<FlushEdge> flush_edges;
-  std::vector<int> flush_segments;   // (points) flush.h
-  std::vector<ObjectPair> left_out;  // too much to follow, ascending
+  std::vector<std::uint8_t> flush_segments;  // (points) flush.h
+  std::vector<ObjectPair> left_out;          // too much to follow, ascending
 };
 
 // Pairs of triangles that cross: crumpled meshes of tens of thousands of triangles have fewer, fur

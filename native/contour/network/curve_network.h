@@ -41,7 +41,7 @@ struct Strand {
   int end_node = none;
   int left_layers = 0;
   int right_layers = 0;
-  bool is_flush = false;  // within a face of another part, seen from its front (flush.h): no line
+  bool is_flush = false;  // within a face of another part (flush.h): no line
   Sight sight = Sight::possible;
 
   bool closed() const { return start_node == none; }

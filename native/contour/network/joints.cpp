@@ -28,7 +28,6 @@ class JointFinder {
   Joints run() {
     index_features();
     for (const FlushEdge& edge : intersections_.flush_edges) cut_flush(edge);
-    find_flush_segments();
     for (std::size_t c = 0; c < silhouettes_.chains.size(); ++c) cut_chain(static_cast<int>(c));
     if (!intersections_.curves.empty() || !lines_.curves.empty()) {
       chain_pieces_ = pieces_of_chains(surface_, silhouettes_);
@@ -124,17 +123,11 @@ class JointFinder {
     joints_.edges.push_back({feature, fraction, node, EdgeSide{}});
   }
 
-  void find_flush_segments() {
-    for (const int plane : intersections_.flush_segments) {
-      joints_.flush_segments.push_back(plane != none && is_front_face(surface_, camera_, plane));
-    }
-  }
-
   // Whether a curve begins or ends to be flush at a point; open ones do not at their ends.
   bool flush_changes(int c, int i) const {
     const int count = static_cast<int>(intersections_.curves[idx(c)].size());
     const auto is_flush = [&](int k) {
-      return joints_.flush_segments[global_point(c, (k + count) % count)] != 0;
+      return intersections_.flush_segments[global_point(c, (k + count) % count)] != 0;
     };
     return (i > 0 || intersections_.closed[idx(c)]) && is_flush(i - 1) != is_flush(i);
   }

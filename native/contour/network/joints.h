@@ -41,13 +41,12 @@ struct FlushStretch {
 
 struct Joints {
   std::vector<NetworkNode> nodes;
-  std::vector<EdgeCut> edges;                // sorted by feature, fraction
-  std::vector<FlushStretch> flush;           // sorted by feature
-  std::vector<std::uint8_t> flush_segments;  // (points of intersections) such a stretch follows
-  std::vector<CurveCut> chains;              // sorted by curve, segment, fraction
-  std::vector<CurveCut> intersections;       // sorted likewise
-  std::vector<CurveCut> lines;               // of free lines, sorted likewise
-  int first_line_node = 0;                   // nodes from here on are only due to free lines
+  std::vector<EdgeCut> edges;           // sorted by feature, fraction
+  std::vector<FlushStretch> flush;      // sorted by feature
+  std::vector<CurveCut> chains;         // sorted by curve, segment, fraction
+  std::vector<CurveCut> intersections;  // sorted likewise
+  std::vector<CurveCut> lines;          // of free lines, sorted likewise
+  int first_line_node = 0;              // nodes from here on are only due to free lines
 };
 
 // Where a contour passes through another sheet it goes behind it (+1) or comes out in front of it

@@ -210,7 +210,7 @@ void add_intersection_strands(const Surface& surface, const IntersectionCurves& 
     if (sources.empty()) sources.push_back(0);
     for (std::size_t s = first; s < network.strands.size(); ++s) {
       const auto start = idx(intersections.curves.offsets[c] + sources[s - first]);
-      network.strands[s].is_flush = joints.flush_segments[start] != 0;
+      network.strands[s].is_flush = intersections.flush_segments[start] != 0;
     }
     add_ties(cuts, line.closed, static_cast<int>(first), network);
   }
