@@ -96,8 +96,9 @@ TEST(Outline, IsNothingWithinWhatIsCutOff) {
   CurveNetwork network;
   ImageStrands strands;
   add_square(network, strands, 30);
-  const std::vector<ImageSegment> cuts{
-      {Vec2(-50, -40), Vec2(50, -40)}, {Vec2(50, -40), Vec2(0, 300)}, {Vec2(0, 300), Vec2(-50, -40)}};
+  const std::vector<ImageSegment> cuts{{Vec2(-50, -40), Vec2(50, -40)},
+                                       {Vec2(50, -40), Vec2(0, 300)},
+                                       {Vec2(0, 300), Vec2(-50, -40)}};
   EXPECT_EQ(outline_places(network, strands, everywhere, {cuts[0]})[0].size(), 4U);
   EXPECT_TRUE(outline_places(network, strands, everywhere, cuts)[0].empty());
 }
