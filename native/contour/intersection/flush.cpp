@@ -112,6 +112,7 @@ class FlushEdgeFinder {
       : surface_(surface), reach_(curves.reach) {
     for (const FlushTriangles& pair : curves.flush_triangles) {
       for (const std::size_t i : {0, 1}) {
+        if (!has_crease(pair.triangles[i])) continue;
         partners_[pair.triangles[i]][pair.parts[1 - i]].push_back(pair.triangles[1 - i]);
       }
     }
@@ -120,7 +121,7 @@ class FlushEdgeFinder {
   std::vector<FlushEdge> run() {
     for (const auto& [triangle, parts] : partners_) {
       for (int k = 0; k < 3; ++k) {
-        if (surface_.edge_kinds[idx(triangle)][idx(k)] != EdgeKind::crease) continue;
+        if (!is_crease({triangle, k})) continue;
         for (const auto& [part, triangles] : parts) add({triangle, k}, triangles);
       }
     }
@@ -128,6 +129,13 @@ class FlushEdgeFinder {
   }
 
  private:
+  bool is_crease(const EdgeSide& side) const {
+    return surface_.edge_kinds[idx(side.triangle)][idx(side.corner)] == EdgeKind::crease;
+  }
+  bool has_crease(int triangle) const {
+    return is_crease({triangle, 0}) || is_crease({triangle, 1}) || is_crease({triangle, 2});
+  }
+
   void add(const EdgeSide& side, const std::vector<int>& triangles) {
     const int plane = largest(triangles);
     const EdgeFrame frame(surface_, side, plane);
@@ -150,7 +158,7 @@ class FlushEdgeFinder {
 
   const Surface& surface_;
   double reach_;
-  // Of each triangle: those flush with it, by their parts.
+  // Of each triangle with a crease: those flush with it, by their parts.
   std::map<int, std::map<int, std::vector<int>>> partners_;
   std::vector<FlushEdge> edges_;
 };
@@ -198,6 +206,14 @@ class EdgesAtPlaces {
   std::unordered_map<int, std::vector<const FlushEdge*>> edges_;
 };
 
+bool are_flush(const IntersectionCurves& curves, int a, int b) {
+  const std::array<int, 2> pair{std::min(a, b), std::max(a, b)};
+  const auto found = std::lower_bound(
+      curves.flush_triangles.begin(), curves.flush_triangles.end(), pair,
+      [](const FlushTriangles& f, const std::array<int, 2>& p) { return f.triangles < p; });
+  return found != curves.flush_triangles.end() && found->triangles == pair;
+}
+
 }  // namespace
 
 std::vector<FlushEdge> flush_edges(const Surface& surface, const IntersectionCurves& curves) {
@@ -208,13 +224,6 @@ std::vector<std::uint8_t> flush_segments(const Surface& surface, const Intersect
   std::vector<std::uint8_t> result(curves.segment_triangles.size(), 0);
   if (curves.flush_triangles.empty()) return result;
   const EdgesAtPlaces along(surface, curves);
-  const auto are_flush = [&](int a, int b) {
-    const std::array<int, 2> pair{std::min(a, b), std::max(a, b)};
-    const auto found = std::lower_bound(
-        curves.flush_triangles.begin(), curves.flush_triangles.end(), pair,
-        [](const FlushTriangles& f, const std::array<int, 2>& p) { return f.triangles < p; });
-    return found != curves.flush_triangles.end() && found->triangles == pair;
-  };
   for (std::size_t c = 0; c < curves.curves.size(); ++c) {
     const Span<const IntersectionPoint> curve = curves.curves[c];
     for (std::size_t i = 0; i < curve.size(); ++i) {
@@ -222,8 +231,8 @@ std::vector<std::uint8_t> flush_segments(const Surface& surface, const Intersect
       const auto [a, b] = curves.segment_triangles[segment];
       if (a == none) continue;
       const Vec3 &start = curve[i].position, &end = curve[(i + 1) % curve.size()].position;
-      result[segment] =
-          are_flush(a, b) || along.has_along(a, b, start, end) || along.has_along(b, a, start, end);
+      result[segment] = are_flush(curves, a, b) || along.has_along(a, b, start, end) ||
+                        along.has_along(b, a, start, end);
     }
   }
   return result;
