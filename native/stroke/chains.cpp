@@ -279,7 +279,7 @@ std::vector<std::uint8_t> drawn_arcs(const LabelledGraph& graph,
   std::vector<std::uint8_t> drawn;
   for (const GraphArc& arc : graph.arcs) {
     const bool object_is_drawn = undrawn.empty() || arc.object == none || !undrawn[idx(arc.object)];
-    // Such an intersection runs along an edge that is drawn in its place.
+    // An edge stands for such an intersection, or there is none to be seen.
     const bool is_double = arc.is_flush && arc.kind == Kind::intersection;
     drawn.push_back(object_is_drawn && kind_is_drawn(arc.kind, options) && !is_double &&
                     layers_are_drawn(layers_over(arc), options));

@@ -4,15 +4,16 @@
 // no line of a drawing.
 //
 // Planes no farther apart than IntersectionCurves::reach are one. A crease at which the surface
-// rises from the plane is a line all the same, and so is the seam of parts that only abut, since
-// neither goes on beyond it. Overlaps of a connected part with itself are not looked for.
+// rises from the plane is a line all the same, and so are open borders, and the seam of parts that
+// only abut, since neither goes on beyond it. Overlaps of a connected part with itself are not
+// looked for.
 #pragma once
 
 #include "contour/intersection/intersections.h"
 
 namespace illustrate {
 
-// From the flush triangles of these curves; by side, then by share.
+// From the flush triangles of these curves; by side, part and share.
 std::vector<FlushEdge> flush_edges(const Surface& surface, const IntersectionCurves& curves);
 
 // (points) Whether the segment that follows each point is no line: it runs along a flush edge of

@@ -77,21 +77,27 @@ class KeptSegments {
   std::set<ObjectPair> left_out_;
 };
 
-void find_segments(const CrossingTest& test, const Bvh& bvh, std::size_t triangles,
+// Flush triangles matter where they have a line: copies of a smooth mesh at one place have none.
+void find_segments(const Surface& surface, const CrossingTest& test, const Bvh& bvh,
                    KeptSegments& kept, std::vector<FlushTriangles>& flush, Counts& report,
                    const Progress& progress) {
   std::int64_t undecided = 0, visited = 0;
-  const double expected = expected_pairs * static_cast<double>(triangles);
+  const double expected = expected_pairs * static_cast<double>(surface.triangles.size());
+  const auto has_crease = [&](int t) {
+    const auto& kinds = surface.edge_kinds[idx(t)];
+    return std::find(kinds.begin(), kinds.end(), EdgeKind::crease) != kinds.end();
+  };
   const auto visit = [&](int s, int t) {
     if (++visited % pairs_between_reports == 0) {
       const auto done = static_cast<double>(visited);
       progress.report(done / (done + expected));
     }
-    if (!kept.takes(s, t)) return;
     Segment segment{{s, t}, {}, {}};
-    const TriangleIntersection found = test.cross(s, t, segment.ends);
+    const TriangleIntersection found =
+        kept.takes(s, t) ? test.cross(s, t, segment.ends) : TriangleIntersection::apart;
     if (found == TriangleIntersection::segment) kept.add(segment);
-    if (test.are_flush(s, t)) flush.push_back({{s, t}, {test.part(s), test.part(t)}});
+    const bool has_line = found == TriangleIntersection::segment || has_crease(s) || has_crease(t);
+    if (has_line && test.are_flush(s, t)) flush.push_back({{s, t}, {test.part(s), test.part(t)}});
     undecided += found == TriangleIntersection::undecided;
   };
   bvh.overlapping_pairs(visit, test.reach());
@@ -218,7 +224,7 @@ IntersectionCurves intersections(const Surface& surface, const Bvh& bvh, Counts&
   const CrossingTest test(surface);
   KeptSegments kept(surface, most);
   std::vector<FlushTriangles> flush;
-  find_segments(test, bvh, surface.triangles.size(), kept, flush, report, progress);
+  find_segments(surface, test, bvh, kept, flush, report, progress);
   const std::vector<ObjectPair> left_out = kept.left_out();
   IntersectionCurves curves = Linker(surface, test, std::move(kept).sorted()).link();
   curves.left_out = left_out;

@@ -14,7 +14,8 @@
 namespace illustrate {
 
 // A cut at `fraction` of a feature edge, from the first corner of its first side; `side` is the one
-// whose curve makes it, empty where the curve is a free line and says nothing of the side.
+// whose curve makes it, empty for free lines and where a crease begins to be flush, which say
+// nothing of the side.
 struct EdgeCut {
   int feature;
   double fraction;

@@ -188,7 +188,10 @@ std::optional<Arrangement> arrange(const CurveNetwork& network, const Camera& ca
   result.states_.assign(result.crossings_.size(), CrossingState::live);
   result.paths_ = PathFinder(network).run();
   const Eigen::AlignedBox2d frame(Vec2::Zero(), Vec2(camera.width_px(), camera.height_px()));
-  result.outline_ = outline_places(network, result.image_, frame, cuts);
+  result.outline_.resize(network.strands.size());
+  if (!has_open_silhouette(network, camera)) {
+    result.outline_ = outline_places(network, result.image_, frame, cuts);
+  }
   result.visits_ = sorted_visits(result.crossings_, network.strands.size());
   return result;
 }

@@ -168,14 +168,6 @@ class OutlineScan {
   std::vector<int> finer_;     // (rows + 1) how many of the rows before are scanned again
 };
 
-bool has_open_silhouette(const CurveNetwork& network) {
-  return std::any_of(network.strands.begin(), network.strands.end(), [&](const Strand& s) {
-    const auto is_end = [&](int node) { return network.nodes[idx(node)].kind == NodeKind::end; };
-    return s.kind == Kind::silhouette && !s.closed() &&
-           (is_end(s.start_node) || is_end(s.end_node));
-  });
-}
-
 // The points of a triangle's edges on the near plane.
 std::vector<Vec3> near_points(const Surface& surface, int triangle, const Camera& camera) {
   std::vector<Vec3> points;
@@ -190,11 +182,29 @@ std::vector<Vec3> near_points(const Surface& surface, int triangle, const Camera
 
 }  // namespace
 
+bool has_open_silhouette(const CurveNetwork& network, const Camera& camera) {
+  constexpr double rounding = 1e-9;
+  const auto is_cut = [&](const Vec3& p) {
+    const double size = camera.near_plane().cwiseAbs().dot(p.homogeneous().cwiseAbs());
+    return std::abs(camera.near_distance(p)) <= rounding * size;
+  };
+  const auto is_open = [&](int node) {
+    const NetworkNode& n = network.nodes[idx(node)];
+    return n.kind == NodeKind::end && !is_cut(n.position);
+  };
+  return std::any_of(network.strands.begin(), network.strands.end(), [&](const Strand& s) {
+    return s.kind == Kind::silhouette && !s.closed() &&
+           (is_open(s.start_node) || is_open(s.end_node));
+  });
+}
+
 std::vector<ImageSegment> near_cuts(const Surface& surface, const Bvh& bvh, const Camera& camera) {
   std::vector<ImageSegment> cuts;
   bvh.met_by_plane(camera.near_plane(), [&](int triangle) {
     const std::vector<Vec3> ends = near_points(surface, triangle, camera);
-    if (ends.size() == 2) cuts.push_back({camera.project(ends[0]).xy, camera.project(ends[1]).xy});
+    if (ends.size() != 2) return;
+    const ImageSegment cut{camera.project(ends[0]).xy, camera.project(ends[1]).xy};
+    if (cut[0].allFinite() && cut[1].allFinite()) cuts.push_back(cut);
   });
   return cuts;
 }
@@ -206,7 +216,7 @@ std::vector<std::vector<StrandPlace>> outline_places(const CurveNetwork& network
   std::vector<std::vector<StrandPlace>> result(network.strands.size());
   std::vector<StrandSegment> segments = all_segments(network);
   const std::size_t of_strands = segments.size();
-  if (segments.empty() || (cuts.empty() && has_open_silhouette(network))) return result;
+  if (segments.empty()) return result;
   std::vector<Vec2> points = strands.image;
   for (const ImageSegment& cut : cuts) {
     const int first = static_cast<int>(points.size());
