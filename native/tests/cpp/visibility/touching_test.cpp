@@ -58,15 +58,21 @@ Vec3 edge_sample(const Box& box, int edge, int i) {
   return box.min() + (share.array() * box.sizes().array()).matrix();
 }
 
-// Of samples along the edges of boxes that are seen, how many have no line. Edges that run within
-// another box, in its surface, may be drawn or not.
-struct Missed {
-  int samples = 0, missed = 0;
+// Of samples along edges, those for which something is so.
+struct Sampled {
+  int samples = 0, counted = 0;
+
+  void operator+=(const Sampled& more) {
+    samples += more.samples;
+    counted += more.counted;
+  }
 };
 
-Missed missed_edges(const std::vector<Box>& boxes, const Camera& camera) {
+// Of samples along the edges of boxes that are seen, how many have no line. Edges that run within
+// another box, in its surface, may be drawn or not.
+Sampled missed_edges(const std::vector<Box>& boxes, const Camera& camera) {
   const Drawing drawing = drawn(boxes, camera);
-  Missed found;
+  Sampled found;
   for (std::size_t b = 0; b < boxes.size(); ++b) {
     for (int edge = 0; edge < 12; ++edge) {
       for (int i = 0; i < samples; ++i) {
@@ -78,7 +84,7 @@ Missed missed_edges(const std::vector<Box>& boxes, const Camera& camera) {
         };
         if (std::any_of(boxes.begin(), boxes.end(), hides)) continue;
         ++found.samples;
-        found.missed += distance_px(drawing, camera.project(p).xy) > 1.5;
+        found.counted += distance_px(drawing, camera.project(p).xy) > 1.5;
       }
     }
   }
@@ -107,15 +113,11 @@ bool is_flush(const Box& own, const Box& other, const Vec3& p) {
                           (p[axis] == own.max()[axis] && p[axis] == other.max()[axis]));
 }
 
-struct Drawn {
-  int samples = 0, drawn = 0;
-};
-
 // Of samples along edges that are flush with another box and in front of all, how many have a line.
 // Where a third box comes near it may have its own.
-Drawn flush_lines(const std::vector<Box>& boxes, const Camera& camera) {
+Sampled flush_lines(const std::vector<Box>& boxes, const Camera& camera) {
   const Drawing drawing = drawn(boxes, camera);
-  Drawn found;
+  Sampled found;
   for (const Box& own : boxes) {
     for (const Box& other : boxes) {
       for (int sample = 0; sample < 12 * samples; ++sample) {
@@ -127,7 +129,7 @@ Drawn flush_lines(const std::vector<Box>& boxes, const Camera& camera) {
         };
         if (!is_flush(own, other, p) || std::any_of(boxes.begin(), boxes.end(), disturbs)) continue;
         ++found.samples;
-        found.drawn += distance_px(drawing, camera.project(p).xy) < 1;
+        found.counted += distance_px(drawing, camera.project(p).xy) < 1;
       }
     }
   }
@@ -155,16 +157,16 @@ TEST(TouchingSolids, WallsStandOnAFloor) {
 
 TEST(TouchingSolids, OfTwoFlushBlocksNoEdgeIsMissed) {
   const Camera camera = cameras::perspective(Vec3(-14, 12.4, -28.4), Vec3::Zero());
-  const Missed found = missed_edges(
+  const Sampled found = missed_edges(
       {box(Vec3(-2, -2, -2), Vec3(-1, 1, 1)), box(Vec3(-2, -1, 1), Vec3(0, 2, 2))}, camera);
-  EXPECT_EQ(found.missed, 0) << "of " << found.samples;
+  EXPECT_EQ(found.counted, 0) << "of " << found.samples;
 }
 
 TEST(TouchingSolids, MeetingInAnEdgeDoNotHideIt) {
   const Camera camera = cameras::perspective(Vec3(-18, 12, 21), Vec3::Zero());
-  const Missed found = missed_edges(
+  const Sampled found = missed_edges(
       {box(Vec3(0, 0, -1), Vec3(3, 3, 2)), box(Vec3(-1, -1, -1), Vec3(0, 0, 2))}, camera);
-  EXPECT_EQ(found.missed, 0) << "of " << found.samples;
+  EXPECT_EQ(found.counted, 0) << "of " << found.samples;
 }
 
 // Of pickets, and of a rail that runs through them a pixel or two behind their fronts.
@@ -201,14 +203,15 @@ TEST(TouchingSolids, IntersectionsAreHiddenByNeitherSheet) {
   }
 }
 
-// Calls use(boxes, camera) for so many scenes of two or three boxes whose corners are whole
-// numbers.
-template <class Use>
-void for_grids_of_boxes(int scenes, const Use& use) {
+// The sum of measure(boxes, camera) over so many scenes of two or three boxes whose corners are
+// whole numbers.
+template <class Measure>
+Sampled sum_over_grids_of_boxes(int scenes, const Measure& measure) {
   std::mt19937 random(7);
   const auto whole = [&](int low, int high) {
     return low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1));
   };
+  Sampled sum;
   for (int scene = 0; scene < scenes; ++scene) {
     std::vector<Box> boxes;
     for (int k = whole(2, 3); k > 0; --k) {
@@ -217,30 +220,21 @@ void for_grids_of_boxes(int scenes, const Use& use) {
     }
     Vec3 eye;
     for (double& x : eye) x = whole(0, 1) ? whole(100, 300) / 10. : -whole(100, 300) / 10.;
-    use(boxes, cameras::perspective(eye, Vec3::Zero()));
+    sum += measure(boxes, cameras::perspective(eye, Vec3::Zero()));
   }
+  return sum;
 }
 
 TEST(TouchingSolids, BlocksOnAGridHaveTheirEdges) {
-  Missed all;
-  for_grids_of_boxes(30, [&](const std::vector<Box>& boxes, const Camera& camera) {
-    const Missed found = missed_edges(boxes, camera);
-    all.samples += found.samples;
-    all.missed += found.missed;
-  });
-  EXPECT_LT(all.missed, all.samples / 400) << "of " << all.samples;
+  const Sampled all = sum_over_grids_of_boxes(30, missed_edges);
+  EXPECT_LT(all.counted, all.samples / 400) << "of " << all.samples;
 }
 
 TEST(TouchingSolids, BlocksOnAGridHaveNoEdgesWithinOthersThatAreFlush) {
-  Drawn all;
-  for_grids_of_boxes(300, [&](const std::vector<Box>& boxes, const Camera& camera) {
-    const Drawn found = flush_lines(boxes, camera);
-    all.samples += found.samples;
-    all.drawn += found.drawn;
-  });
+  const Sampled all = sum_over_grids_of_boxes(300, flush_lines);
   EXPECT_GT(all.samples, 1000);
   // Lines of what is in front, or behind, cross the edge in the image.
-  EXPECT_LT(all.drawn, all.samples / 40) << "of " << all.samples;
+  EXPECT_LT(all.counted, all.samples / 40) << "of " << all.samples;
 }
 
 TEST(TouchingSolids, OfABeamWhoseEndIsFlushWithAWallNothingIsDrawn) {
@@ -248,11 +242,11 @@ TEST(TouchingSolids, OfABeamWhoseEndIsFlushWithAWallNothingIsDrawn) {
   const Box beam = box(Vec3(-0.5, -5, -0.5), Vec3(0.5, 0, 0.5));
   const Camera camera = cameras::perspective(Vec3(4, 20, 6), Vec3::Zero());
   for (const auto& boxes : {std::vector<Box>{wall, beam}, std::vector<Box>{beam, wall}}) {
-    const Drawn found = flush_lines(boxes, camera);
+    const Sampled found = flush_lines(boxes, camera);
     EXPECT_EQ(found.samples, 4 * samples);
     // Edges that meet in a corner, moved inward by less than a pixel of the grid, may cross there:
     // then the one that goes back is drawn, over a sample or two.
-    EXPECT_LE(found.drawn, 2);
+    EXPECT_LE(found.counted, 2);
   }
 }
 
