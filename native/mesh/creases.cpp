@@ -27,11 +27,6 @@ double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-// Whether corner normals differ at the two ends of an edge.
-struct EndsDiffer {
-  bool start = false, end = false;
-};
-
 class CreaseFinder {
  public:
   CreaseFinder(const PolygonMesh& mesh, const Faces& faces, const Ragged<int>& edges,
@@ -59,30 +54,9 @@ class CreaseFinder {
   }
 
  private:
-  bool are_flat(Span<const int> edge) const {
-    return shading_.is_flat[faces_.corner_faces[edge[0]]] &&
-           shading_.is_flat[faces_.corner_faces[edge[1]]];
-  }
-
-  bool differ(int corner, int other) const {
-    static const double same = std::cos(crease_normals_deg * pi / 180);
-    const double cosine = shading_.corner_normals[corner].dot(shading_.corner_normals[other]);
-    const bool same_winding = shading_.is_reversed[faces_.corner_faces[corner]] ==
-                              shading_.is_reversed[faces_.corner_faces[other]];
-    return (same_winding ? cosine : std::abs(cosine)) < same;
-  }
-
-  // By the first half-edge of the edge. Faces without normals agree with all.
-  EndsDiffer ends_differ(Span<const int> edge) const {
-    if (edge.size() != 2 || are_flat(edge)) return {};
-    const int a = edge[0], b = edge[1];
-    if (shading_.corner_normals[a].isZero() || shading_.corner_normals[b].isZero()) return {};
-    return {differ(a, faces_.next(b)), differ(faces_.next(a), b)};
-  }
-
   // The vertex where the edge's faces differ while they agree at its other end; none: no such end.
   int lone_end(Span<const int> edge) const {
-    const EndsDiffer ends = ends_differ(edge);
+    const EndsDiffer ends = ends_differ(faces_, edge, shading_);
     if (ends.start == ends.end) return none;
     return ends.start ? faces_.corners[edge[0]] : faces_.head(edge[0]);
   }
@@ -120,11 +94,11 @@ class CreaseFinder {
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       const auto edge = edges_[e];
       if (edge.size() != 2 || creases_.sharp_edges[e]) continue;
-      if (are_flat(edge)) {
+      if (are_flat(faces_, edge, shading_)) {
         if (mesh_.crease_angle_deg >= 180 || !turns_too_much(edge)) continue;
         ++report_["angle_creases"];
       } else {
-        const EndsDiffer ends = ends_differ(edge);
+        const EndsDiffer ends = ends_differ(faces_, edge, shading_);
         if (!ends.start && !ends.end) continue;
         const int lone = lone_end(edge);
         if (lone != none && creases_.sharp_vertices[lone]) continue;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/pi.h"
+#include "mesh/breaks.h"
 #include "mesh/creases.h"
 
 namespace illustrate {
@@ -137,9 +138,10 @@ std::vector<std::uint8_t> sharpen_as_shaded(const PolygonMesh& mesh, const Faces
                                             const std::vector<int>& numbers,
                                             std::vector<double>& sharpness, SoundMesh& sound,
                                             Counts& report) {
-  const Shading shading = read_shading(mesh, faces, edges, numbers, sound);
+  Shading shading = read_shading(mesh, faces, edges, numbers, sound);
   std::vector<std::uint8_t> is_sharp;
   for (const double value : sharpness) is_sharp.push_back(value >= infinitely_sharp);
+  report["breaks"] += shade_breaks(mesh, faces, edges, is_sharp, sound, shading);
   Creases creases =
       find_creases(mesh, faces, edges, is_cut, std::move(is_sharp), shading, sound, report);
   for (std::size_t e = 0; e < edges.size(); ++e)

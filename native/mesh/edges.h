@@ -12,7 +12,7 @@ namespace illustrate {
 // no cage, is sharp where it is shaded so (mesh/creases.h); else the crease angle alone decides.
 // faces: its faces; is_cut: FaceAdjacency's; numbers: weld_open_edges'. Of several sharpnesses on
 // one edge the largest counts. Counts "open_edges", "ignored_creases", "ignored_marks",
-// "angle_creases", "normal_creases", "tips", "corners".
+// "angle_creases", "normal_creases", "breaks", "tips", "corners".
 void carry_edges(const PolygonMesh& mesh, const Faces& faces,
                  const std::vector<std::uint8_t>& is_cut, const std::vector<int>& numbers,
                  SoundMesh& sound, Counts& report);

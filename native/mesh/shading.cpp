@@ -280,7 +280,27 @@ class ShadingReader {
   std::vector<int> input_corners_;
 };
 
+bool differ(const Faces& faces, int corner, int other, const Shading& shading) {
+  static const double same = std::cos(crease_normals_deg * pi / 180);
+  const double cosine = shading.corner_normals[corner].dot(shading.corner_normals[other]);
+  const bool same_winding = shading.is_reversed[faces.corner_faces[corner]] ==
+                            shading.is_reversed[faces.corner_faces[other]];
+  return (same_winding ? cosine : std::abs(cosine)) < same;
+}
+
 }  // namespace
+
+bool are_flat(const Faces& faces, Span<const int> edge, const Shading& shading) {
+  return shading.is_flat[faces.corner_faces[edge[0]]] &&
+         shading.is_flat[faces.corner_faces[edge[1]]];
+}
+
+EndsDiffer ends_differ(const Faces& faces, Span<const int> edge, const Shading& shading) {
+  if (edge.size() != 2 || are_flat(faces, edge, shading)) return {};
+  const int a = edge[0], b = edge[1];
+  if (shading.corner_normals[a].isZero() || shading.corner_normals[b].isZero()) return {};
+  return {differ(faces, a, faces.next(b), shading), differ(faces, faces.next(a), b, shading)};
+}
 
 Shading read_shading(const PolygonMesh& mesh, const Faces& faces, const Ragged<int>& edges,
                      const std::vector<int>& numbers, const SoundMesh& sound) {

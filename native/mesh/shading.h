@@ -23,6 +23,18 @@ constexpr double flat_shading_deg = 1;
 // .05 degrees, where the edge is smooth, or above 5.
 constexpr double crease_normals_deg = 5;
 
+// Whether corner normals differ at the two ends of an edge.
+struct EndsDiffer {
+  bool start = false, end = false;
+};
+
+// edge: its half-edges, of which the first runs from start to end. Edges between flat faces, open
+// ones and those of faces without normals have none.
+EndsDiffer ends_differ(const Faces& faces, Span<const int> edge, const Shading& shading);
+
+// Of an edge with two faces.
+bool are_flat(const Faces& faces, Span<const int> edge, const Shading& shading);
+
 // faces: those of `sound`, whose positions, source_vertices, twins and kept stand. numbers:
 // weld_open_edges'. edges: half_edges_by_edge's. Normals of reversed faces are turned with them.
 // Of a face and its twin the normals are opposite, to the bit.

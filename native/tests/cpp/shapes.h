@@ -147,6 +147,23 @@ inline PolygonMesh uv_sphere_mesh(double radius, int segments, int rings) {
   return mesh;
 }
 
+// n sides round z, from z = -1 to 1, with n-gons at the ends.
+inline PolygonMesh drum(int n) {
+  PolygonMesh mesh;
+  std::vector<int> top, bottom;
+  for (int i = 0; i < n; ++i) {
+    const double a = 2 * pi * i / n;
+    mesh.positions.emplace_back(std::cos(a), std::sin(a), -1);
+    mesh.positions.emplace_back(std::cos(a), std::sin(a), 1);
+    add_face(mesh, {2 * i, 2 * ((i + 1) % n), 2 * ((i + 1) % n) + 1, 2 * i + 1});
+    top.push_back(2 * i + 1);
+    bottom.insert(bottom.begin(), 2 * i);
+  }
+  add_face(mesh, top);
+  add_face(mesh, bottom);
+  return mesh;
+}
+
 inline PolygonMesh octahedron() {
   return polygon_mesh(
       {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},

@@ -44,23 +44,6 @@ PolygonMesh with_split_vertices(const PolygonMesh& mesh) {
   return split;
 }
 
-// n sides round z, from z = -1 to 1, with n-gons at the ends.
-PolygonMesh drum(int n) {
-  PolygonMesh mesh;
-  std::vector<int> top, bottom;
-  for (int i = 0; i < n; ++i) {
-    const double a = 2 * pi * i / n;
-    mesh.positions.emplace_back(std::cos(a), std::sin(a), -1);
-    mesh.positions.emplace_back(std::cos(a), std::sin(a), 1);
-    shapes::add_face(mesh, {2 * i, 2 * ((i + 1) % n), 2 * ((i + 1) % n) + 1, 2 * i + 1});
-    top.push_back(2 * i + 1);
-    bottom.insert(bottom.begin(), 2 * i);
-  }
-  shapes::add_face(mesh, top);
-  shapes::add_face(mesh, bottom);
-  return mesh;
-}
-
 Vec3 of_drum(const Points& face, const Vec3& p) {
   const Vec3 own = own_normal(face, p);
   return std::abs(own.z()) > 0.5 ? own : Vec3(p.x(), p.y(), 0);
@@ -83,9 +66,9 @@ TEST(Creases, FlatFacesFollowTheAngle) {
   EXPECT_EQ(mend(cube).report.at("normal_creases"), 0);
   cube.crease_angle_deg = 91;
   EXPECT_EQ(mend(cube).report.at("angle_creases"), 0);
-  const Mended wheel = mend(shaded(drum(32), own_normal));
+  const Mended wheel = mend(shaded(shapes::drum(32), own_normal));
   EXPECT_EQ(wheel.report.at("angle_creases"), 64);
-  EXPECT_EQ(mend(shaded(drum(8), own_normal)).report.at("angle_creases"), 24);
+  EXPECT_EQ(mend(shaded(shapes::drum(8), own_normal)).report.at("angle_creases"), 24);
 }
 
 // As files have them, far from the origin.
@@ -98,7 +81,7 @@ PolygonMesh in_single_precision(PolygonMesh mesh, double offset) {
 
 TEST(Creases, EdgesThatTurnByJustTheAngleAreAllSharp) {
   for (const double offset : {0.0, 0.7, 10.0, 300.0}) {
-    PolygonMesh prism = shaded(in_single_precision(drum(12), offset), own_normal);
+    PolygonMesh prism = shaded(in_single_precision(shapes::drum(12), offset), own_normal);
     EXPECT_EQ(mend(prism).report.at("angle_creases"), 36) << offset;
     prism.corner_normals.clear();
     EXPECT_EQ(mend(prism).report.at("angle_creases"), 36) << offset;
@@ -115,8 +98,8 @@ TEST(Creases, SmoothShadingIsSmooth) {
 }
 
 TEST(Creases, SplitVerticesAreWeldedAndTheirNormalsKept) {
-  for (const auto& mesh :
-       {shaded(drum(12), of_drum), with_split_vertices(shaded(drum(12), of_drum))}) {
+  for (const auto& mesh : {shaded(shapes::drum(12), of_drum),
+                           with_split_vertices(shaded(shapes::drum(12), of_drum))}) {
     const Mended drum = mend(mesh);
     EXPECT_EQ(drum.mesh.positions.size(), 24U);
     EXPECT_EQ(drum.report.at("open_edges"), 0);
@@ -126,7 +109,7 @@ TEST(Creases, SplitVerticesAreWeldedAndTheirNormalsKept) {
 }
 
 TEST(Creases, FacesWoundAgainstTheOthersAreComparedUpToTheirSide) {
-  const PolygonMesh plain = shaded(drum(12), of_drum);
+  const PolygonMesh plain = shaded(shapes::drum(12), of_drum);
   PolygonMesh turned = plain, turned_normals = plain;
   for (const int f : {1, 5, 12}) {
     const int first = f == 12 ? 48 : 4 * f, size = plain.face_sizes[f];
@@ -201,7 +184,7 @@ TEST(Creases, CornersOfBoundariesGoByTheirAngle) {
 
 TEST(Creases, CornersOfCreasesTurnMore) {
   for (const auto& [sides, corners] : {Edge{3, 6}, Edge{4, 8}, Edge{5, 0}, Edge{12, 0}}) {
-    PolygonMesh mesh = shaded(drum(sides), of_drum);
+    PolygonMesh mesh = shaded(shapes::drum(sides), of_drum);
     mesh.cage = false;
     EXPECT_EQ(mend(mesh).report.at("corners"), corners) << sides;
   }
