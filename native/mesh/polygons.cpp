@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/tolerances.h"
+#include "mesh/delaunay_flips.h"
 
 namespace illustrate {
 namespace {
@@ -174,10 +175,13 @@ std::vector<Triangle> triangulate(Span<const Vec3> polygon) {
   if (polygon.size() == 4) return split_quad(polygon);
   const Vec3 normal = unit_or_zero(newell_normal(polygon));
   if (normal.isZero()) return fan(static_cast<int>(polygon.size()));
-  EarClipper clipper(in_newell_plane(polygon, normal));
+  const ImagePoints flat = in_newell_plane(polygon, normal);
+  EarClipper clipper(flat);
   // A fan of a dented polygon overlaps itself, but has the same outline.
   if (!clipper.affordable()) return fan(static_cast<int>(polygon.size()));
-  return clipper.triangles();
+  std::vector<Triangle> triangles = clipper.triangles();
+  flip_to_delaunay(flat, triangles);
+  return triangles;
 }
 
 }  // namespace illustrate

@@ -25,8 +25,8 @@ Vec3 newell_normal(Span<const Vec3> polygon);
 bool is_first_diagonal_shorter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 // n - 2 triangles of corner numbers, wound as the polygon. A quad is split along its shorter
-// diagonal, ties towards corner 0, unless only the other one lies inside; larger polygons are
-// clipped ear by ear in Newell's plane.
+// diagonal, ties towards corner 0, unless only the other one lies inside; larger polygons into
+// Delaunay's triangles in Newell's plane.
 std::vector<Triangle> triangulate(Span<const Vec3> polygon);
 
 }  // namespace illustrate
