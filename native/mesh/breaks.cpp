@@ -23,8 +23,10 @@ constexpr double corner_deg = 64;
 constexpr double branch = 2.0 / 3;
 // Of an edge: what turns less is not of the same curve.
 constexpr double alike = 0.5;
-// A hole of twelve sides turns by 30 at each.
-constexpr double fine = 1.0 / 3;
+// The rim of a hole of twelve sides bends by 30 at each, that of an octagon by 45.
+constexpr double fine_deg = 32;
+// Of an edge: what turns less is as flat as a face beside it.
+constexpr double calm = 0.4;
 constexpr std::size_t fewest_edges = 6;
 constexpr double least_bend_deg = 60;
 
@@ -32,34 +34,33 @@ double degrees_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / pi;
 }
 
-// The two steepest edges at a vertex of those that are not sharp.
+// The steepest edges at a vertex of those that are not sharp, in descending order.
 struct Steepest {
-  std::array<int, 2> edges{none, none};
-  std::array<double, 3> degrees{0, 0, 0};
+  std::array<int, 4> edges{none, none, none, none};
+  std::array<double, 4> degrees{0, 0, 0, 0};
   bool has_sharp = false, has_break = false;
 
-  // Three walls of a box meet.
-  bool is_corner() const { return degrees[1] >= break_deg && degrees[2] > corner_deg; }
+  // Three walls of a block meet, which are flat beside it.
+  bool is_corner() const {
+    return degrees[1] >= break_deg && degrees[2] > corner_deg && degrees[3] <= calm * degrees[2];
+  }
 
   void add(int edge, double turn) {
-    if (turn > degrees[0]) {
-      degrees = {turn, degrees[0], degrees[1]};
-      edges = {edge, edges[0]};
-    } else if (turn > degrees[1]) {
-      degrees = {degrees[0], turn, degrees[1]};
-      edges[1] = edge;
-    } else {
-      degrees[2] = std::max(degrees[2], turn);
+    for (std::size_t k = 0; k < degrees.size(); ++k) {
+      if (!(turn > degrees[k])) continue;
+      std::swap(turn, degrees[k]);
+      std::swap(edge, edges[k]);
     }
   }
 };
 
 struct Line {
   std::vector<int> edges;
-  int passed = 0;                     // vertices
-  double turn_deg = 0, bend_deg = 0;  // sums, over edges and over passed vertices
-  std::size_t rounds = 0;             // edges with a curve that goes on to both sides
-  std::vector<std::size_t> ends;      // vertices; of a closed line none
+  int passed = 0;                       // vertices
+  double turn_deg = 0;                  // sum over edges
+  double bend_deg = 0, beside_deg = 0;  // sums over passed vertices; beside: of the third edges
+  std::size_t rounds = 0;               // edges with a curve that goes on to both sides
+  std::vector<std::size_t> ends;        // vertices; of a closed line none
 
   double mean_turn() const {
     return edges.empty() ? 0 : turn_deg / static_cast<double>(edges.size());
@@ -67,7 +68,7 @@ struct Line {
   bool is_round() const { return 2 * rounds >= edges.size(); }
   bool is_fine() const {
     return edges.size() >= fewest_edges && bend_deg >= least_bend_deg &&
-           bend_deg / passed < fine * mean_turn();
+           bend_deg < fine_deg * passed && beside_deg < calm * mean_turn() * passed;
   }
 };
 
@@ -126,7 +127,7 @@ class BreakFinder {
 
   bool is_diagonal(int side, int h) const {
     const double turn = turn_at(side);
-    return turn != sharp_edge && turn < fine * turn_at(h) &&
+    return turn != sharp_edge && turn < calm * turn_at(h) &&
            faces_[faces_.corner_faces[mate(side)]].size() == 3;
   }
 
@@ -182,6 +183,7 @@ class BreakFinder {
       Line& line = lines_[roots_[idx(vertices_[v].edges[0])]];
       ++line.passed;
       line.bend_deg += bend(v);
+      line.beside_deg += vertices_[v].degrees[2];
     }
   }
 

@@ -19,10 +19,11 @@ namespace illustrate {
 // of its edges the strip of quads across it turns the same way to both sides, at least half as far,
 // as round a tube of four sides or round a cube. It breaks
 // - where its faces turn by over 76 degrees on average, as the sides of a square do and of no
-//   pentagon, and it has six edges or more and bends by over 60 degrees, at each vertex by less
-//   than a third of what its faces turn, and is not round;
-// - where it turns so far and ends at both ends at creases, at other breaks or at corners, where
-//   a third edge turns by over 64, and is not round;
+//   pentagon, and it has six edges or more and bends by over 60 degrees, but by less than 32 at
+//   each vertex, where other edges turn by less than two fifths of it, and is not round;
+// - where it turns so far and ends at both ends at creases, at other breaks or at corners of
+//   blocks, where a third edge turns by over 64 and all others by less than two fifths of that, and
+//   is not round;
 // - where both of its ends lie at breaks and it turns so far, or by over 50 and is not round.
 // Makes shading.corner_normals as if breaks were marked sharp: at their vertices corners of faces
 // that are not flat get the mean of the faces' normals, weighted by angle, from one sharp edge to
