@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/pi.h"
+#include "core/angles.h"
 #include "mesh/polygons.h"
 #include "mesh/shading.h"
 
@@ -22,7 +22,7 @@ Points corner_weights(const SoundMesh& mesh, const Faces& faces) {
     for (std::size_t k = 0; k < size; ++k) {
       const Vec3 a = polygon[(k + 1) % size] - polygon[k];
       const Vec3 b = polygon[(k + size - 1) % size] - polygon[k];
-      weights[idx(faces.offsets[idx(f)]) + k] = std::atan2(a.cross(b).norm(), a.dot(b)) * area;
+      weights[idx(faces.offsets[idx(f)]) + k] = angle_between(a, b) * area;
     }
   }
   return weights;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "control/smoothstep.h"
-#include "core/pi.h"
+#include "core/angles.h"
 #include "mesh/edge_table.h"
 #include "mesh/mesh_size.h"
 #include "mesh/polygons.h"
@@ -37,10 +37,6 @@ constexpr double bent_face_deg = 72, folded_face_deg = 84;
 // What is missed by less is near enough, and what turns by less makes no corner.
 constexpr double near_px = 2, missed_px = 5;
 constexpr double flat_deg = 20, missed_fold_deg = 40;
-
-double degrees_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / pi;
-}
 
 struct Turn {
   double degrees = 0;

@@ -1,10 +1,9 @@
 #include "mesh/breaks.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "core/angles.h"
 #include "core/disjoint_sets.h"
-#include "core/pi.h"
 #include "mesh/creases.h"
 #include "mesh/polygons.h"
 
@@ -29,10 +28,6 @@ constexpr double fine_deg = 32;
 constexpr double calm = 0.4;
 constexpr std::size_t fewest_edges = 6;
 constexpr double least_bend_deg = 60;
-
-double degrees_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / pi;
-}
 
 // The steepest edges at a vertex of those that are not sharp, in descending order.
 struct Steepest {
@@ -295,18 +290,13 @@ class SectorShader {
 
   void shade_sector() {
     Vec3 sum = Vec3::Zero();
-    for (const int c : sector_) sum += angle(c) * shading_.face_normals[faces_.corner_faces[c]];
+    for (const int c : sector_)
+      sum += corner_angle(faces_, p_, c) * shading_.face_normals[faces_.corner_faces[c]];
     const Vec3 normal = unit_of_sum(sum);
     if (normal.isZero()) return;
     for (const int c : sector_) {
       if (!shading_.is_flat[faces_.corner_faces[c]]) shading_.corner_normals[c] = normal;
     }
-  }
-
-  double angle(int c) const {
-    const Vec3& here = p_[faces_.corners[c]];
-    const Vec3 a = p_[faces_.head(c)] - here, b = p_[faces_.corners[faces_.previous(c)]] - here;
-    return std::atan2(a.cross(b).norm(), a.dot(b));
   }
 
   const Faces& faces_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/pi.h"
+#include "core/angles.h"
 
 namespace illustrate {
 namespace {
@@ -22,10 +22,6 @@ constexpr double crease_corner_deg = 80;
 // What single precision leaves of a whole angle between faces 1/1000 as wide as their place is far
 // from the origin is a tenth of this.
 constexpr double tie_deg = 0.1;
-
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 class CreaseFinder {
  public:
@@ -165,10 +161,7 @@ class CreaseFinder {
   void find_pointed_tips() {
     Points means(sound_.positions.size(), Vec3::Zero());
     for (int c = 0; c < faces_.corner_count(); ++c) {
-      const Points& p = sound_.positions;
-      const Vec3& here = p[faces_.corners[c]];
-      const double angle =
-          angle_between(p[faces_.head(c)] - here, p[faces_.corners[faces_.previous(c)]] - here);
+      const double angle = corner_angle(faces_, sound_.positions, c);
       means[faces_.corners[c]] += angle * shading_.face_normals[faces_.corner_faces[c]];
     }
     std::vector<double> least(means.size(), pi);

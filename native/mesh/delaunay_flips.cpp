@@ -8,8 +8,6 @@ namespace {
 // What the cotangents of two angles sum up to that are 180 degrees together but for rounding.
 constexpr double rounding = 1e-6;
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 // A side of a triangle, by its corner before.
 struct Side {
   int triangle, corner;
@@ -88,10 +86,10 @@ class Flipper {
   void flip(const Side& side) {
     const Side other = across(side);
     const int a = vertex(side, 0), b = vertex(side, 1), c = vertex(side, 2), d = vertex(other, 2);
-    const Side bc = across({side.triangle, (side.corner + 1) % 3});
-    const Side ca = across({side.triangle, (side.corner + 2) % 3});
-    const Side ad = across({other.triangle, (other.corner + 1) % 3});
-    const Side db = across({other.triangle, (other.corner + 2) % 3});
+    const Side bc = across({side.triangle, next_corner(side.corner)});
+    const Side ca = across({side.triangle, previous_corner(side.corner)});
+    const Side ad = across({other.triangle, next_corner(other.corner)});
+    const Side db = across({other.triangle, previous_corner(other.corner)});
     const int t = side.triangle, u = other.triangle;
     triangles_[idx(t)] = {c, a, d};
     triangles_[idx(u)] = {d, b, c};

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/angles.h"
+
 namespace illustrate {
 namespace {
 
@@ -63,6 +65,12 @@ Ragged<int> half_edges_by_edge(const Faces& faces, std::size_t vertex_count) {
     if (!list.empty()) edges.close_list();
   }
   return edges;
+}
+
+double corner_angle(const Faces& faces, const Points& positions, int corner) {
+  const Vec3& here = positions[faces.corners[corner]];
+  return angle_between(positions[faces.head(corner)] - here,
+                       positions[faces.corners[faces.previous(corner)]] - here);
 }
 
 Points unit_normals(const Faces& faces, const Points& positions) {

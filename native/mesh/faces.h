@@ -51,6 +51,9 @@ struct FaceAdjacency {
 // The half-edges of each edge in ascending order; edges ordered by lower, then by higher vertex.
 Ragged<int> half_edges_by_edge(const Faces& faces, std::size_t vertex_count);
 
+// Of a face at one of its corners, between the two edges there, radians.
+double corner_angle(const Faces& faces, const Points& positions, int corner);
+
 // Unit normals by Newell's formula, at any scale; zero for faces without area.
 Points unit_normals(const Faces& faces, const Points& positions);
 

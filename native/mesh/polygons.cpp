@@ -12,7 +12,7 @@ namespace {
 // Twice the area of a triangle; zero where it is straight but for rounding.
 double clear_area(const Vec2& a, const Vec2& b, const Vec2& c) {
   const Vec2 ab = b - a, ac = c - a;
-  const double area = ab.x() * ac.y() - ab.y() * ac.x();
+  const double area = cross(ab, ac);
   const double least = tolerance::straight_rad * std::sqrt(ab.squaredNorm() * ac.squaredNorm());
   return std::abs(area) > least ? area : 0;
 }

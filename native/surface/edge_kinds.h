@@ -1,6 +1,8 @@
 // What an edge's kind means: which line is drawn along it, and whether the surface ends there.
 #pragma once
 
+#include <algorithm>
+
 #include "surface/surface.h"
 
 namespace illustrate {
@@ -30,6 +32,11 @@ constexpr Kind line_kind(EdgeKind kind) {
 // there is nothing.
 constexpr bool parts_surface(EdgeKind kind) {
   return kind == EdgeKind::boundary || kind == EdgeKind::crease || kind == EdgeKind::seam;
+}
+
+inline bool has_crease(const Surface& surface, int triangle) {
+  const auto& kinds = surface.edge_kinds[idx(triangle)];
+  return std::find(kinds.begin(), kinds.end(), EdgeKind::crease) != kinds.end();
 }
 
 }  // namespace illustrate

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "contour/contour_functions.h"
+#include "surface/edge_kinds.h"
 
 namespace illustrate {
 namespace {
@@ -112,7 +113,7 @@ class FlushEdgeFinder {
       : surface_(surface), reach_(curves.reach) {
     for (const FlushTriangles& pair : curves.flush_triangles) {
       for (const std::size_t i : {0, 1}) {
-        if (!has_crease(pair.triangles[i])) continue;
+        if (!has_crease(surface_, pair.triangles[i])) continue;
         partners_[pair.triangles[i]][pair.parts[1 - i]].push_back(pair.triangles[1 - i]);
       }
     }
@@ -121,7 +122,7 @@ class FlushEdgeFinder {
   std::vector<FlushEdge> run() {
     for (const auto& [triangle, parts] : partners_) {
       for (int k = 0; k < 3; ++k) {
-        if (!is_crease({triangle, k})) continue;
+        if (surface_.edge_kinds[idx(triangle)][idx(k)] != EdgeKind::crease) continue;
         for (const auto& [part, triangles] : parts) add({triangle, k}, triangles);
       }
     }
@@ -129,13 +130,6 @@ class FlushEdgeFinder {
   }
 
  private:
-  bool is_crease(const EdgeSide& side) const {
-    return surface_.edge_kinds[idx(side.triangle)][idx(side.corner)] == EdgeKind::crease;
-  }
-  bool has_crease(int triangle) const {
-    return is_crease({triangle, 0}) || is_crease({triangle, 1}) || is_crease({triangle, 2});
-  }
-
   void add(const EdgeSide& side, const std::vector<int>& triangles) {
     const int plane = largest(triangles);
     const EdgeFrame frame(surface_, side, plane);

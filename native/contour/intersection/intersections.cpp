@@ -7,6 +7,7 @@
 #include "contour/intersection/crossing_test.h"
 #include "contour/intersection/flush.h"
 #include "contour/intersection/triple_points.h"
+#include "surface/edge_kinds.h"
 
 namespace illustrate {
 namespace {
@@ -83,10 +84,6 @@ void find_segments(const Surface& surface, const CrossingTest& test, const Bvh& 
                    const Progress& progress) {
   std::int64_t undecided = 0, visited = 0;
   const double expected = expected_pairs * static_cast<double>(surface.triangles.size());
-  const auto has_crease = [&](int t) {
-    const auto& kinds = surface.edge_kinds[idx(t)];
-    return std::find(kinds.begin(), kinds.end(), EdgeKind::crease) != kinds.end();
-  };
   const auto visit = [&](int s, int t) {
     if (++visited % pairs_between_reports == 0) {
       const auto done = static_cast<double>(visited);
@@ -96,7 +93,8 @@ void find_segments(const Surface& surface, const CrossingTest& test, const Bvh& 
     const TriangleIntersection found =
         kept.takes(s, t) ? test.cross(s, t, segment.ends) : TriangleIntersection::apart;
     if (found == TriangleIntersection::segment) kept.add(segment);
-    const bool has_line = found == TriangleIntersection::segment || has_crease(s) || has_crease(t);
+    const bool has_line =
+        found == TriangleIntersection::segment || has_crease(surface, s) || has_crease(surface, t);
     if (has_line && test.are_flush(s, t)) flush.push_back({{s, t}, {test.part(s), test.part(t)}});
     undecided += found == TriangleIntersection::undecided;
   };

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/pi.h"
+#include "core/angles.h"
 #include "mesh/polygons.h"
 
 namespace illustrate {
@@ -179,11 +179,6 @@ Vec3 crease_normal(const Ring& ring, double least) {
   return spanned_normal(along, inward, reach(ring), least);
 }
 
-double angle_between(const Vec3& a, const Vec3& b) {
-  const Vec3 u = unit_or_zero(a), v = unit_or_zero(b);
-  return std::atan2(u.cross(v).norm(), u.dot(v));
-}
-
 // Exact for one face, and for two triangles, whose plane is that of the sharp edges. A corner of
 // more faces has no tangent plane: there the mean of its faces.
 Vec3 corner_normal(const Ring& ring, double least) {
@@ -191,7 +186,7 @@ Vec3 corner_normal(const Ring& ring, double least) {
   for (std::size_t i = 0; i < ring.face_count(); ++i) {
     const Vec3 a = ring.edges[i] - ring.centre;
     const Vec3 b = ring.edges[(i + 1) % ring.edges.size()] - ring.centre;
-    sum += angle_between(a, b) * spanned_normal(a, b, 0, least);
+    sum += angle_between(unit_or_zero(a), unit_or_zero(b)) * spanned_normal(a, b, 0, least);
   }
   const Vec3 mean = unit_of_sum(sum);
   if (!ring.faces.empty() || ring.closed || ring.face_count() != 2) return mean;

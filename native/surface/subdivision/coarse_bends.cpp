@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "control/folds.h"
+#include "core/angles.h"
 
 namespace illustrate {
 namespace {
 
 // Of the longest edge, which the add-on asks to be three pixels: .4 pixels.
 constexpr double chord_share = 1.0 / 8;
-constexpr double curve_rad = curve_deg * 3.14159265358979323846 / 180;
+constexpr double curve_rad = curve_deg * pi / 180;
 
 class CoarseBends {
  public:
@@ -51,7 +52,7 @@ class CoarseBends {
     if (!is_coarse(reach, median_)) return 0;
     const std::vector<int>& faces = edges_.faces.corner_faces;
     const Vec3 &a = normals_[idx(faces[idx(h)])], &b = normals_[idx(faces[idx(mate)])];
-    const double turn = std::atan2(a.cross(b).norm(), a.dot(b));
+    const double turn = angle_between(a, b);
     const double sagitta = reach * turn / 8;
     if (!(sagitta > nearest_)) return 0;
     if (!mesh_.cage && turn > curve_rad) return 1;
