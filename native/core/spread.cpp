@@ -22,4 +22,10 @@ double Spread::diagonal() const {
   return static_cast<double>(std::sqrt(12 * std::max(variance, 0.0L)));
 }
 
+double rounding_size(double size, double distance) {
+  constexpr double far_off = 128;
+  const double octaves = distance / (far_off * size);
+  return octaves > 1 ? std::ldexp(size, std::ilogb(octaves) + 1) : size;
+}
+
 }  // namespace illustrate

@@ -25,4 +25,9 @@ class Spread {
   long double squares_ = 0;
 };
 
+// The size by which the rounding of coordinates in single precision is told. It grows with the
+// distance from the origin, which counts in octaves of the size, and only where it is so large that
+// shifts by a few sizes hardly change it: what is decided by it does not change as a scene moves.
+double rounding_size(double size, double distance);
+
 }  // namespace illustrate

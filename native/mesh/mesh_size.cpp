@@ -20,4 +20,14 @@ double diagonal(const SoundMesh& mesh) {
   return spread.diagonal();
 }
 
+double diagonal(const Faces& faces, const Points& positions) {
+  Spread spread;
+  for (int f = 0; f < faces.size(); ++f) {
+    const auto face = faces[f];
+    for (std::size_t k = 1; k + 1 < face.size(); ++k)
+      spread.add(positions[idx(face[0])], positions[idx(face[k])], positions[idx(face[k + 1])]);
+  }
+  return spread.diagonal();
+}
+
 }  // namespace illustrate

@@ -3,6 +3,7 @@
 
 #include "core/similarity.h"
 #include "core/spread.h"
+#include "mesh/faces.h"
 #include "mesh/sanitize.h"
 
 namespace illustrate {
@@ -12,5 +13,6 @@ void add_faces(const SoundMesh& mesh, const Similarity& placement, Spread& sprea
 
 // Of the mesh by itself, world units.
 double diagonal(const SoundMesh& mesh);
+double diagonal(const Faces& faces, const Points& positions);
 
 }  // namespace illustrate

@@ -5,11 +5,12 @@
 #include <limits>
 
 #include "core/pi.h"
+#include "mesh/mesh_size.h"
 
 namespace illustrate {
 namespace {
 
-// What coordinates may be off by, as a share of the largest: files in print have six digits, and
+// What coordinates may be off by, as a share of their size: files in print have six digits, and
 // single precision after a few transformations has no more.
 constexpr double coordinate_noise = 1e-6;
 
@@ -21,10 +22,12 @@ constexpr double needle_aspect = 0.01;
 // Of a sliver's edges those count as its long sides that have this share of the longest.
 constexpr double long_side = 1.0 / 3;
 
-double largest_coordinate(const Faces& faces, const Points& positions) {
-  double largest = 0;
-  for (const int v : faces.corners) largest = std::max(largest, positions[v].cwiseAbs().maxCoeff());
-  return largest;
+// Half of the diagonal, which is as far as faces reach from their middle, however they are turned.
+double coordinate_size(const Faces& faces, const Points& positions) {
+  double farthest = 0;
+  for (const int v : faces.corners) farthest = std::max(farthest, positions[v].stableNorm());
+  const double size = diagonal(faces, positions) / 2;
+  return size > 0 ? rounding_size(size, farthest) : 0;
 }
 
 std::vector<int> half_edge_mates(const Faces& faces, const Ragged<int>& edges) {
@@ -81,7 +84,7 @@ class SliverNormals {
 
   void find_slivers() {
     is_open_.assign(faces_.sources.size(), 0);
-    const double thin = noisy_height * largest_coordinate(faces_, positions_);
+    const double thin = noisy_height * coordinate_size(faces_, positions_);
     for (int f = 0; f < faces_.size(); ++f) {
       const double longest = longest_edge(f);
       if (longest > 0) {

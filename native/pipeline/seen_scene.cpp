@@ -59,6 +59,7 @@ IntersectionCurves intersections_of(const IntersectionCurves& whole,
   }
   const auto number = [&](int t) { return t == none ? none : numbers[idx(t)]; };
   part.reach = whole.reach;
+  part.one_plane = whole.one_plane;
   for (FlushTriangles pair : whole.flush_triangles) {
     for (int& triangle : pair.triangles) triangle = number(triangle);
     if (pair.triangles[0] != none && pair.triangles[1] != none)

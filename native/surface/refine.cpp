@@ -12,6 +12,7 @@
 #include "surface/jets/jet.h"
 #include "surface/limit/lay_on_arcs.h"
 #include "surface/planes/flat_faces.h"
+#include "surface/planes/folded_normals.h"
 #include "surface/planes/plane_faces.h"
 #include "surface/subdivision/assemble.h"
 #include "surface/subdivision/child_corners.h"

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "core/disjoint_sets.h"
+#include "core/mixed_bits.h"
 #include "core/predicates.h"
+#include "core/spread.h"
 
 namespace illustrate {
 namespace {
@@ -12,19 +14,24 @@ namespace {
 // Triangles farther apart than this share of their size are told apart in plain arithmetic.
 constexpr double separation = 1e-10;
 
-// Triangles are in one plane up to rounding within this distance, in scaled points: far above what
-// a rotation or a shift by a few sizes leaves of a plane, far below how much farther one of ten
-// thousand parts is moved than the one before it.
-constexpr double coplanar = 0x1p-38;
+// Each point is moved farther than others of its part by up to this share of how much farther the
+// next part is moved, chosen by its number. Points of one plane that are moved along one normal
+// would stay in one plane, and where another one of that part is moved another way rounding would
+// say what crosses, and where. As far above rounding as leaves parts apart.
+constexpr double unevenness = 1.0 / 32;
+
+// Triangles are in one plane within this many times that, or, where that is nothing, within this
+// share of how far points are from their middle: far above what a rotation or a shift by a few
+// sizes leaves of a plane.
+constexpr double coplanar = 4, coplanar_rounding = 0x1p-38;
 
 // Coordinates relative to the largest one below which exact products could underflow.
 constexpr double smallest_coordinate = 0x1p-200;
 
-// How far points are moved, relative to their farthest distance from their middle: a few times the
-// rounding to single precision, in which modelling programs store them. That grows with the
-// distance from the origin, which is not to count where it is a few times that one, and beyond
-// counts in powers of two, as the rounding does: so shifts by a few sizes leave the inset as it is.
-constexpr double rounding_inset = 0x1p-22, far_off = 16;
+// How far points are moved, relative to their farthest distance from their middle, or what counts
+// as it far from the origin: a few times the rounding to single precision, in which modelling
+// programs store them.
+constexpr double rounding_inset = 0x1p-22;
 
 // And never more than this share of the median edge: one far vertex, or a vast ground, makes the
 // rounding larger than the detail, and every box would be near every other.
@@ -49,6 +56,11 @@ int parity(const std::array<int, 4>& numbers) {
   return sign;
 }
 
+// A number from 0 to 1 that has nothing to do with those of other places.
+double share_of(std::size_t place) {
+  return std::ldexp(static_cast<double>(mixed_bits(place + mixing_step)), -64);
+}
+
 Vec3 winding_normal(const Points& points, const Triangle& t) {
   return (points[idx(t[1])] - points[idx(t[0])]).cross(points[idx(t[2])] - points[idx(t[0])]);
 }
@@ -63,20 +75,33 @@ bool is_thin(const Points& points, const Triangle& t, double distance) {
   return winding_normal(points, t).norm() <= distance * longest;
 }
 
-bool lie_in_plane_of_larger(const Points& points, const Triangle& a, const Triangle& b,
-                            double distance) {
-  const Vec3 of_a = winding_normal(points, a), of_b = winding_normal(points, b);
-  const bool is_a = of_a.squaredNorm() >= of_b.squaredNorm();
-  const Vec3& up = is_a ? of_a : of_b;
-  const Vec3& origin = points[idx((is_a ? a : b)[0])];
-  const auto is_near = [&](int place) {
-    return std::abs(up.dot(points[idx(place)] - origin)) <= distance * up.norm();
-  };
-  const Triangle& smaller = is_a ? b : a;
-  return std::all_of(smaller.begin(), smaller.end(), is_near);
+// The same one wherever and however turned the surface is.
+Vec3 middle_of_corners(const Surface& surface) {
+  const double count = 3 * static_cast<double>(surface.triangles.size());
+  Vec3 middle = Vec3::Zero();
+  for (const Triangle& t : surface.triangles)
+    for (const int v : t)
+      if (surface.positions[idx(v)].allFinite()) middle += surface.positions[idx(v)] / count;
+  return middle;
+}
+
+std::array<Vec3, 3> corners(const Points& points, const Triangle& t) {
+  return {points[idx(t[0])], points[idx(t[1])], points[idx(t[2])]};
 }
 
 }  // namespace
+
+bool lie_in_one_plane(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b, double distance) {
+  const Vec3 of_a = (a[1] - a[0]).cross(a[2] - a[0]), of_b = (b[1] - b[0]).cross(b[2] - b[0]);
+  const bool is_a = of_a.squaredNorm() >= of_b.squaredNorm();
+  const Vec3& up = is_a ? of_a : of_b;
+  const Vec3& origin = (is_a ? a : b)[0];
+  const auto is_near = [&](const Vec3& corner) {
+    return std::abs(up.dot(corner - origin)) <= distance * up.norm();
+  };
+  const std::array<Vec3, 3>& smaller = is_a ? b : a;
+  return std::all_of(smaller.begin(), smaller.end(), is_near);
+}
 
 struct CrossingTest::Ends {
   std::array<Piercing, 6> piercings;
@@ -86,6 +111,7 @@ struct CrossingTest::Ends {
 CrossingTest::CrossingTest(const Surface& surface) {
   place_vertices(surface);
   scale_points(surface);
+  measure_size();
   number_parts();
   choose_inset();
   move_points_inward(surface);
@@ -108,10 +134,11 @@ void CrossingTest::place_vertices(const Surface& surface) {
 // Scaling by a power of two changes no sign.
 void CrossingTest::scale_points(const Surface& surface) {
   points_.assign(vertices_.size(), Vec3::Zero());
+  middle_ = middle_of_corners(surface);
   double largest = 0;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (vertices_[i] == none || !surface.positions[idx(vertices_[i])].allFinite()) continue;
-    points_[i] = surface.positions[idx(vertices_[i])];
+    points_[i] = surface.positions[idx(vertices_[i])] - middle_;
     largest = std::max(largest, points_[i].cwiseAbs().maxCoeff());
   }
   const int exponent = -std::ilogb(largest > 0 ? largest : 1.0);
@@ -120,22 +147,9 @@ void CrossingTest::scale_points(const Surface& surface) {
   scale_ = std::ldexp(1.0, -exponent);
 }
 
-// The same wherever the points are and however they are turned.
-double CrossingTest::extent() const {
-  Vec3 sum = Vec3::Zero();
-  double count = 0, farthest = 0, largest = 0;
-  for (const Triangle& t : triangles_) {
-    for (const int place : t) sum += points_[idx(place)];
-    count += 3;
-  }
-  for (const Triangle& t : triangles_) {
-    for (const int place : t) {
-      farthest = std::max(farthest, (points_[idx(place)] - sum / count).squaredNorm());
-      largest = std::max(largest, points_[idx(place)].squaredNorm());
-    }
-  }
-  const double size = std::sqrt(farthest), distance = std::sqrt(largest) / far_off;
-  return distance > size ? std::ldexp(1.0, std::ilogb(distance) + 1) : size;
+void CrossingTest::measure_size() {
+  for (const Triangle& t : triangles_)
+    for (const int place : t) size_ = std::max(size_, points_[idx(place)].norm());
 }
 
 void CrossingTest::choose_inset() {
@@ -145,7 +159,7 @@ void CrossingTest::choose_inset() {
       const double length = (points_[idx(t[idx(next_corner(k))])] - points_[idx(t[idx(k)])]).norm();
       if (length > 0) edges.push_back(length);
     }
-  inset_ = rounding_inset * extent();
+  inset_ = rounding_inset * rounding_size(size_, middle_.stableNorm() / scale_);
   if (edges.empty()) return;
   const auto median = edges.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2);
   std::nth_element(edges.begin(), median, edges.end());
@@ -154,15 +168,18 @@ void CrossingTest::choose_inset() {
 
 double CrossingTest::reach() const { return in_plane * inset_ * scale_; }
 
+double CrossingTest::one_plane() const { return one_plane_ * scale_; }
+
 void CrossingTest::number_parts() {
   DisjointSets joined(vertices_.size());
   for (const Triangle& t : triangles_)
     for (const int place : t) joined.join(t[0], place);
-  parts_.resize(vertices_.size());
-  int count = 0;
+  parts_.assign(vertices_.size(), none);
   for (int i = 0; i < static_cast<int>(parts_.size()); ++i) {
-    const int root = joined.root(i);
-    parts_[idx(i)] = root == i ? count++ : parts_[idx(root)];
+    if (vertices_[idx(i)] == none) continue;
+    int& part = parts_[idx(joined.root(i))];
+    if (part == none) part = part_count_++;
+    parts_[idx(i)] = part;
   }
 }
 
@@ -177,10 +194,11 @@ void CrossingTest::move_points_inward(const Surface& surface) {
     normals[idx(surface.places[v])] += surface.normals[v];
     ++copies[idx(surface.places[v])];
   }
-  const int part_count = parts_.empty() ? 1 : 1 + *std::max_element(parts_.begin(), parts_.end());
+  const double farther = inset_ / std::max(1, part_count_);  // the next part
+  one_plane_ = std::max(coplanar * unevenness * farther, coplanar_rounding * size_);
   for (std::size_t i = 0; i < moved_.size(); ++i) {
     const Vec3 mean = normals[i] / std::max(1, copies[i]);
-    const double depth = inset_ * (1 + static_cast<double>(parts_[i]) / part_count);
+    const double depth = inset_ + (parts_[i] + unevenness * share_of(i)) * farther;
     moved_[i] -= mean * (depth / std::max(mean.squaredNorm(), least_mean_normal));
     for (double& x : moved_[i])
       if (std::abs(x) < smallest_coordinate) x = 0;
@@ -234,10 +252,10 @@ bool CrossingTest::has_separating_edge(int s, int t) const {
 }
 
 // Whether nothing but rounding says on which side of each other they are, although both were moved:
-// a limit that folds over itself within its plane. Asked of the plane of the larger one.
+// a limit that folds over itself within its plane.
 bool CrossingTest::are_coplanar(int s, int t) const {
   const Triangle &a = triangles_[idx(s)], &b = triangles_[idx(t)];
-  return lie_in_plane_of_larger(moved_, a, b, coplanar);
+  return lie_in_one_plane(corners(moved_, a), corners(moved_, b), one_plane_);
 }
 
 bool CrossingTest::are_flush(int s, int t) const {
@@ -246,7 +264,7 @@ bool CrossingTest::are_flush(int s, int t) const {
   const double distance = in_plane * inset_;
   const bool face_one_way = winding_normal(points_, a).dot(winding_normal(points_, b)) > 0 ||
                             is_thin(points_, a, distance) || is_thin(points_, b, distance);
-  return face_one_way && lie_in_plane_of_larger(points_, a, b, distance);
+  return face_one_way && lie_in_one_plane(corners(points_, a), corners(points_, b), distance);
 }
 
 bool CrossingTest::pierces(int a, int b, int triangle) const {
@@ -303,7 +321,7 @@ Vec3 CrossingTest::decided(const Piercing& piercing) const {
   double farther = 0;
   const double s = share_to_plane(moved_, piercing, farther);
   const Vec3 &from = moved_[idx(piercing.low)], &to = moved_[idx(piercing.high)];
-  return scale_ * (from + s * (to - from));
+  return middle_ + scale_ * (from + s * (to - from));
 }
 
 SurfacePoint CrossingTest::surface_point(const Piercing& piercing, int triangle) const {

@@ -22,6 +22,9 @@ struct Piercing {
   }
 };
 
+// Whether the smaller of two triangles lies no farther than this from the plane of the larger one.
+bool lie_in_one_plane(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b, double distance);
+
 enum class TriangleIntersection { apart, segment, undecided };
 
 class CrossingTest {
@@ -53,6 +56,9 @@ class CrossingTest {
   // How near each other, in world units, the boxes of triangles that cross or are flush are.
   double reach() const;
 
+  // How far apart triangles that were moved and lie in one plane may be by rounding, world units.
+  double one_plane() const;
+
   // A vertex at each place.
   const std::vector<int>& vertices() const { return vertices_; }
 
@@ -68,7 +74,7 @@ class CrossingTest {
   }
   void place_vertices(const Surface& surface);
   void scale_points(const Surface& surface);
-  double extent() const;
+  void measure_size();
   void choose_inset();
   void move_points_inward(const Surface& surface);
   void number_parts();
@@ -85,11 +91,15 @@ class CrossingTest {
 
   std::vector<Triangle> triangles_;  // places
   std::vector<int> vertices_;        // (places)
-  Points points_;                    // (places) scaled, the largest coordinate 1 .. 2
+  Points points_;                    // (places) from middle_, the largest coordinate 1 .. 2
   Points moved_;                     // (places) points_ moved inward: what is decided on
   std::vector<int> parts_;           // (places) connected part, numbered by first place
-  double scale_ = 1;                 // world length of 1 in points_
-  double inset_ = 0;                 // how far points are moved, in points_
+  int part_count_ = 0;
+  Vec3 middle_ = Vec3::Zero();  // of all corners, world units
+  double scale_ = 1;            // world length of 1 in points_
+  double size_ = 0;             // how far points_ are from their middle
+  double inset_ = 0;            // how far points are moved, in points_
+  double one_plane_ = 0;        // and how far apart those of one plane may be then
 };
 
 }  // namespace illustrate

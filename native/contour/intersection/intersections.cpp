@@ -229,6 +229,7 @@ IntersectionCurves intersections(const Surface& surface, const Bvh& bvh, Counts&
   curves.insets = test.insets(surface);
   curves.flush_triangles = std::move(flush);
   curves.reach = test.reach();
+  curves.one_plane = test.one_plane();
   complete(surface, curves);
   report["intersections_left_out"] += static_cast<std::int64_t>(left_out.size());
   report["intersection_curves"] += static_cast<std::int64_t>(curves.curves.size());

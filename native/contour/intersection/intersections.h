@@ -77,7 +77,8 @@ struct IntersectionCurves {
   std::vector<TriplePoint> triple_points;  // triple_points.h
   Insets insets;
   std::vector<FlushTriangles> flush_triangles;  // ascending
-  double reach = 0;  // how far apart planes may be that count as one, world units
+  double reach = 0;      // how far apart planes may be that count as one, world units,
+  double one_plane = 0;  // and those of sheets that are moved alike, by rounding
   std::vector<FlushEdge> flush_edges;
   std::vector<std::uint8_t> flush_segments;  // (points) flush.h
   std::vector<ObjectPair> left_out;          // too much to follow, ascending

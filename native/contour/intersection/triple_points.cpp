@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "contour/intersection/crossing_test.h"
 #include "surface/locate.h"
 
 namespace illustrate {
@@ -59,7 +60,7 @@ class TriplePointFinder {
     const int b = s.sheets[s.sheets[0] == triangle ? 1 : 0];
     const int c = t.sheets[t.sheets[0] == triangle ? 1 : 0];
     double f, h;
-    if (share_place(b, c) || !cross(triangle, s, t, f, h)) return;
+    if (share_place(b, c) || !cross(triangle, s, t, f, h) || are_in_one_plane(b, c)) return;
     std::array<int, 3> sheets{triangle, b, c};
     std::sort(sheets.begin(), sheets.end());
     const auto [found, is_new] = found_.try_emplace(sheets);
@@ -80,6 +81,11 @@ class TriplePointFinder {
       for (const int w : surface_.triangles[idx(b)])
         if (surface_.places[idx(v)] == surface_.places[idx(w)]) return true;
     return false;
+  }
+
+  // Where a surface folds over itself within its plane; both curves are one, and cross by rounding.
+  bool are_in_one_plane(int a, int b) const {
+    return lie_in_one_plane(corners(a), corners(b), intersections_.one_plane);
   }
 
   Passage passage(const CurveSegment& s, double fraction, int through) const {

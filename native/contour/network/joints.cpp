@@ -1,6 +1,7 @@
 #include "contour/network/joints.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <unordered_map>
 
@@ -262,9 +263,25 @@ class JointFinder {
     std::sort(joints_.lines.begin(), joints_.lines.end(), order);
     std::sort(joints_.flush.begin(), joints_.flush.end(),
               [](const FlushStretch& a, const FlushStretch& b) { return a.feature < b.feature; });
-    std::sort(joints_.edges.begin(), joints_.edges.end(), [](const EdgeCut& a, const EdgeCut& b) {
-      return std::tie(a.feature, a.fraction, a.node) < std::tie(b.feature, b.fraction, b.node);
-    });
+    sort_edge_cuts();
+  }
+
+  // Contours of both sides may come to an edge at one place; that of the earlier node is first, and
+  // there is a piece of the edge between them.
+  void sort_edge_cuts() {
+    constexpr double one_place = 0x1p-32, apart = 0x1p-40;
+    std::vector<EdgeCut>& cuts = joints_.edges;
+    const auto order = [](const EdgeCut& a, const EdgeCut& b) {
+      const double of_a = std::round(a.fraction / one_place);
+      const double of_b = std::round(b.fraction / one_place);
+      return std::tie(a.feature, of_a, a.node) < std::tie(b.feature, of_b, b.node);
+    };
+    std::sort(cuts.begin(), cuts.end(), order);
+    for (std::size_t i = 1; i < cuts.size(); ++i) {
+      if (cuts[i].feature != cuts[i - 1].feature) continue;
+      const double least = std::min(1., cuts[i - 1].fraction + apart);
+      cuts[i].fraction = std::max(cuts[i].fraction, least);
+    }
   }
 
   const Surface& surface_;

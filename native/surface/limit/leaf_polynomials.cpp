@@ -78,6 +78,12 @@ PolynomialPatch bicubic(const At& at, const Far::PatchParam& place) {
   return PolynomialPatch::bicubic(corners);
 }
 
+// Leaves end along edges of triangles, where contours are asked for, and beside an extraordinary
+// point the curvature of one does not go over into that of the next: rounding is not to say which
+// one it is. So a point counts as nearer by this share to the middle of a triangle, through which
+// no border runs: that is a millionth of the smallest leaf, and more than rounding for each border.
+constexpr double past_border = 1e-9;
+
 }  // namespace
 
 LeafPolynomials::LeafPolynomials(Tree tree, Points controls, LeafRoom& room)
@@ -101,7 +107,8 @@ LeafPolynomials::~LeafPolynomials() {
 }
 
 LimitPoint LeafPolynomials::evaluate(int sub_face, const Vec2& uv) const {
-  const int index = tree_->FindSubPatch(uv.x(), uv.y(), sub_face);
+  const Vec2 within = uv + past_border * (Vec2(1. / 3, 1. / 3) - uv);
+  const int index = tree_->FindSubPatch(within.x(), within.y(), sub_face);
   const bool may_be_kept = idx(index) < leaves_.size();
   if (!may_be_kept || !tree_->GetSubPatchParam(index).IsRegular()) return evaluate_patch(index, uv);
   const Leaf* leaf = leaves_[idx(index)].load(std::memory_order_acquire);

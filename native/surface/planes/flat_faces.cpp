@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/parallel.h"
-#include "core/ragged.h"
 #include "core/tolerances.h"
 #include "mesh/polygons.h"
 #include "surface/planes/mean_value.h"
@@ -36,15 +35,6 @@ struct FlatPart {
   Vec3 normal;
 };
 
-Vec3 twice_area(const RefinedMesh& mesh, int face) {
-  Vec3 sum = Vec3::Zero();
-  const Vec3& origin = mesh.point(mesh.first(face));
-  for (int c = mesh.first(face) + 1; c + 1 < mesh.first(face + 1); ++c) {
-    sum += (mesh.point(c) - origin).cross(mesh.point(c + 1) - origin);
-  }
-  return sum;
-}
-
 // The faces that smooth edges connect with this one, which are marked as found.
 std::vector<int> smooth_part(const RefinedMesh& mesh, int face, std::vector<std::uint8_t>& found) {
   std::vector<int> faces{face};
@@ -64,7 +54,7 @@ std::vector<int> smooth_part(const RefinedMesh& mesh, int face, std::vector<std:
 // Unit; zero where the faces are not flat.
 Vec3 plane_normal(const RefinedMesh& mesh, const std::vector<int>& faces) {
   Vec3 sum = Vec3::Zero();
-  for (const int f : faces) sum += twice_area(mesh, f);
+  for (const int f : faces) sum += mesh.twice_area(f);
   const Vec3 normal = unit_or_zero(sum);
   Eigen::AlignedBox3d box;
   Eigen::AlignedBox1d heights;
@@ -350,11 +340,6 @@ class Unfolder {
   std::vector<std::uint8_t> is_shared_;  // places; empty until they are asked for
 };
 
-// Cosine from which a normal is the opposite of a control face's: 143 degrees. What folds in a plane
-// has exactly opposite normals, at a plane's rounding those of the faces beside it are tilted; what
-// bends has others between.
-constexpr double opposite = -0.8;
-
 }  // namespace
 
 std::vector<std::uint8_t> unfold_flat_faces(const RefinedMesh& control, const RefinedMesh& mesh,
@@ -380,27 +365,6 @@ std::vector<std::uint8_t> unfold_flat_faces(const RefinedMesh& control, const Re
     for (const int f : parts[p].faces) changed[idx(f)] = 1;
   }
   return changed;
-}
-
-void turn_folded_normals(const RefinedMesh& control, const RefinedMesh& mesh,
-                         const std::vector<int>& corner_sectors, Points& normals) {
-  Points of_faces;
-  for (int f = 0; f < static_cast<int>(control.face_count()); ++f) {
-    of_faces.push_back(unit_or_zero(twice_area(control, f)));
-  }
-  std::vector<std::uint8_t> is_folded(normals.size(), 1);
-  for (int c = 0; c < static_cast<int>(mesh.corner_count()); ++c) {
-    const std::size_t s = idx(corner_sectors[idx(c)]);
-    if (!is_folded[s]) continue;
-    const Vec3& of_face = of_faces[idx(mesh.base_faces[idx(mesh.face(c))])];
-    is_folded[s] = normals[s].dot(of_face) < opposite;
-  }
-  for (const int sector : corner_sectors) {
-    const std::size_t s = idx(sector);
-    if (!is_folded[s]) continue;
-    normals[s] = -normals[s];
-    is_folded[s] = 0;
-  }
 }
 
 }  // namespace illustrate

@@ -21,10 +21,4 @@ std::vector<std::uint8_t> unfold_flat_faces(const RefinedMesh& control, const Re
                                             const std::vector<int>& corner_sectors, int threads,
                                             SectorLimits& limits);
 
-// Where flat faces fold that are part of what is not flat as a whole, normals point the opposite
-// way from those of all the control faces round them, and a silhouette would run round each: they
-// are turned.
-void turn_folded_normals(const RefinedMesh& control, const RefinedMesh& mesh,
-                         const std::vector<int>& corner_sectors, Points& normals);
-
 }  // namespace illustrate

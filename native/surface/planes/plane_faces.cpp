@@ -118,14 +118,8 @@ class PlaneFinder {
     thicknesses_.resize(mesh_.face_count());
     parallel_for(mesh_.face_count(), threads, [&](std::size_t begin, std::size_t end) {
       for (int f = static_cast<int>(begin); f < static_cast<int>(end); ++f) {
-        const Vec3& origin = mesh_.point(mesh_.first(f));
-        Vec3 sum = Vec3::Zero();
-        double longest = 0;
-        for (int c = mesh_.first(f); c < mesh_.first(f + 1); ++c) {
-          const Vec3 edge = mesh_.point(mesh_.next(c)) - mesh_.point(c);
-          sum += (mesh_.point(c) - origin).cross(edge);
-          longest = std::max(longest, edge.norm());
-        }
+        const Vec3 sum = mesh_.twice_area(f);
+        const double longest = mesh_.longest_edge(f);
         twice_areas_[idx(f)] = sum;
         normals_[idx(f)] = unit_or_zero(sum);
         sizes_[idx(f)] = std::max(0., sum.norm());  // not a number where coordinates are huge

@@ -85,6 +85,21 @@ void classify_edges(const SoundMesh& base, RefinedMesh& mesh, int threads) {
 
 }  // namespace
 
+Vec3 RefinedMesh::twice_area(int face) const {
+  Vec3 sum = Vec3::Zero();
+  const Vec3& origin = point(first(face));
+  for (int c = first(face); c < first(face + 1); ++c)
+    sum += (point(c) - origin).cross(point(next(c)) - point(c));
+  return sum;
+}
+
+double RefinedMesh::longest_edge(int face) const {
+  double longest = 0;
+  for (int c = first(face); c < first(face + 1); ++c)
+    longest = std::max(longest, (point(next(c)) - point(c)).norm());
+  return longest;
+}
+
 int twin_corner(const RefinedMesh& mesh, int corner) {
   const int face = mesh.twin_faces[idx(mesh.face(corner))];
   if (face == none) return none;

@@ -67,6 +67,10 @@ struct RefinedMesh {
   bool is_sharp(int corner) const {
     return mate(corner) == none || kind(corner) == EdgeKind::crease;
   }
+
+  // Along the face's normal, of length twice its area.
+  Vec3 twice_area(int face) const;
+  double longest_edge(int face) const;
 };
 
 // The corner of the twin face at the twin of this corner's vertex.

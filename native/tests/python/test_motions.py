@@ -79,9 +79,27 @@ def moved(camera: ill.Camera, turn: NDArray[np.float64], shift: NDArray[np.float
     return ill.Camera(camera.projection, view, camera.width_px, camera.height_px)
 
 
-def a_turn() -> NDArray[np.float64]:
+def torn() -> Shape:
+    """A box of which one face has moved a corner inward, within its plane."""
+    corners = [[-1, 1, 1], [-1, -1, 1], [1, -1, 1], [-1, -1, -1], [-1, 1, -1],
+               [1, 1, 1], [1, 1, -1], [1, -1, -1], [0.9, 0.9, 1]]  # fmt: skip
+    triangles = [[0, 1, 2], [3, 2, 1], [0, 4, 1], [4, 3, 1], [7, 2, 3], [6, 7, 3], [4, 6, 3],
+                 [6, 4, 5], [6, 5, 7], [5, 2, 7], [4, 0, 5], [8, 0, 2]]  # fmt: skip
+    return of_triangles(np.array(corners) / np.sqrt(3.0), triangles)
+
+
+def joined_tetrahedra() -> Shape:
+    """Two, closed by one face twice."""
+    angles = 2 * np.pi * np.arange(3) / 3
+    ring = np.stack([np.cos(angles), np.sin(angles), np.zeros(3)], axis=-1)
+    faces = [[3, 0, 1], [3, 1, 2], [3, 2, 0], [2, 1, 0],
+             [4, 1, 0], [4, 2, 1], [4, 0, 2], [2, 0, 1]]  # fmt: skip
+    return of_triangles(np.concatenate([ring, [[0, 0, 1], [0, 0, -1]]]), faces)
+
+
+def a_turn(x: float = 0.7, y: float = -0.4, z: float = 1.1) -> NDArray[np.float64]:
     """By the Cayley transform, about an axis that is none of the world's."""
-    angle = np.array([0.7, -0.4, 1.1])
+    angle = np.array([x, y, z])
     skew = np.array([[0, -angle[2], angle[1]], [angle[2], 0, -angle[0]], [-angle[1], angle[0], 0]])
     return np.linalg.solve(np.eye(3) + skew, np.eye(3) - skew)
 
@@ -95,12 +113,29 @@ def a_turn() -> NDArray[np.float64]:
         (plate(5), "loop", 60.0),
         (plate(24, 0.08), "loop", 60.0),
         (nested(prism(12), prism(18)), "loop", 60.0),
+        (nested(prism(9), prism(15)), "loop", 60.0),
         (blunt_cone(), "loop", 180.0),
+        (joined_tetrahedra(), "loop", 180.0),
+        (torn(), "loop", 180.0),
     ],
-    ids=["cube", "quads", "polygons", "pocket", "wobble", "flush", "tip"],
+    ids=["cube", "quads", "polygons", "pocket", "wobble", "flush", "flush sides", "tip",
+         "joined", "torn"],
 )  # fmt: skip
-def test_rigid_motions_move_no_line(shape: Shape, scheme: str, crease_deg: float) -> None:
-    turn, shift = a_turn(), np.array([5.0, -3.0, 2.0])
+@pytest.mark.parametrize(
+    ("turn", "shift"),
+    [
+        (a_turn(), np.array([5.0, -3.0, 2.0])),
+        (a_turn(-1.7, 0.25, 0.6), np.array([-6.0, 7.0, 4.0])),
+    ],
+    ids=["one", "other"],
+)
+def test_rigid_motions_move_no_line(
+    shape: Shape,
+    scheme: str,
+    crease_deg: float,
+    turn: NDArray[np.float64],
+    shift: NDArray[np.float64],
+) -> None:
     there = Shape(shape.positions @ turn.T + shift, shape.face_sizes, shape.corner_vertices)
     options = ill.PrepareOptions(level=4, scheme=scheme, field=False)
     here, gone = (

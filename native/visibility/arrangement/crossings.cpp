@@ -131,10 +131,12 @@ class CrossingFinder {
     return a + world_fraction(image_fraction, a, b, strands_.perspective) * (b - a);
   }
 
+  // Of curves at one place, as a border that lies in another sheet and the intersection along it,
+  // the first is in front all along.
   Crossing crossing(const StrandSegment& s, const StrandSegment& t) const {
     const auto [fs, ft] = fractions(s, t);
     const StrandPlace ps{s.strand, s.segment, fs}, pt{t.strand, t.segment, ft};
-    const bool s_in_front = depth(s, fs) <= depth(t, ft);
+    const bool s_in_front = depth(s, fs) <= depth(t, ft) + strands_.same_depth;
     const StrandSegment& front = s_in_front ? s : t;
     const StrandSegment& back = s_in_front ? t : s;
     const bool from_right = orientation(grid(front.a), grid(front.b), grid(back.a)) < 0;

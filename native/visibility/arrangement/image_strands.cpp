@@ -16,6 +16,9 @@ constexpr double farthest_px = 5e8;
 // Of the farthest move: depths of curves that touch, once they are moved, on surfaces seen aslant.
 constexpr double touching_moves = 20;
 
+// And where they are apart by rounding alone, far below what keeps parts apart.
+constexpr double rounding_moves = 0x1p-16;
+
 double farthest_move(const CurveNetwork& network, const Points& decided) {
   double farthest = 0;
   for (std::size_t i = 0; i < decided.size(); ++i)
@@ -119,6 +122,7 @@ ImageStrands project_strands(const CurveNetwork& network, const Camera& camera, 
   }
   result.decided = std::move(decided);
   result.touching = touching_moves * farthest;
+  result.same_depth = rounding_moves * farthest;
   return result;
 }
 

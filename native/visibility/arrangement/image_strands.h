@@ -27,8 +27,9 @@ struct ImageStrands {
   // What crossings are decided on: towards the points `decided`, where they are given.
   std::vector<GridPoint> grid;
   std::vector<double> decided_depth;
-  Points decided;       // empty: the network's own points
-  double touching = 0;  // depths that differ by no more are of curves that touch
+  Points decided;         // empty: the network's own points
+  double touching = 0;    // depths that differ by no more are of curves that touch,
+  double same_depth = 0;  // and by no more than this of curves at one place
   bool perspective = false;
 };
 

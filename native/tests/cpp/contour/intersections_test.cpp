@@ -155,6 +155,25 @@ TEST(Intersections, AFoldWithinAPlaneCrossesNothing) {
   expect_nothing(plane);
 }
 
+// Points of one plane that are moved along one normal stay in one, and some of the others are moved
+// the other way.
+TEST(Intersections, OfAFoldWithinAPlaneDoNotDependOnWhereItIs) {
+  Surface plane = plane_surface(16, 1, 0);
+  for (std::size_t v = 0; v < plane.positions.size(); v += 7)
+    plane.positions[v] += Vec3(0.21, 0.13, 0);
+  for (std::size_t v = 0; v < plane.normals.size(); v += 5) plane.normals[v] = -plane.normals[v];
+  const Found expected = find(plane, touching);
+  EXPECT_GT(expected.count(), 0u);
+  for (const double angle : {0., 0.7, 2.1}) {
+    const Eigen::AngleAxisd by(angle, Vec3(1, 2, 3).normalized());
+    Surface there = plane;
+    for (Vec3& p : there.positions) p = by * p + Vec3(-4, 9, 7);
+    for (Vec3& n : there.normals) n = by * n;
+    const Found found = find(there, touching);
+    EXPECT_EQ(found.curves.segment_triangles, expected.curves.segment_triangles) << angle;
+  }
+}
+
 TEST(Intersections, CrossingSpheresMeetInOneCircle) {
   double last_error = 0;
   for (const int level : {2, 3, 4, 5}) {

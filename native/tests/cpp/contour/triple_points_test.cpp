@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <cmath>
 #include <random>
 
 #include "contour/contour_functions.h"
@@ -120,6 +121,25 @@ TEST(TriplePoints, AreNotOfSheetsThatShareAVertex) {
         for (const int w : surface.triangles[idx(point.passages[1].through)])
           EXPECT_NE(surface.places[idx(v)], surface.places[idx(w)]) << scene;
     }
+  }
+}
+
+// A plane that folds over itself, cut by another: the curves of its layers are one, and rounding
+// let them cross.
+TEST(TriplePoints, AreNotOfLayersOfOnePlane) {
+  PolygonMesh folded = shapes::plane(14, 6), wall = shapes::plane(3, 3);
+  for (Vec3& p : folded.positions) p.x() = 0.4 + 0.3 * std::sin(9 * p.x()) + 0.1 * p.y();
+  for (Vec3& p : wall.positions) p = Vec3(p.x(), 0.11 + 0.6 * p.x(), p.y() - 0.45);
+  for (const double angle : {0., 0.7, 2.1}) {
+    Surface layers = shapes::plain_surface(folded);
+    for (Vec3& n : layers.normals) n = Vec3::UnitZ();
+    Surface surface = shapes::joined(layers, shapes::plain_surface(wall));
+    const Eigen::AngleAxisd by(angle, Vec3(1, 2, 3).normalized());
+    for (Vec3& p : surface.positions) p = by * p + Vec3(5, -3, 2);
+    for (Vec3& n : surface.normals) n = by * n;
+    const IntersectionCurves found = found_on(surface);
+    EXPECT_FALSE(found.curves.empty());
+    EXPECT_EQ(found.triple_points.size(), 0u) << angle;
   }
 }
 

@@ -49,6 +49,20 @@ TEST(Spread, OfAnySize) {
   }
 }
 
+TEST(Spread, RoundingGrowsWithTheDistanceFarOffAlone) {
+  for (const double size : {3e-7, 1., 1.9, 5e8}) {
+    for (const double sizes : {0., 1., 20., 120.})
+      EXPECT_EQ(rounding_size(size, sizes * size), size) << sizes;
+    double last = size;
+    for (double sizes = 200; sizes < 1e9; sizes *= 2) {
+      const double found = rounding_size(size, sizes * size);
+      EXPECT_EQ(found, 2 * last) << sizes;
+      EXPECT_EQ(rounding_size(size, 1.2 * sizes * size), found) << sizes;
+      last = found;
+    }
+  }
+}
+
 TEST(Spread, OfNothingIsNone) {
   EXPECT_EQ(Spread().diagonal(), 0);
   Spread needle;

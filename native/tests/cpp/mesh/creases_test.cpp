@@ -217,5 +217,24 @@ TEST(Creases, NoneComesFromASliversNoise) {
   }
 }
 
+// Nor is a face a sliver for where it is: a chamfer as narrow as that stays one.
+TEST(Creases, AreTheSameWhereverAMeshIs) {
+  const PolygonMesh mesh = shapes::polygon_mesh({{0, 0, 0},
+                                                 {1, 0, 0},
+                                                 {1, 1, 0},
+                                                 {0, 1, 0},
+                                                 {1.0003, 0, -0.0003},
+                                                 {1.0003, 1, -0.0003},
+                                                 {1.0003, 0, -1},
+                                                 {1.0003, 1, -1}},
+                                                {{0, 1, 2, 3}, {1, 4, 5, 2}, {4, 6, 7, 5}});
+  const Eigen::Quaterniond by = Eigen::Quaterniond(.3, -.7, .5, .1).normalized();
+  for (const Vec3& shift : {Vec3(0, 0, 0), Vec3(5, -3, 2), Vec3(-1, 8, 6)}) {
+    PolygonMesh there = mesh;
+    for (Vec3& p : there.positions) p = by * p + shift;
+    EXPECT_EQ(mend(shaded(there, own_normal)).report.at("angle_creases"), 2) << shift.transpose();
+  }
+}
+
 }  // namespace
 }  // namespace illustrate

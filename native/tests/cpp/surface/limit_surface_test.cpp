@@ -213,6 +213,26 @@ TEST(LimitSurface, PolynomialsAreThePatchesThemselves) {
   }
 }
 
+// Beside an extraordinary point curvature goes from one leaf to the next in a step.
+TEST(LimitSurface, RoundingDoesNotChooseTheLeaf) {
+  for (const Case& c : cases()) {
+    const Surface surface = refined(c.mesh, at_level(0, c.scheme));
+    const LimitSurface limit(surface);
+    for (int face = 0; face < limit.ptex_faces(); ++face) {
+      for (const double border : {0x1p-7, 0x1p-4, .25}) {
+        const Vec2 at = limit.is_triangle(face) ? Vec2(.4 * border, .6 * border)
+                                                : Vec2(.4 * border, border);
+        const LimitPoint inside = *limit.evaluate({face, at * (1 - 4e-16)});
+        const LimitPoint beyond = *limit.evaluate({face, at * (1 + 4e-16)});
+        const double second = inside.duu.norm() + inside.duv.norm() + inside.dvv.norm();
+        const double apart = (inside.duu - beyond.duu).norm() + (inside.duv - beyond.duv).norm() +
+                             (inside.dvv - beyond.dvv).norm();
+        EXPECT_LT(apart, 1e-6 * (second + surface.diagonal)) << c.name << " " << border;
+      }
+    }
+  }
+}
+
 TEST(LimitSurface, SameWhereLeavesHaveNoRoom) {
   for (const Case& c : cases()) {
     const SoundMesh mesh = control_mesh(c);
