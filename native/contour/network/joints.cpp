@@ -14,6 +14,8 @@ namespace {
 
 std::int64_t side_key(int triangle, int corner) { return std::int64_t{triangle} * 3 + corner; }
 
+std::array<double, 3> weights(const SurfacePoint& on) { return {1 - on.b1 - on.b2, on.b1, on.b2}; }
+
 class JointFinder {
  public:
   JointFinder(const Surface& surface, const std::vector<FeatureEdge>& features,
@@ -156,6 +158,7 @@ class JointFinder {
       const bool tip = !closed && (i == 0 || i + 1 == curve.size());
       int node = cut_at_edge(curve[i].a, curve[i]);
       if (node == none) node = cut_at_edge(curve[i].b, curve[i]);
+      if (node != none) cut_touched_edges(curve[i], node);
       if (node == none && tip) node = add_node(NodeKind::end, curve[i].position);
       if (node != none) {
         joints_.intersections.push_back({c, static_cast<int>(i), 0, node, {}});
@@ -169,17 +172,51 @@ class JointFinder {
   // At the edge that pierces. Other edges may pass through the same place, but the curve does not
   // come to them.
   int cut_at_edge(const SurfacePoint& on, const IntersectionPoint& point) {
+    const int k = piercing_corner(on, point);
+    if (k == none) return none;
+    return cut_feature({on.triangle, k}, weights(on)[idx(next_corner(k))], point.position);
+  }
+
+  // Of the half-edge of the triangle that pierces the other one at a point; none: the other does.
+  int piercing_corner(const SurfacePoint& on, const IntersectionPoint& point) const {
     if (on.triangle == none) return none;
-    const std::array<double, 3> weights{1 - on.b1 - on.b2, on.b1, on.b2};
     const auto place = [&](int corner) {
       return surface_.places[idx(surface_.triangles[idx(on.triangle)][idx(corner)])];
     };
     for (int k = 0; k < 3; ++k) {
       const auto [low, high] = std::minmax({place(k), place(next_corner(k))});
-      if (Edge{low, high} != point.edge) continue;
-      return cut_feature({on.triangle, k}, weights[idx(next_corner(k))], point.position);
+      if (Edge{low, high} == point.edge) return k;
     }
     return none;
+  }
+
+  // The pierced triangle's own edge, where that is in one plane with the edge that pierces and
+  // passes within reach of the point: from there the curve runs beside it. In the image both edges
+  // and the curve meet in one point, whichever way rounding orders them.
+  void cut_touched_edges(const IntersectionPoint& point, int node) {
+    for (const SurfacePoint& on : {point.a, point.b}) {
+      if (on.triangle == none || piercing_corner(on, point) != none) continue;
+      for (int k = 0; k < 3; ++k) {
+        const auto found = feature_of_side_.find(side_key(on.triangle, k));
+        const double fraction = weights(on)[idx(next_corner(k))];
+        if (found == feature_of_side_.end() || !passes(on, k)) continue;
+        joints_.edges.push_back(
+            {found->second, along_feature(found->second, on.triangle, k, fraction), node, {}});
+      }
+    }
+  }
+
+  // Whether a point is within reach of a half-edge and of neither of its ends.
+  bool passes(const SurfacePoint& on, int k) const {
+    const auto corner = [&](int i) -> const Vec3& {
+      return surface_.positions[idx(surface_.triangles[idx(on.triangle)][idx(i)])];
+    };
+    const std::array<double, 3> shares = weights(on);
+    const Vec3 along = corner(next_corner(k)) - corner(k);
+    const double length = along.norm(), reach = intersections_.reach;
+    const double height = along.cross(corner(previous_corner(k)) - corner(k)).norm() / length;
+    return shares[idx(previous_corner(k))] * height <= reach && shares[idx(k)] * length > reach &&
+           shares[idx(next_corner(k))] * length > reach;
   }
 
   void cut_where_chains_pass() {

@@ -61,6 +61,7 @@ class CrossingFinder {
     std::sort(pairs.begin(), pairs.end());
     std::vector<Crossing> result;
     for (const auto& [i, j] : pairs) {
+      if (are_one_line(segments_[idx(i)], segments_[idx(j)])) continue;
       const Crossing x = crossing(segments_[idx(i)], segments_[idx(j)]);
       if (!is_free_line(network_.strands[idx(x.front.strand)].kind)) result.push_back(x);
     }
@@ -142,6 +143,15 @@ class CrossingFinder {
     const bool from_right = orientation(grid(front.a), grid(front.b), grid(back.a)) < 0;
     const Vec2 &a = strands_.image[idx(s.a)], &b = strands_.image[idx(s.b)];
     return {s_in_front ? ps : pt, s_in_front ? pt : ps, a + fs * (b - a), from_right};
+  }
+
+  // An edge within a face of another part and the intersection that runs along it.
+  bool are_one_line(const StrandSegment& s, const StrandSegment& t) const {
+    const Strand &a = network_.strands[idx(s.strand)], &b = network_.strands[idx(t.strand)];
+    if (!a.is_flush || !b.is_flush) return false;
+    if (a.kind != Kind::intersection && b.kind != Kind::intersection) return false;
+    const auto [fs, ft] = fractions(s, t);
+    return std::abs(depth(s, fs) - depth(t, ft)) <= strands_.touching;
   }
 
   const CurveNetwork& network_;
