@@ -148,8 +148,10 @@ class CrossingFinder {
   // An edge within a face of another part and the intersection that runs along it.
   bool are_one_line(const StrandSegment& s, const StrandSegment& t) const {
     const Strand &a = network_.strands[idx(s.strand)], &b = network_.strands[idx(t.strand)];
-    if (!a.is_flush || !b.is_flush) return false;
-    if (a.kind != Kind::intersection && b.kind != Kind::intersection) return false;
+    const auto is_along_edge = [](const Strand& x) {
+      return x.is_flush && x.kind == Kind::intersection;
+    };
+    if (!is_along_edge(a) && !is_along_edge(b)) return false;
     const auto [fs, ft] = fractions(s, t);
     return std::abs(depth(s, fs) - depth(t, ft)) <= strands_.touching;
   }

@@ -50,6 +50,13 @@ std::vector<Swallowtail> swallowtails_of(const Arrangement& arrangement, const P
   return result;
 }
 
+// Not where a third sheet changes an intersection: that is decided, however near to an end.
+bool is_cusp(const Arrangement& arrangement, const Path& path, int step) {
+  const CurveNetwork& network = arrangement.network();
+  const int node = network.strands[idx(path.strands[idx(step)])].start_node;
+  return path.jumps[idx(step)] != 0 && network.nodes[idx(node)].kind == NodeKind::cusp;
+}
+
 // At the end of an open path nothing ties its label, and a stretch of no length has none to show.
 int drop_cusps_at_ends(Arrangement& arrangement, int index, double& moved_px) {
   const Path& path = arrangement.paths()[idx(index)];
@@ -58,7 +65,7 @@ int drop_cusps_at_ends(Arrangement& arrangement, int index, double& moved_px) {
   int dropped = 0;
   const auto drop = [&](int strand, int step) {
     const double reach = arrangement.reach_px(strand);
-    if (path.jumps[idx(step)] == 0 || reach > reaches.end) return;
+    if (!is_cusp(arrangement, path, step) || reach > reaches.end) return;
     arrangement.drop_jump(index, step);
     moved_px = std::max(moved_px, reach);
     ++dropped;

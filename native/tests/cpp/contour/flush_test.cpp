@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/cpp/blocks.h"
+#include "tests/cpp/cameras.h"
 
 namespace illustrate {
 namespace {
@@ -84,6 +85,37 @@ TEST(FlushEdges, AreNotWhereTheSurfaceRises) {
                                                                 {5, 11, 6, 0}}));
   expect_length(angle, 0.8 + 0.8 + 1);
 }
+
+// Bars that lie across each other at angles of no lattice, all tops in one plane.
+std::vector<PolygonMesh> crossed_bars(const Eigen::Quaterniond& askew) {
+  std::vector<PolygonMesh> bars;
+  for (int i = 0; i < 4; ++i) {
+    const double depth = 0.5 + 0.2 * i, place = 0.37 * i - 0.5;
+    const PolygonMesh bar = blocks::block(Vec3(-2, place, -depth), Vec3(2, place + 0.3, 0));
+    const Eigen::Quaterniond about(Eigen::AngleAxisd(0.4 + 0.8 * i, Vec3::UnitZ()));
+    bars.push_back(turned(bar, askew * about));
+  }
+  return bars;
+}
+
+// An edge that pierces another bar beside an edge of that, and the intersection that starts there,
+// are nearer to each other than the image tells apart.
+TEST(FlushEdges, MeetInJointsWhereBarsOfOnePlaneCross) {
+  const Eigen::Quaterniond askew = Eigen::Quaterniond(0.3, 0.5, -0.7, 0.2).normalized();
+  const auto prepared = blocks::prepared(crossed_bars(askew));
+  DrawOptions options;
+  options.hatching = false;
+  std::int64_t nodes = 0;
+  for (int view = 0; view < 40; ++view) {
+    const double turn = 2.4 * view, height = 0.9 - 0.04 * view;
+    const Vec3 direction(std::cos(turn), std::sin(turn), height);
+    const DrawResult drawn = draw(*prepared, cameras::orthographic(direction, 3), options, {});
+    EXPECT_EQ(drawn.counts.at("repairs"), 0) << view;
+    nodes += drawn.counts.at("crossings");
+  }
+  EXPECT_GT(nodes, 1000);
+}
+
 
 }  // namespace
 }  // namespace illustrate
