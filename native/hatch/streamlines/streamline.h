@@ -1,6 +1,8 @@
 // Hatches while they are placed and evened out in a view.
 #pragma once
 
+#include <algorithm>
+
 #include "core/types.h"
 
 namespace illustrate {
@@ -13,6 +15,8 @@ struct StreamlineNode {
   Vec2 heading;        // unit: of `tangent` in the image
   double depth;        // world units along the viewing axis
   double pixel;        // world length of a pixel at that depth
+  Vec2 depth_slope;    // of a flat face, world units of depth per px; zero elsewhere
+  double closeness;    // 1 / depth in perspective, else 0
   Vec3 aside;          // tangent move of one pixel to the left of `heading`; zero at outlines
   double angle_ratio;  // angle in the tangent plane for a small angle in the image
   // Of the last drawing, where nothing has changed: it neither moves nor goes, and an end goes on
@@ -20,6 +24,11 @@ struct StreamlineNode {
   bool is_held = false;
 
   Vec2 left() const { return {-heading.y(), heading.x()}; }
+  // The depth of the flat face's plane where it is seen at p; no finite one beyond its horizon.
+  double plane_depth(const Vec2& p) const {
+    const double rise = depth_slope.dot(p - image);
+    return depth + rise / std::max(1 - closeness * rise, 0.0);
+  }
 };
 
 struct Streamline {

@@ -27,6 +27,7 @@ StreamlineNode HatchView::node_at(const SurfacePoint& on) const {
   node.image = mapped.head<2>() / mapped[2];
   node.depth = scene_.camera.depth(node.position);
   node.pixel = area.pixel_size(mapped);
+  node.closeness = scene_.camera.is_perspective() ? 1 / node.depth : 0;
   return node;
 }
 
@@ -49,11 +50,17 @@ void HatchView::show(StreamlineNode& node, const Vec3& normal) const {
   const double length = a.norm(), determinant = cross(a, b);
   node.heading = length > 0 ? Vec2(a / length) : Vec2(1, 0);
   node.aside = Vec3::Zero();
+  node.depth_slope = Vec2::Zero();
   node.angle_ratio = 1 / least_facing;
   if (std::abs(determinant) > least_facing * length * b.norm() && length > 0) {
     const double by_aside = length / determinant;
     node.aside = by_aside * (aside - (b.dot(a) / (length * length)) * node.tangent);
     node.angle_ratio = length * length / std::abs(determinant);
+    if (plane_of(node) != none) {
+      const Vec3 away = -scene_.camera.view().row(2).head<3>();
+      node.depth_slope =
+          away.dot(node.tangent) / length * node.heading + away.dot(node.aside) * node.left();
+    }
   }
 }
 

@@ -82,11 +82,22 @@ class HatchView {
     return std::sqrt(square);
   }
 
-  // Whether two pieces of streamlines mind each other: parallel in space, near in depth.
+  // Whether two pieces of streamlines mind each other: parallel in space, and near in depth, or in
+  // the plane of one flat face: next to its horizon a ground recedes by far more than its hatches
+  // are apart. Bent surfaces turn too far from their tangent plane where they recede so much.
   static bool is_alike(const StreamlineNode& node, const GridNode& other, double spacing) {
+    return are_parallel(node, other) &&
+           (is_as_deep(node.depth, node, other, spacing) ||
+            is_as_deep(node.plane_depth(other.image), node, other, spacing));
+  }
+  static bool are_parallel(const StreamlineNode& node, const GridNode& other) {
     const double cosine = node.tangent.dot(other.tangent.cast<double>());
-    return 2 * cosine * cosine > 1 &&
-           std::abs(node.depth - double(other.depth)) < 3 * spacing * node.pixel;
+    return 2 * cosine * cosine > 1;
+  }
+  // Whether a piece is near a depth for neighbours of a node.
+  static bool is_as_deep(double depth, const StreamlineNode& node, const GridNode& other,
+                         double spacing) {
+    return std::abs(depth - double(other.depth)) < 3 * spacing * node.pixel;
   }
 
   // Whether a parallel streamline passes nearer than `radius`, no critical curve between; the same

@@ -43,6 +43,18 @@ TEST(EvenHatches, PlaneIsHatchedEvenlyByBothFamilies) {
   EXPECT_EQ(scene.counts["hatches"], static_cast<int>(hatches.curves.size()));
 }
 
+// A ground that the eye is close to: from one hatch to the next it recedes by many spacings.
+TEST(EvenHatches, AreApartOnAGroundThatRecedes) {
+  Scene scene = scene_of(shapes::plain_surface(shapes::plane(13, 11)),
+                         cameras::perspective(Vec3(0, -1, 0.04), Vec3(0, 1, 0), 0.01, 40, 400),
+                         [](const Vec3&) { return Vec3(Vec3::UnitX()); });
+  scene.surface.planes.emplace_back();
+  scene.surface.triangle_planes.assign(scene.surface.triangles.size(), 0);
+  const Hatches hatches = scene.even();
+  EXPECT_GT(hatches.curves.size(), 10U);
+  EXPECT_GE(least_distance(hatches, parallel), 0.5 * 8 - 0.1);
+}
+
 // Gaps of a face of ninety hatches, before its edges too, when it is known to be flat.
 TEST(EvenHatches, AreRuledOnFlatFaces) {
   Scene scene = scene_of(shapes::plain_surface(shapes::plane(13, 11)),
