@@ -11,6 +11,8 @@ namespace {
 // `hidden_cells`; cells of one sheet differ by less than `sheet_cells`.
 constexpr double hidden_cells = 0.5;
 constexpr double sheet_cells = 4;
+// Sheets that are no farther apart lie in one place.
+constexpr double least_gap_cells = 1e-3;
 
 }  // namespace
 
@@ -56,11 +58,34 @@ bool HatchArea::is_wanted(const HatchPoint& point, Area area) const {
 }
 
 bool HatchArea::is_seen_at(int centre, const HatchPoint& point) const {
-  double depth = camera_.depth(point.position);
-  if (depth <= visible_.depth[idx(centre)]) return true;
-  depth -= hidden_cells * cell_size(point.position);
-  if (depth <= visible_.depth[idx(centre)]) return true;
-  return any_around(point.image, [&](int cell) { return depth <= visible_.depth[idx(cell)]; });
+  if (visible_.triangle[idx(centre)] == point.on.triangle) return true;
+  const double depth = camera_.depth(point.position) - hidden_cells * cell_size(point.position);
+  const auto is_near = [&](int cell) { return depth <= visible_.depth[idx(cell)]; };
+  return any_around(point.image, is_near) && !is_covered_at(centre, point);
+}
+
+// Of sheets that are nearer to each other than cells tell apart, a sheet of paper and the table,
+// the triangles decide.
+bool HatchArea::is_covered_at(int centre, const HatchPoint& point) const {
+  const int own = surface_.triangle_objects[idx(point.on.triangle)];
+  int last = none;
+  const auto covers = [&](int cell) {
+    const int triangle = visible_.triangle[idx(cell)];
+    if (triangle == none || triangle == last || triangle == point.on.triangle) return false;
+    last = triangle;
+    return passes_before(triangle, point);
+  };
+  const int seen = visible_.triangle[idx(centre)];
+  if (seen == none || surface_.triangle_objects[idx(seen)] == own) return covers(centre);
+  return any_around(point.image, covers);
+}
+
+bool HatchArea::passes_before(int triangle, const HatchPoint& point) const {
+  const Vec3 before =
+      position_at(surface_, surface_point_under(surface_, map_, triangle, point.image));
+  const double cell = cell_size(point.position), gap = least_gap_cells * cell;
+  if (camera_.depth(before) > camera_.depth(point.position) - gap) return false;
+  return (camera_.project(before).xy - point.image).norm() < least_gap_cells * visible_.cell_px;
 }
 
 // Nobody needs to ask for the triangle where the cell itself is wanted.

@@ -72,6 +72,9 @@ class HatchArea {
     return camera_.near_distance(point.position) > 0 ? visible_.cell_of(point.image) : none;
   }
   bool is_seen_at(int centre, const HatchPoint& point) const;
+  // Whether a triangle seen there, or around it one of another object, is in front of a point.
+  bool is_covered_at(int centre, const HatchPoint& point) const;
+  bool passes_before(int triangle, const HatchPoint& point) const;
   bool is_crossed(const Vec2& image) const;
   bool is_wanted_at(int centre, const Vec2& image, Area area) const;
   template <class Test>

@@ -55,6 +55,26 @@ TEST(EvenHatches, AreApartOnAGroundThatRecedes) {
   EXPECT_GE(least_distance(hatches, parallel), 0.5 * 8 - 0.1);
 }
 
+// Cells of the image take depths that differ by a tenth of a pixel for one.
+TEST(EvenHatches, AreNotThoseOfASheetJustBelowAnother) {
+  const PolygonMesh sheet = shapes::plane(13, 11);
+  Scene scene =
+      scene_of(shapes::joined(shapes::plain_surface(shapes::moved(sheet, Vec3(0.1, 0, -0.001))),
+                              shapes::plain_surface(sheet)),
+               cameras::orthographic(Vec3(0.3, -0.5, 1), 1.2, 240),
+               [](const Vec3&) { return Vec3(1, 2, 0); });
+  const Hatches hatches = scene.even();
+  const double below = -0.0005;
+  double length = 0;
+  for (std::size_t h = 0; h < hatches.curves.size(); ++h) {
+    for (const HatchPoint& point : std::as_const(hatches.curves)[h]) {
+      EXPECT_TRUE(point.position.z() > below || point.position.x() > 0.99);
+    }
+    length += length_px(hatches.curves[h]);
+  }
+  EXPECT_GT(length, 1000);
+}
+
 // Gaps of a face of ninety hatches, before its edges too, when it is known to be flat.
 TEST(EvenHatches, AreRuledOnFlatFaces) {
   Scene scene = scene_of(shapes::plain_surface(shapes::plane(13, 11)),
