@@ -104,7 +104,7 @@ SeenScene::SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& s
   part_->bvh = Bvh(part_->surface.positions, part_->surface.triangles, threads);
   part_->features = feature_edges(part_->surface);
   part_->intersections = intersections_of(whole_intersections, numbers, styles);
-  complete(part_->surface, part_->intersections);
+  complete(part_->surface, part_->intersections, progress);
   part_->numbers = std::move(numbers);
 }
 

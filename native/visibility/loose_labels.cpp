@@ -4,8 +4,8 @@
 #include <tuple>
 
 #include "contour/network/near_clip.h"
+#include "core/segment_pairs.h"
 #include "visibility/arrangement/image_strands.h"
-#include "visibility/arrangement/segment_pairs.h"
 #include "visibility/reaches.h"
 
 namespace illustrate {

@@ -17,6 +17,9 @@ constexpr std::int64_t pairs_between_reports = 1 << 16;
 // Pairs of boxes to expect for each triangle; only progress depends on it.
 constexpr double expected_pairs = 8;
 
+// Of the work, that which finds the curves.
+constexpr double pairs_share = 0.8;
+
 struct Segment {
   std::array<int, 2> triangles;
   std::array<Piercing, 2> ends;
@@ -78,32 +81,55 @@ class KeptSegments {
   std::set<ObjectPair> left_out_;
 };
 
-// Flush triangles matter where they have a line: copies of a smooth mesh at one place have none.
-void find_segments(const Surface& surface, const CrossingTest& test, const Bvh& bvh,
-                   KeptSegments& kept, std::vector<FlushTriangles>& flush, Counts& report,
-                   const Progress& progress) {
-  std::int64_t undecided = 0, visited = 0;
-  const double expected = expected_pairs * static_cast<double>(surface.triangles.size());
-  const auto visit = [&](int s, int t) {
-    if (++visited % pairs_between_reports == 0) {
-      const auto done = static_cast<double>(visited);
-      progress.report(done / (done + expected));
-    }
+// What pairs of triangles whose boxes touch have in common.
+class PairFinder {
+ public:
+  PairFinder(const Surface& surface, const CrossingTest& test, std::int64_t most,
+             const Progress& progress)
+      : surface_(surface), test_(test), progress_(progress), segments_(surface, most) {}
+
+  void run(const Bvh& bvh) {
+    bvh.overlapping_pairs([&](int s, int t) { visit(s, t); }, test_.reach());
+    std::sort(flush_.begin(), flush_.end(), [](const FlushTriangles& a, const FlushTriangles& b) {
+      return a.triangles < b.triangles;
+    });
+  }
+
+  std::vector<ObjectPair> left_out() const { return segments_.left_out(); }
+  std::vector<Segment> take_segments() { return std::move(segments_).sorted(); }
+  std::vector<FlushTriangles> take_flush() { return std::move(flush_); }
+  std::int64_t undecided() const { return undecided_; }
+
+ private:
+  void visit(int s, int t) {
+    report();
     Segment segment{{s, t}, {}, {}};
     const TriangleIntersection found =
-        kept.takes(s, t) ? test.cross(s, t, segment.ends) : TriangleIntersection::apart;
-    if (found == TriangleIntersection::segment) kept.add(segment);
-    const bool has_line =
-        found == TriangleIntersection::segment || has_crease(surface, s) || has_crease(surface, t);
-    if (has_line && test.are_flush(s, t)) flush.push_back({{s, t}, {test.part(s), test.part(t)}});
-    undecided += found == TriangleIntersection::undecided;
-  };
-  bvh.overlapping_pairs(visit, test.reach());
-  std::sort(flush.begin(), flush.end(), [](const FlushTriangles& a, const FlushTriangles& b) {
-    return a.triangles < b.triangles;
-  });
-  report["intersection_ties"] += undecided;
-}
+        segments_.takes(s, t) ? test_.cross(s, t, segment.ends) : TriangleIntersection::apart;
+    const bool cross = found == TriangleIntersection::segment;
+    if (cross) segments_.add(segment);
+    undecided_ += found == TriangleIntersection::undecided;
+    // Flush triangles matter where they have a line: copies of a smooth mesh at one place have
+    // none.
+    const bool has_line = cross || has_crease(surface_, s) || has_crease(surface_, t);
+    if (has_line && test_.are_flush(s, t))
+      flush_.push_back({{s, t}, {test_.part(s), test_.part(t)}});
+  }
+
+  void report() {
+    if (++visited_ % pairs_between_reports != 0) return;
+    const double expected = expected_pairs * static_cast<double>(surface_.triangles.size());
+    const auto done = static_cast<double>(visited_);
+    progress_.report(done / (done + expected));
+  }
+
+  const Surface& surface_;
+  const CrossingTest& test_;
+  Progress progress_;
+  KeptSegments segments_;
+  std::vector<FlushTriangles> flush_;
+  std::int64_t undecided_ = 0, visited_ = 0;
+};
 
 // The different ends of all segments, sorted; fills Segment::nodes.
 std::vector<Piercing> number_nodes(std::vector<Segment>& segments) {
@@ -211,8 +237,8 @@ class Linker {
 
 }  // namespace
 
-void complete(const Surface& surface, IntersectionCurves& curves) {
-  curves.triple_points = triple_points(surface, curves);
+void complete(const Surface& surface, IntersectionCurves& curves, const Progress& progress) {
+  curves.triple_points = triple_points(surface, curves, progress);
   curves.flush_edges = flush_edges(surface, curves);
   curves.flush_segments = flush_segments(surface, curves);
 }
@@ -220,17 +246,17 @@ void complete(const Surface& surface, IntersectionCurves& curves) {
 IntersectionCurves intersections(const Surface& surface, const Bvh& bvh, Counts& report,
                                  const Progress& progress, std::int64_t most) {
   const CrossingTest test(surface);
-  KeptSegments kept(surface, most);
-  std::vector<FlushTriangles> flush;
-  find_segments(surface, test, bvh, kept, flush, report, progress);
-  const std::vector<ObjectPair> left_out = kept.left_out();
-  IntersectionCurves curves = Linker(surface, test, std::move(kept).sorted()).link();
+  PairFinder pairs(surface, test, most, progress.part(0, pairs_share));
+  pairs.run(bvh);
+  report["intersection_ties"] += pairs.undecided();
+  const std::vector<ObjectPair> left_out = pairs.left_out();
+  IntersectionCurves curves = Linker(surface, test, pairs.take_segments()).link();
   curves.left_out = left_out;
   curves.insets = test.insets(surface);
-  curves.flush_triangles = std::move(flush);
+  curves.flush_triangles = pairs.take_flush();
   curves.reach = test.reach();
   curves.one_plane = test.one_plane();
-  complete(surface, curves);
+  complete(surface, curves, progress.part(pairs_share, 1));
   report["intersections_left_out"] += static_cast<std::int64_t>(left_out.size());
   report["intersection_curves"] += static_cast<std::int64_t>(curves.curves.size());
   return curves;

@@ -50,12 +50,12 @@ struct FlushTriangles {
 };
 
 // A stretch of a crease, in shares of the side's edge from its corner to the next one, that
-// lies within a face of another part: the face is in the plane of the side's triangle, on both
+// lies within faces of other parts: they are in the plane of the side's triangle, on both
 // sides of the crease (flush.h).
 struct FlushEdge {
   EdgeSide side;
   double from, to;
-  int plane;  // a triangle of that face
+  int plane;  // a triangle of these faces
 };
 
 // Objects that meet, or one with itself.
@@ -90,7 +90,7 @@ constexpr std::int64_t most_crossing_triangles = 500'000;
 
 // Fills what follows from the curves and from their flush triangles: triple points, flush edges and
 // segments.
-void complete(const Surface& surface, IntersectionCurves& curves);
+void complete(const Surface& surface, IntersectionCurves& curves, const Progress& progress = {});
 
 // bvh: over the surface's positions and triangles. Open curves first, then closed ones. Whenever
 // there are more than `most` pairs of triangles that cross, the objects (or the one object) to

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 #include "contour/intersection/crossing_test.h"
+#include "core/segment_pairs.h"
 #include "surface/locate.h"
 
 namespace illustrate {
@@ -17,6 +19,32 @@ struct CurveSegment {
   std::array<int, 2> sheets;  // its two triangles
   Vec3 start, end;
 };
+
+// Two segments that cross on one triangle, at these shares of their ways.
+struct SegmentCrossing {
+  int first, second;
+  double first_share, second_share;
+};
+
+using SegmentEnds = std::array<Vec2, 2>;
+
+// On a grid far finer than curves lie apart, rounded outwards; a sliver's shares may be anything.
+SegmentBox box_of(const SegmentEnds& ends) {
+  static constexpr double cells = 0x1p30, farthest = 0x1p60;
+  const auto on_grid = [](double share) {
+    const double cell = share * cells;
+    return static_cast<std::int64_t>(cell > -farthest ? std::min(cell, farthest) : -farthest);
+  };
+  SegmentBox box;
+  for (const int k : {0, 1}) {
+    const auto [low, high] = std::minmax({ends[0][k], ends[1][k]});
+    box.low[idx(k)] = on_grid(low) - 1;
+    box.high[idx(k)] = on_grid(high) + 1;
+  }
+  return box;
+}
+
+constexpr std::int64_t boxes_between_reports = 1 << 16;
 
 class TriplePointFinder {
  public:
@@ -34,12 +62,14 @@ class TriplePointFinder {
     }
   }
 
-  std::vector<TriplePoint> run() {
+  std::vector<TriplePoint> run(const Progress& progress) {
+    const auto all = static_cast<double>(2 * segments_.size());
+    double done = 0;
     for (const auto& [triangle, segments] : on_triangle_) {
-      for (std::size_t i = 0; i < segments.size(); ++i) {
-        for (std::size_t j = i + 1; j < segments.size(); ++j)
-          meet(triangle, segments[i], segments[j]);
-      }
+      for (const SegmentCrossing& c : crossings(triangle, segments, progress, done / all))
+        meet(triangle, c);
+      done += static_cast<double>(segments.size());
+      progress.report(done / all);
     }
     std::vector<TriplePoint> result;
     for (auto& [sheets, point] : found_) result.push_back(std::move(point));
@@ -54,20 +84,52 @@ class TriplePointFinder {
     of_pair_[std::minmax(segment.sheets[0], segment.sheets[1])] = number;
   }
 
-  // Two segments that cross on one triangle: its sheet and the other one of each meet there.
-  void meet(int triangle, int first, int second) {
-    const CurveSegment &s = segments_[idx(first)], &t = segments_[idx(second)];
+  // In the order of the segments.
+  std::vector<SegmentCrossing> crossings(int triangle, const std::vector<int>& segments,
+                                         const Progress& progress, double share_done) const {
+    const std::vector<SegmentEnds> ends = ends_on(triangle, segments);
+    std::vector<SegmentBox> boxes;
+    for (const SegmentEnds& e : ends) boxes.push_back(box_of(e));
+    std::vector<SegmentCrossing> result;
+    std::int64_t visited = 0;
+    overlapping_boxes(boxes, [&](int i, int j) {
+      if (++visited % boxes_between_reports == 0) progress.report(share_done);
+      const SegmentEnds &s = ends[idx(i)], &t = ends[idx(j)];
+      double f, h;
+      if (segments_cross(s[0], s[1], t[0], t[1], f, h))
+        result.push_back({segments[idx(i)], segments[idx(j)], f, h});
+    });
+    std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) {
+      return std::tie(a.first, a.second) < std::tie(b.first, b.second);
+    });
+    return result;
+  }
+
+  std::vector<SegmentEnds> ends_on(int triangle, const std::vector<int>& segments) const {
+    const std::array<Vec3, 3> c = corners(triangle);
+    std::vector<SegmentEnds> ends;
+    for (const int s : segments) {
+      const CurveSegment& segment = segments_[idx(s)];
+      ends.push_back({barycentrics(c, segment.start), barycentrics(c, segment.end)});
+    }
+    return ends;
+  }
+
+  // The triangle's sheet and the other one of each segment meet where they cross.
+  void meet(int triangle, const SegmentCrossing& crossing) {
+    const CurveSegment& s = segments_[idx(crossing.first)];
+    const CurveSegment& t = segments_[idx(crossing.second)];
+    const double f = crossing.first_share;
     const int b = s.sheets[s.sheets[0] == triangle ? 1 : 0];
     const int c = t.sheets[t.sheets[0] == triangle ? 1 : 0];
-    double f, h;
-    if (share_place(b, c) || !cross(triangle, s, t, f, h) || are_in_one_plane(b, c)) return;
+    if (share_place(b, c) || are_in_one_plane(b, c)) return;
     std::array<int, 3> sheets{triangle, b, c};
     std::sort(sheets.begin(), sheets.end());
     const auto [found, is_new] = found_.try_emplace(sheets);
     if (!is_new) return;
     TriplePoint& point = found->second;
     point.position = seen_at(s, f);
-    point.passages = {passage(s, f, c), passage(t, h, b)};
+    point.passages = {passage(s, f, c), passage(t, crossing.second_share, b)};
     const auto third = of_pair_.find(std::minmax(b, c));
     if (third == of_pair_.end()) return;
     const CurveSegment& u = segments_[idx(third->second)];
@@ -109,13 +171,6 @@ class TriplePointFinder {
     return std::clamp(f, 0.0, 1 - 1e-9);
   }
 
-  bool cross(int triangle, const CurveSegment& s, const CurveSegment& t, double& f,
-             double& h) const {
-    const std::array<Vec3, 3> c = corners(triangle);
-    return segments_cross(barycentrics(c, s.start), barycentrics(c, s.end),
-                          barycentrics(c, t.start), barycentrics(c, t.end), f, h);
-  }
-
   // Moved inward.
   std::array<Vec3, 3> corners(int triangle) const {
     std::array<Vec3, 3> moved;
@@ -137,8 +192,9 @@ class TriplePointFinder {
 }  // namespace
 
 std::vector<TriplePoint> triple_points(const Surface& surface,
-                                       const IntersectionCurves& intersections) {
-  return TriplePointFinder(surface, intersections).run();
+                                       const IntersectionCurves& intersections,
+                                       const Progress& progress) {
+  return TriplePointFinder(surface, intersections).run(progress);
 }
 
 }  // namespace illustrate

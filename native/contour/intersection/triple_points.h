@@ -8,6 +8,7 @@ namespace illustrate {
 
 // All of them, in a fixed order, from the curves and the insets alone.
 std::vector<TriplePoint> triple_points(const Surface& surface,
-                                       const IntersectionCurves& intersections);
+                                       const IntersectionCurves& intersections,
+                                       const Progress& progress = {});
 
 }  // namespace illustrate

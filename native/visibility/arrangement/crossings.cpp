@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "visibility/arrangement/segment_pairs.h"
+#include "core/segment_pairs.h"
 #include "visibility/reaches.h"
 
 namespace illustrate {

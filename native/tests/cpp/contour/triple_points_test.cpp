@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 
 #include "contour/contour_functions.h"
 #include "contour/intersection/intersections.h"
+#include "core/errors.h"
 #include "core/pi.h"
 #include "tests/cpp/blocks.h"
 
@@ -141,6 +143,48 @@ TEST(TriplePoints, AreNotOfLayersOfOnePlane) {
     EXPECT_FALSE(found.curves.empty());
     EXPECT_EQ(found.triple_points.size(), 0u) << angle;
   }
+}
+
+// Pillars through one ground of two triangles, each pair overlapping at a corner.
+Surface pairs_of_pillars(int rows) {
+  PolygonMesh ground = shapes::plane(1, 1), pillars;
+  for (Vec3& p : ground.positions) p = rows * (p + Vec3(0.01, 0.02, 0));
+  for (int i = 0; i < rows * rows; ++i) {
+    const Vec3 corner(i % rows + 0.3, i / rows + 0.3, 0);
+    const Vec3 low(0.1, 0.13, 0.5), high(0.2, 0.24, 0.7), aside(0.11, 0.12, 0.1);
+    pillars = shapes::joined(pillars, blocks::block(corner - low, corner + high));
+    pillars = shapes::joined(pillars, blocks::block(corner - low + aside, corner + high + aside));
+  }
+  return shapes::joined(shapes::plain_surface(ground), shapes::plain_surface(pillars));
+}
+
+// The outlines of two rectangles that overlap at a corner cross twice.
+TEST(TriplePoints, OfManyCurvesOnOneTriangleAreAllFound) {
+  for (const int rows : {1, 20}) {
+    const Surface surface = pairs_of_pillars(rows);
+    const IntersectionCurves curves = found_on(surface);
+    ASSERT_EQ(curves.triple_points.size(), idx(2 * rows * rows));
+    for (const TriplePoint& point : curves.triple_points) {
+      EXPECT_EQ(point.passages.size(), 3u);
+      EXPECT_NEAR(point.position.z(), 0, 1e-9);
+    }
+  }
+}
+
+TEST(TriplePoints, TellHowFarTheyAreAndCanBeCancelled) {
+  const Surface surface = pairs_of_pillars(3);
+  const IntersectionCurves curves = found_on(surface);
+  std::vector<double> told;
+  const auto tell = [&](double fraction, const std::string&) {
+    told.push_back(fraction);
+    return true;
+  };
+  EXPECT_EQ(triple_points(surface, curves, Progress(tell, "")).size(), 18u);
+  ASSERT_GE(told.size(), 2u);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_EQ(told.back(), 1);
+  const Progress stop([](double, const std::string&) { return false; }, "");
+  EXPECT_THROW(triple_points(surface, curves, stop), Cancelled);
 }
 
 }  // namespace

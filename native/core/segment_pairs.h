@@ -1,4 +1,4 @@
-// Pairs of image segments whose boxes overlap.
+// Pairs of segments of a plane whose boxes overlap.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-#include "visibility/arrangement/segment_pairs.h"
+#include "core/segment_pairs.h"
 
 #include <algorithm>
 
