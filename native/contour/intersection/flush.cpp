@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "contour/contour_functions.h"
+#include "core/intervals.h"
 #include "surface/edge_kinds.h"
 
 namespace illustrate {
@@ -17,36 +18,6 @@ constexpr double aside = 4;
 
 // Of the cosine between faces of one plane, up to the rounding of small ones.
 constexpr double one_way = 0.5;
-
-struct Interval {
-  double from, to;
-};
-using Intervals = std::vector<Interval>;  // apart, ascending once joined
-
-// Intervals that overlap, or have no more than `gap` between them, become one.
-Intervals joined(Intervals parts, double gap) {
-  std::sort(parts.begin(), parts.end(),
-            [](const Interval& a, const Interval& b) { return a.from < b.from; });
-  Intervals result;
-  for (const Interval& part : parts) {
-    if (result.empty() || part.from > result.back().to + gap) {
-      result.push_back(part);
-    } else {
-      result.back().to = std::max(result.back().to, part.to);
-    }
-  }
-  return result;
-}
-
-Intervals common(const Intervals& a, const Intervals& b) {
-  Intervals result;
-  for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
-    const Interval both{std::max(a[i].from, b[j].from), std::min(a[i].to, b[j].to)};
-    if (both.from < both.to) result.push_back(both);
-    ++(a[i].to < b[j].to ? i : j);
-  }
-  return result;
-}
 
 const Vec3& corner_position(const Surface& surface, int triangle, int corner) {
   return surface.positions[idx(surface.triangles[idx(triangle)][idx(corner)])];
@@ -123,37 +94,57 @@ class FlushEdgeFinder {
     for (const auto& [triangle, parts] : partners_) {
       for (int k = 0; k < 3; ++k) {
         if (surface_.edge_kinds[idx(triangle)][idx(k)] != EdgeKind::crease) continue;
-        for (const auto& [part, triangles] : parts) add({triangle, k}, triangles);
+        add({triangle, k}, parts);
       }
     }
     return std::move(edges_);
   }
 
  private:
-  void add(const EdgeSide& side, const std::vector<int>& triangles) {
-    const int plane = largest(triangles);
+  using TrianglesOfParts = std::map<int, std::vector<int>>;
+
+  void add(const EdgeSide& side, const TrianglesOfParts& parts) {
+    const int plane = largest(parts);
     const EdgeFrame frame(surface_, side, plane);
     if (rises(surface_, side, frame, reach_)) return;
     const double slack = aside * reach_;
-    for (const Interval& part : flush_stretches(surface_, frame, triangles, reach_)) {
-      const double from = part.from <= slack ? 0 : part.from;
-      const double to = part.to >= frame.length - slack ? frame.length : part.to;
+    for (const Interval& stretch : stretches(frame, parts)) {
+      const double from = stretch.from <= slack ? 0 : stretch.from;
+      const double to = stretch.to >= frame.length - slack ? frame.length : stretch.to;
       if (to - from <= slack) continue;
       edges_.push_back({side, from / frame.length, to / frame.length, plane});
     }
   }
 
+  // Each part by itself: where two of them only abut along the edge, it is their seam.
+  Intervals stretches(const EdgeFrame& frame, const TrianglesOfParts& parts) const {
+    Intervals all;
+    for (const auto& [part, triangles] : parts) {
+      const Intervals of_part = flush_stretches(surface_, frame, triangles, reach_);
+      all.insert(all.end(), of_part.begin(), of_part.end());
+    }
+    return joined(std::move(all), flush_gap(reach_));
+  }
+
   // Slivers do not tell where their plane is.
-  int largest(const std::vector<int>& triangles) const {
-    return *std::max_element(triangles.begin(), triangles.end(), [&](int a, int b) {
-      return winding_normal(surface_, a).squaredNorm() < winding_normal(surface_, b).squaredNorm();
-    });
+  int largest(const TrianglesOfParts& parts) const {
+    int result = parts.begin()->second.front();
+    double most = 0;
+    for (const auto& [part, triangles] : parts) {
+      for (const int t : triangles) {
+        const double size = winding_normal(surface_, t).squaredNorm();
+        if (size <= most) continue;
+        most = size;
+        result = t;
+      }
+    }
+    return result;
   }
 
   const Surface& surface_;
   double reach_;
   // Of each triangle with a crease: those flush with it, by their parts.
-  std::map<int, std::map<int, std::vector<int>>> partners_;
+  std::map<int, TrianglesOfParts> partners_;
   std::vector<FlushEdge> edges_;
 };
 
@@ -208,7 +199,19 @@ bool are_flush(const IntersectionCurves& curves, int a, int b) {
   return found != curves.flush_triangles.end() && found->triangles == pair;
 }
 
+bool is_flush(const IntersectionCurves& curves, const EdgesAtPlaces& edges, std::size_t c,
+              std::size_t i) {
+  const auto [a, b] = curves.segment_triangles[idx(curves.curves.offsets[c]) + i];
+  if (a == none) return false;
+  const Span<const IntersectionPoint> curve = curves.curves[c];
+  const Vec3 &start = curve[i].position, &end = curve[(i + 1) % curve.size()].position;
+  return are_flush(curves, a, b) || edges.has_along(a, b, start, end) ||
+         edges.has_along(b, a, start, end);
+}
+
 }  // namespace
+
+double flush_gap(double reach) { return 2 * aside * reach; }
 
 std::vector<FlushEdge> flush_edges(const Surface& surface, const IntersectionCurves& curves) {
   return FlushEdgeFinder(surface, curves).run();
@@ -217,17 +220,11 @@ std::vector<FlushEdge> flush_edges(const Surface& surface, const IntersectionCur
 std::vector<std::uint8_t> flush_segments(const Surface& surface, const IntersectionCurves& curves) {
   std::vector<std::uint8_t> result(curves.segment_triangles.size(), 0);
   if (curves.flush_triangles.empty()) return result;
-  const EdgesAtPlaces along(surface, curves);
+  const EdgesAtPlaces edges(surface, curves);
   for (std::size_t c = 0; c < curves.curves.size(); ++c) {
-    const Span<const IntersectionPoint> curve = curves.curves[c];
-    for (std::size_t i = 0; i < curve.size(); ++i) {
-      const std::size_t segment = idx(curves.curves.offsets[c]) + i;
-      const auto [a, b] = curves.segment_triangles[segment];
-      if (a == none) continue;
-      const Vec3 &start = curve[i].position, &end = curve[(i + 1) % curve.size()].position;
-      result[segment] = are_flush(curves, a, b) || along.has_along(a, b, start, end) ||
-                        along.has_along(b, a, start, end);
-    }
+    const std::size_t first = idx(curves.curves.offsets[c]);
+    for (std::size_t i = 0; i < curves.curves[c].size(); ++i)
+      result[first + i] = is_flush(curves, edges, c, i);
   }
   return result;
 }

@@ -13,7 +13,11 @@
 
 namespace illustrate {
 
-// From the flush triangles of these curves; by side, part and share.
+// How much may lie between two stretches of an edge that are one all the same, as at the seam of
+// two parts, which both sides of the edge reach at different places; world units.
+double flush_gap(double reach);
+
+// From the flush triangles of these curves; by side and share, the stretches of a side apart.
 std::vector<FlushEdge> flush_edges(const Surface& surface, const IntersectionCurves& curves);
 
 // (points) Whether the segment that follows each point is no line: it runs along a flush edge of

@@ -28,20 +28,20 @@ class PieceMaker {
              const std::vector<NetworkNode>& nodes)
       : surface_(surface), functions_(functions), camera_(camera), nodes_(nodes) {}
 
-  // The pieces of an edge between its cuts; those within `flush` are.
+  // The pieces of an edge between its cuts; those within `flush`, stretches that are apart, are.
   void add(const FeatureEdge& edge, Span<const EdgeCut> cuts, Span<const FlushStretch> flush,
            std::vector<Piece>& pieces) const {
     double from = 0;
     int start_node = none;
+    std::size_t next_flush = 0;
     for (std::size_t i = 0; i <= cuts.size(); ++i) {
       const bool last = i == cuts.size();
       const double to = last ? 1 : cuts[i].fraction;
       const int end_node = last ? none : cuts[i].node;
       pieces.push_back(piece(edge, cuts, from, to, start_node, end_node));
-      pieces.back().strand.is_flush =
-          std::any_of(flush.begin(), flush.end(), [middle = (from + to) / 2](const auto& stretch) {
-            return stretch.from < middle && middle < stretch.to;
-          });
+      const double middle = (from + to) / 2;
+      while (next_flush < flush.size() && flush[next_flush].to <= middle) ++next_flush;
+      pieces.back().strand.is_flush = next_flush < flush.size() && flush[next_flush].from < middle;
       from = to;
       start_node = end_node;
     }

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
 #include <unordered_map>
 
 #include "contour/contour_functions.h"
+#include "contour/intersection/flush.h"
 #include "contour/intersection/meetings.h"
+#include "core/intervals.h"
 #include "surface/locate.h"
 
 namespace illustrate {
@@ -30,7 +33,7 @@ class JointFinder {
 
   Joints run() {
     index_features();
-    for (const FlushEdge& edge : intersections_.flush_edges) cut_flush(edge);
+    cut_flush();
     for (std::size_t c = 0; c < silhouettes_.chains.size(); ++c) cut_chain(static_cast<int>(c));
     if (!intersections_.curves.empty() || !lines_.curves.empty()) {
       chain_pieces_ = pieces_of_chains(surface_, silhouettes_);
@@ -105,23 +108,44 @@ class JointFinder {
     return node;
   }
 
-  void cut_flush(const FlushEdge& edge) {
-    const auto [triangle, corner] = edge.side;
-    if (!is_front_face(surface_, camera_, edge.plane)) return;
-    const int feature = feature_of_side_.at(side_key(triangle, corner));
-    const double from = along_feature(feature, triangle, corner, edge.from);
-    const double to = along_feature(feature, triangle, corner, edge.to);
-    joints_.flush.push_back({feature, std::min(from, to), std::max(from, to)});
-    for (const double end : {from, to}) {
-      if (end > 0 && end < 1) cut_feature_at(feature, end);
+  void cut_flush() {
+    for (auto& [feature, parts] : flush_in_sight()) {
+      const auto [start, end] = ends_of(feature);
+      const double length = (end - start).norm();
+      for (const Interval& part :
+           joined(std::move(parts), flush_gap(intersections_.reach) / length)) {
+        joints_.flush.push_back({feature, part.from, part.to});
+        for (const double share : {part.from, part.to}) {
+          if (share > 0 && share < 1) cut_feature_at(feature, share);
+        }
+      }
     }
   }
 
-  void cut_feature_at(int feature, double fraction) {
+  // By feature: of both its sides where the faces are seen from their fronts.
+  std::map<int, Intervals> flush_in_sight() const {
+    std::map<int, Intervals> result;
+    for (const FlushEdge& edge : intersections_.flush_edges) {
+      if (!is_front_face(surface_, camera_, edge.plane)) continue;
+      const auto [triangle, corner] = edge.side;
+      const int feature = feature_of_side_.at(side_key(triangle, corner));
+      const auto [from, to] = std::minmax({along_feature(feature, triangle, corner, edge.from),
+                                           along_feature(feature, triangle, corner, edge.to)});
+      result[feature].push_back({from, to});
+    }
+    return result;
+  }
+
+  // Of a feature's first side.
+  std::array<Vec3, 2> ends_of(int feature) const {
     const EdgeSide& first = features_[idx(feature)].sides[0];
     const Triangle& corners = surface_.triangles[idx(first.triangle)];
-    const Vec3& start = surface_.positions[idx(corners[idx(first.corner)])];
-    const Vec3& end = surface_.positions[idx(corners[idx(next_corner(first.corner))])];
+    return {surface_.positions[idx(corners[idx(first.corner)])],
+            surface_.positions[idx(corners[idx(next_corner(first.corner))])]};
+  }
+
+  void cut_feature_at(int feature, double fraction) {
+    const auto [start, end] = ends_of(feature);
     const int node = add_node(NodeKind::joint, start + fraction * (end - start));
     joints_.edges.push_back({feature, fraction, node, EdgeSide{}});
   }
@@ -298,8 +322,6 @@ class JointFinder {
     std::sort(joints_.chains.begin(), joints_.chains.end(), order);
     std::sort(joints_.intersections.begin(), joints_.intersections.end(), order);
     std::sort(joints_.lines.begin(), joints_.lines.end(), order);
-    std::sort(joints_.flush.begin(), joints_.flush.end(),
-              [](const FlushStretch& a, const FlushStretch& b) { return a.feature < b.feature; });
     sort_edge_cuts();
   }
 

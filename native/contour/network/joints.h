@@ -34,7 +34,7 @@ struct CurveCut {
 };
 
 // A stretch of a feature edge, in shares from the first corner of its first side, that lies within
-// a face of another part (flush.h), which is seen from its front.
+// faces of other parts (flush.h), which are seen from their front.
 struct FlushStretch {
   int feature;
   double from, to;
@@ -43,7 +43,7 @@ struct FlushStretch {
 struct Joints {
   std::vector<NetworkNode> nodes;
   std::vector<EdgeCut> edges;           // sorted by feature, fraction
-  std::vector<FlushStretch> flush;      // sorted by feature
+  std::vector<FlushStretch> flush;      // sorted by feature, share; those of a feature are apart
   std::vector<CurveCut> chains;         // sorted by curve, segment, fraction
   std::vector<CurveCut> intersections;  // sorted likewise
   std::vector<CurveCut> lines;          // of free lines, sorted likewise

@@ -57,6 +57,27 @@ TEST(FlushEdges, AreNotWhereBothFacesEnd) {
   expect_length(blocks::block(Vec3(0, -0.5, -0.7), Vec3(2, 0.5, 0)), (2 + 2 + 1) + (0.7 + 0.7 + 1));
 }
 
+// Over the seam of two slabs that abut, in one plane with both: from end to end, not in two.
+TEST(FlushEdges, OfABlockWithinTwoSlabsAreWhole) {
+  const PolygonMesh left = blocks::block(Vec3(-2, -2, -1), Vec3(0, 2, 0));
+  const PolygonMesh right = blocks::block(Vec3(0, -2, -1), Vec3(2, 2, 0));
+  const PolygonMesh block = blocks::block(Vec3(-0.5, -0.5, -0.7), Vec3(0.5, 0.5, 0));
+  const Eigen::Quaterniond askew = Eigen::Quaterniond(0.3, 0.5, -0.7, 0.2).normalized();
+  for (const auto& turn : {Eigen::Quaterniond::Identity(), askew}) {
+    std::vector<PolygonMesh> meshes{left, right, block};
+    for (PolygonMesh& mesh : meshes) mesh = turned(mesh, turn);
+    const auto prepared = blocks::prepared(meshes);
+    double of_block = 0;
+    for (const FlushEdge& edge : prepared->intersections().flush_edges) {
+      if (prepared->surface().triangle_objects[idx(edge.side.triangle)] != 2) continue;
+      EXPECT_EQ(edge.from, 0);
+      EXPECT_EQ(edge.to, 1);
+      ++of_block;
+    }
+    EXPECT_GE(of_block, 4);
+  }
+}
+
 TEST(FlushEdges, AreNotOfFacesThatFaceEachOther) {
   expect_length(blocks::block(Vec3(-0.5, -0.5, 0), Vec3(0.5, 0.5, 1)), 0);
 }
