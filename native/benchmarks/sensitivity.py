@@ -76,7 +76,7 @@ def line_scenes() -> list[ill.Prepared]:
 def cells_of(graph: ill.Graph, view: int) -> Cells:
     """The pixels that visible arcs pass."""
     found: Cells = set()
-    for arc in np.flatnonzero(np.asarray(graph.arc_invisibility) == 0):
+    for arc in np.flatnonzero(np.asarray(graph.arc_layers_over) == 0):
         if graph.arc_kind[arc] == int(ill.Kind.SEAM):
             continue
         line = np.asarray(graph.arc_image[graph.arc_offsets[arc] : graph.arc_offsets[arc + 1]])

@@ -51,6 +51,7 @@ void bind_graph(py::module_& m) {
   own("arc_object", &DrawingArrays::arc_object);
   own("arc_invisibility", &DrawingArrays::arc_invisibility);
   own("arc_flush", &DrawingArrays::arc_flush);
+  own("arc_layers_over", &DrawingArrays::arc_layers_over);
   own("arc_points", &DrawingArrays::arc_points);
   const auto image = array_attributes<GraphHandle>(
       bound, [](const DrawingArrays& d) -> const Ragged<Vec2>& { return d.result.graph.image; });

@@ -18,6 +18,7 @@ DrawingArrays::DrawingArrays(DrawResult drawn) : result(std::move(drawn)) {
     arc_object.push_back(arc.object);
     arc_invisibility.push_back(arc.invisibility);
     arc_flush.push_back(arc.is_flush ? 1 : 0);
+    arc_layers_over.push_back(layers_over(arc));
   }
   for (const CurvePoint& p : result.graph.points.values) arc_points.push_back(p.position);
 }

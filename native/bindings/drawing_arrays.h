@@ -19,6 +19,7 @@ struct DrawingArrays {
   std::vector<int> arc_object;                     // (a)
   std::vector<int> arc_invisibility;               // (a)
   std::vector<std::uint8_t> arc_flush;             // (a)
+  std::vector<int> arc_layers_over;                // (a)
   Points arc_points;                               // (q)
 };
 

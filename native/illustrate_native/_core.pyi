@@ -813,10 +813,13 @@ class Graph:
         """(a,) mesh that the curve lies on."""
     @property
     def arc_invisibility(self) -> _Indices:
-        """(a,) layers of surface in front."""
+        """(a,) layers of surface in front: what the rules of crossings and cusps are about."""
     @property
     def arc_flush(self) -> _Codes:
-        """(a,) 1 where it runs within a face of another part in the same plane: drawn as hidden."""
+        """(a,) 1 where it runs within a face of another part in the same plane."""
+    @property
+    def arc_layers_over(self) -> _Indices:
+        """(a,) layers that hide it as a line: at least 1 where it is flush. What shows has 0."""
     @property
     def arc_offsets(self) -> _Indices:
         """(a + 1,) arc i is points arc_offsets[i] .. arc_offsets[i + 1]."""

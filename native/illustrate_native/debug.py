@@ -236,9 +236,9 @@ def _contour(view: _View) -> str:
 
 
 def _visibility(view: _View) -> str:
-    """Arcs by the number of layers in front of them; nodes by their kind."""
+    """Arcs by the number of layers that hide them; nodes by their kind."""
     graph = view.drawing.graph
-    layers = np.minimum(graph.arc_invisibility, len(_OF_LAYERS) - 1)
+    layers = np.minimum(graph.arc_layers_over, len(_OF_LAYERS) - 1)
     shown = np.unique(layers)
     lines = [
         _path(
@@ -296,7 +296,7 @@ def _cells(chosen: NDArray[np.bool_], side: float) -> Iterator[str]:
 
 def _outline(view: _View) -> str:
     """The visible curves, thin."""
-    visible = np.flatnonzero(view.drawing.graph.arc_invisibility == 0)
+    visible = np.flatnonzero(view.drawing.graph.arc_layers_over == 0)
     return _path(map(view.arc, visible), BLACK, 0.6 * view.unit)
 
 

@@ -1,8 +1,12 @@
 #include "pipeline/rough_lines.h"
 
+#include <map>
+#include <utility>
+
 #include "contour/contour_functions.h"
 #include "contour/polygon_silhouettes.h"
 #include "contour/silhouettes.h"
+#include "core/intervals.h"
 
 namespace illustrate {
 namespace {
@@ -36,11 +40,42 @@ Segment edge_segment(const Surface& surface, const EdgeSide& side) {
                          surface.positions[idx(corners[idx(next_corner(side.corner))])]);
 }
 
+// By the places of an edge's ends, in shares from the lower one.
+using FlushByPlaces = std::map<std::pair<int, int>, Intervals>;
+
+FlushByPlaces flush_by_places(const Surface& surface, const IntersectionCurves& found) {
+  FlushByPlaces result;
+  for (const FlushEdge& edge : found.flush_edges) {
+    const Triangle& corners = surface.triangles[idx(edge.side.triangle)];
+    const int a = surface.places[idx(corners[idx(edge.side.corner)])];
+    const int b = surface.places[idx(corners[idx(next_corner(edge.side.corner))])];
+    result[std::minmax(a, b)].push_back(a < b ? Interval{edge.from, edge.to}
+                                              : Interval{1 - edge.to, 1 - edge.from});
+  }
+  for (auto& [places, parts] : result) parts = joined(std::move(parts), 0);
+  return result;
+}
+
+// What of it is a line.
+void add_edge(const Surface& surface, Edge edge, const FlushByPlaces& flush,
+              std::vector<Segment>& segments) {
+  const auto place = [&](int vertex) { return surface.places[idx(vertex)]; };
+  if (place(edge[0]) > place(edge[1])) std::swap(edge[0], edge[1]);
+  const Vec3 &start = surface.positions[idx(edge[0])], &end = surface.positions[idx(edge[1])];
+  const auto found = flush.find({place(edge[0]), place(edge[1])});
+  const Intervals hidden = found == flush.end() ? Intervals{} : found->second;
+  const auto at = [&](double share) { return Vec3((1 - share) * start + share * end); };
+  for (const Interval& part : without({0, 1}, hidden)) {
+    segments.push_back(segment_between(at(part.from), at(part.to)));
+  }
+}
+
 void add_curves(const IntersectionCurves& found, std::vector<Segment>& segments) {
   for (std::size_t c = 0; c < found.curves.size(); ++c) {
     const auto curve = found.curves[c];
     const std::size_t last = curve.size() - (found.closed[c] ? 0 : 1);
     for (std::size_t i = 0; i < last; ++i) {
+      if (found.flush_segments[idx(found.curves.offsets[c]) + i] != 0) continue;
       segments.push_back(
           segment_between(curve[i].position, curve[(i + 1) % curve.size()].position));
     }
@@ -66,12 +101,11 @@ std::vector<Segment> rough_silhouettes(const Prepared& prepared, const Camera& c
 
 std::vector<Segment> rough_features(const Prepared& prepared) {
   const Surface& surface = prepared.surface();
+  const IntersectionCurves& intersections = prepared.intersections();
+  const FlushByPlaces flush = flush_by_places(surface, intersections);
   std::vector<Segment> segments;
-  for (const Edge& edge : surface.feature_edges) {
-    segments.push_back(
-        segment_between(surface.positions[idx(edge[0])], surface.positions[idx(edge[1])]));
-  }
-  add_curves(prepared.intersections(), segments);
+  for (const Edge& edge : surface.feature_edges) add_edge(surface, edge, flush, segments);
+  add_curves(intersections, segments);
   return segments;
 }
 

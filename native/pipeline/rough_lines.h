@@ -12,8 +12,8 @@ using Segment = std::array<Eigen::Vector3f, 2>;  // world
 // polygon objects between a front and a back face (section 4.3), hidden ones too, in no order.
 std::vector<Segment> rough_silhouettes(const Prepared& prepared, const Camera& camera);
 
-// Creases, boundaries and the other edges that every view draws; where surfaces pass through each
-// other.
+// Creases, boundaries and the other edges that every view draws, without what lies within a face of
+// another part (flush.h); where surfaces pass through each other.
 std::vector<Segment> rough_features(const Prepared& prepared);
 
 }  // namespace illustrate

@@ -29,7 +29,7 @@ struct GraphArc {
 };
 
 // Layers that hide an arc as a line: those in front and, where it is flush, the face that it lies
-// within, whichever of the two comes first.
+// within, whichever of the two comes first. Whoever asks whether an arc is seen asks this.
 inline int layers_over(const GraphArc& arc) {
   return arc.is_flush ? std::max(arc.invisibility, 1) : arc.invisibility;
 }

@@ -31,8 +31,8 @@ class GraphArrays(Protocol):
     """What is taken of `illustrate_native.Graph`."""
 
     @property
-    def arc_invisibility(self) -> NDArray[np.int32]:
-        """(a,) layers in front."""
+    def arc_layers_over(self) -> NDArray[np.int32]:
+        """(a,) layers that hide it as a line."""
 
     @property
     def arc_nodes(self) -> NDArray[np.int32]:
@@ -90,7 +90,7 @@ def _visible_lines(shapely: Any, graph: GraphArrays) -> list[Any]:
     offsets, image = np.asarray(graph.arc_offsets), np.asarray(graph.arc_image)
     nodes = np.asarray(graph.arc_nodes)
     lines = []
-    for arc in np.flatnonzero(np.asarray(graph.arc_invisibility) == 0):
+    for arc in np.flatnonzero(np.asarray(graph.arc_layers_over) == 0):
         points = image[offsets[arc] : offsets[arc + 1]]
         if nodes[arc, 0] < 0:
             points = np.vstack([points, points[:1]])

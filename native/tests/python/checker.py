@@ -33,7 +33,7 @@ STROKE_ARRAYS = (
 )  # fmt: skip
 GRAPH_ARRAYS = (
     "node_kind", "node_image", "node_arcs", "arc_nodes", "arc_kind", "arc_object",
-    "arc_invisibility", "arc_flush", "arc_offsets", "arc_image", "arc_points",
+    "arc_invisibility", "arc_flush", "arc_layers_over", "arc_offsets", "arc_image", "arc_points",
 )  # fmt: skip
 
 

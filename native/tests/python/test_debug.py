@@ -49,7 +49,7 @@ def test_visibility_shows_all_arcs_and_nodes(
     view: tuple[ill.Prepared, ill.Drawing, ill.Camera], pictures: dict[str, str]
 ) -> None:
     graph = view[1].graph
-    visible = int((graph.arc_invisibility == 0).sum())
+    visible = int((graph.arc_layers_over == 0).sum())
     assert drawn_lines(pictures["visibility"], debug.BLACK) == visible > 0
     assert pictures["visibility"].count("<circle") == len(graph.node_kind) > 0
 

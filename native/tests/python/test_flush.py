@@ -7,7 +7,9 @@ from typing import Any
 import illustrate_native as ill
 import numpy as np
 from checker import LEVEL, draw
+from illustrate_native import debug
 from shapes import cube, look_at
+from test_debug import drawn_lines
 
 Corner = tuple[float, float, float]
 
@@ -56,3 +58,22 @@ def test_hidden_lines_show_the_end_of_the_beam() -> None:
     both = [strokes(*m, hidden_lines=(1, 9)) for m in ((WALL, BEAM), (BEAM, WALL))]
     hidden = [length_px(drawing, hidden=True) for drawing in both]
     assert abs(hidden[0] - hidden[1]) < 0.02 * hidden[0]
+
+
+def test_arcs_within_a_face_are_hidden_by_it() -> None:
+    graph = strokes(WALL, BEAM).graph
+    is_flush = graph.arc_flush == 1
+    assert is_flush.any() and not is_flush.all()
+    np.testing.assert_array_equal(
+        graph.arc_layers_over, np.maximum(graph.arc_invisibility, graph.arc_flush)
+    )
+
+
+def test_pictures_of_stages_draw_no_line_within_a_face() -> None:
+    prepared = ill.prepare([BEAM, WALL], ill.PrepareOptions(level=LEVEL))
+    camera = look_at(direction=(0.2, 1, 0.2), radius=2)
+    drawing = draw(prepared, camera, ill.DrawOptions(hatching=False))
+    seen = int((drawing.graph.arc_layers_over == 0).sum())
+    assert seen < (drawing.graph.arc_invisibility == 0).sum()
+    picture = debug.pictures(prepared, drawing, camera)["visibility"]
+    assert drawn_lines(picture, debug.BLACK) == seen

@@ -70,7 +70,7 @@ def test_every_public_name_is_there() -> None:
         ("graph.node_image", "f8", 2), ("graph.node_arcs", "i4", 4),
         ("graph.arc_nodes", "i4", 2), ("graph.arc_kind", "u1", None),
         ("graph.arc_invisibility", "i4", None), ("graph.arc_flush", "u1", None),
-        ("graph.arc_offsets", "i4", None),
+        ("graph.arc_layers_over", "i4", None), ("graph.arc_offsets", "i4", None),
         ("graph.arc_image", "f8", 2), ("graph.arc_points", "f8", 3),
     ],
 )  # fmt: skip

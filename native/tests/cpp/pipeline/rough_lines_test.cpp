@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/draw.h"
+#include "tests/cpp/blocks.h"
 #include "tests/cpp/cameras.h"
 #include "tests/cpp/shapes.h"
 
@@ -61,6 +62,26 @@ TEST(RoughLines, CreasesAndIntersectionsAreInEveryView) {
   EXPECT_GT(creases, 0U);
   PolygonMesh two = shapes::joined(cube, shapes::moved(cube, {0.5, 0.5, 0.5}));
   EXPECT_GT(rough_features(*prepared_of(two, Scheme::polygons, 0)).size(), 2 * creases);
+}
+
+// Of all rough features in the plane z = 0; creases are there once for each side.
+double length_in_plane(const std::vector<PolygonMesh>& meshes) {
+  float length = 0;
+  for (const Segment& s : rough_features(*blocks::prepared(meshes))) {
+    if (std::abs(s[0].z()) + std::abs(s[1].z()) < 1e-5F) length += (s[1] - s[0]).norm();
+  }
+  return static_cast<double>(length) / 2;
+}
+
+// A block that stands over the rim of a slab, their tops in one plane.
+TEST(RoughLines, HaveNoneWithinAFaceOfAnotherPart) {
+  const PolygonMesh slab = blocks::block(Vec3(-2, -2, -1), Vec3(2, 2, 0));
+  const PolygonMesh within = blocks::block(Vec3(-0.5, -0.5, -0.7), Vec3(0.5, 0.5, 0));
+  const PolygonMesh over = blocks::block(Vec3(1.2, -0.5, -0.7), Vec3(2.5, 0.5, 0));
+  EXPECT_NEAR(length_in_plane({slab}), 16, 1e-4);
+  EXPECT_NEAR(length_in_plane({slab, within}), 16, 1e-4);
+  for (const auto& meshes : {std::vector<PolygonMesh>{slab, over}, {over, slab}})
+    EXPECT_NEAR(length_in_plane(meshes), 16 - 1 + 0.5 + 0.5 + 1, 1e-3);
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ def graph_of(*loops: Any, hidden: int = 0) -> Any:
     """Closed arcs; the last `hidden` ones have a layer in front."""
     sizes = [len(loop) for loop in loops]
     return SimpleNamespace(
-        arc_invisibility=np.array([0] * (len(loops) - hidden) + [1] * hidden),
+        arc_layers_over=np.array([0] * (len(loops) - hidden) + [1] * hidden),
         arc_nodes=np.full((len(loops), 2), -1),
         arc_offsets=np.cumsum([0, *sizes]),
         arc_image=np.concatenate(loops),
