@@ -22,6 +22,12 @@ constexpr double rounding = 1e-6;
 
 }  // namespace
 
+// An edge of a polygon object is where it is.
+bool LayerRays::is_interpolated(const Strand& strand, int triangle) const {
+  return strand.kind == Kind::silhouette &&
+         surface_.object_is_smooth[idx(surface_.triangle_objects[idx(triangle)])] != 0;
+}
+
 // Image x runs along the view's first row, image y against its second.
 Vec3 LayerRays::beside(const Vec3& p, const Vec2& along_px, double aside_px) const {
   const Vec2 right_px(-along_px.y(), along_px.x());  // y is down
@@ -33,7 +39,7 @@ Vec3 LayerRays::beside(const Vec3& p, const Vec2& along_px, double aside_px) con
 
 double LayerRays::blind_distance(const Strand& strand, int triangle, const Vec3& p) const {
   const double pixels = reaches.blind * camera_.pixel_size(p);
-  if (strand.kind != Kind::silhouette) return pixels;
+  if (!is_interpolated(strand, triangle)) return pixels;
   const double edges = blind_edges * longest_edge(surface_, triangle);
   const double object = surface_.object_diagonals[idx(surface_.triangle_objects[idx(triangle)])];
   const double most = std::min(blind_diagonals * surface_.diagonal, blind_object * object);
@@ -118,7 +124,7 @@ LayerCount LayerRays::count(const Arrangement& arrangement, const StrandPlace& p
   const Vec3 p = arrangement.world_at(place);
   const int triangle = network.points.values[i].on.triangle;
   const Touching curve{p, arrangement.decided_at(place), strand.kind == Kind::intersection,
-                       strand.kind != Kind::silhouette, triangle};
+                       !is_interpolated(strand, triangle), triangle};
   const double blind = blind_distance(strand, triangle, p);
   if (strand.left_layers == strand.right_layers) {
     const LayerCount on_curve = count_from(p, blind, curve);

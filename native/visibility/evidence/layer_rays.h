@@ -25,8 +25,8 @@ class LayerRays {
 
   // At an inner place of a strand. The ray starts a little to the side where the strand's own
   // surface is not, and takes no notice of what is nearer than the mesh can resolve: the contour
-  // lies on the smooth surface, not on its triangles. What the curve touches there, the floor below
-  // a wall, is in front or not as it is once both are moved inward.
+  // of a smooth object lies on the smooth surface, not on its triangles. What the curve touches
+  // there, the floor below a wall, is in front or not as it is once both are moved inward.
   LayerCount count(const Arrangement& arrangement, const StrandPlace& place);
 
   std::int64_t rays() const { return rays_; }
@@ -40,11 +40,12 @@ class LayerRays {
   struct Touching {
     Vec3 position, decided;
     bool is_of_two;   // an intersection, which lies on both its sheets wherever they are moved
-    bool is_on_mesh;  // no interpolated contour
+    bool is_on_mesh;  // not interpolated
     int triangle;     // that it lies on
   };
   enum class Side { open, before, behind };
 
+  bool is_interpolated(const Strand& strand, int triangle) const;
   LayerCount count_from(const Vec3& origin, double blind, const Touching& curve);
   bool lies_apart(int triangle, const Touching& curve) const;
   Side side_of_touch(int triangle, const Touching& curve) const;
