@@ -39,47 +39,61 @@ std::vector<LabelledPath> label_paths(Arrangement& arrangement, LayerRays& rays,
   return settle_labels(arrangement, std::move(arcs), view, labels, repairs);
 }
 
+struct CrossingRepairs {
+  std::vector<int> touches;  // crossings that were dropped
+  std::int64_t count = 0;    // of the others
+  double moved_px = 0;
+};
+
+// In this order. A touch is a crossing that is none for certain, whatever else is near; twists and
+// lenses are told by what balances their paths, which touches would spoil; swallowtails are looked
+// for only where a path does still not balance.
+CrossingRepairs repair_crossings(Arrangement& arrangement, Counts& counts) {
+  CrossingRepairs repairs;
+  counts["dropped_touches"] += drop_touches(arrangement, repairs.moved_px);
+  repairs.touches = dropped_crossings(arrangement);
+  const int twists = drop_twists_and_lenses(arrangement, repairs.moved_px);
+  counts["repaired_twists"] += twists;
+  counts["unbalanced_loops"] += count_unbalanced(arrangement);
+  const int swallowtails = collapse_swallowtails(arrangement, repairs.moved_px);
+  counts["repaired_swallowtails"] += swallowtails;
+  repairs.count = twists + swallowtails;
+  return repairs;
+}
+
+LabelledGraph label_arrangement(Arrangement& arrangement, const Surface& surface, LayerRays& rays,
+                                Counts& counts, int threads, const Progress& progress) {
+  const CrossingRepairs repairs = repair_crossings(arrangement, counts);
+  std::int64_t label_repairs = 0;
+  const std::vector<LabelledPath> labels =
+      label_paths(arrangement, rays, label_repairs, threads, progress);
+  pull_touches_together(arrangement, repairs.touches);
+  LabelledGraph graph = build_graph(arrangement, labels, surface);
+  graph.repair_max_px = repairs.moved_px;
+  counts["crossings"] += arrangement.live_crossings();
+  counts["rays"] += rays.rays();
+  counts["loops"] += arrangement.loops();
+  counts["repaired_labels"] += label_repairs;
+  counts["repairs"] += repairs.count + label_repairs;
+  return graph;
+}
+
 }  // namespace
 
 LabelledGraph label_network(const CurveNetwork& network, const Surface& surface, const Bvh& bvh,
                             const Camera& camera, Counts& counts, const Progress& progress,
                             int threads, const Insets& insets) {
-  std::optional<Arrangement> settled;
+  std::optional<Arrangement> arrangement;
   if (!network.is_incomplete) {
-    settled = arrange(network, camera, most_settled, inset_points(network, surface, insets.moves),
-                      near_cuts(surface, bvh, camera));
+    arrangement =
+        arrange(network, camera, most_settled, inset_points(network, surface, insets.moves),
+                near_cuts(surface, bvh, camera));
   }
-  counts["sampled_views"] += !settled;
-  if (!settled) return label_pile(network, surface, camera, threads);
-  Arrangement& arrangement = *settled;
+  counts["sampled_views"] += !arrangement;
+  if (!arrangement) return label_pile(network, surface, camera, threads);
   progress.report(0.3);
-  double moved_px = 0;
-  // In this order. A touch is a crossing that is none for certain, whatever else is near; twists
-  // and lenses are told by what balances their paths, which touches would spoil; swallowtails are
-  // looked for only where a path does still not balance.
-  const int touches = drop_touches(arrangement, moved_px);
-  counts["dropped_touches"] += touches;
-  const std::vector<int> touching = dropped_crossings(arrangement);
-  int repairs = drop_twists_and_lenses(arrangement, moved_px);
-  counts["repaired_twists"] += repairs;
-  const std::int64_t unbalanced = count_unbalanced(arrangement);
-  const int swallowtails = collapse_swallowtails(arrangement, moved_px);
-  repairs += swallowtails;
-  counts["repaired_swallowtails"] += swallowtails;
   LayerRays rays(surface, bvh, camera, insets);
-  std::int64_t label_repairs = 0;
-  const std::vector<LabelledPath> labels =
-      label_paths(arrangement, rays, label_repairs, threads, progress.part(0.3, 1));
-  pull_touches_together(arrangement, touching);
-  LabelledGraph graph = build_graph(arrangement, labels, surface);
-  graph.repair_max_px = moved_px;
-  counts["crossings"] += arrangement.live_crossings();
-  counts["rays"] += rays.rays();
-  counts["loops"] += arrangement.loops();
-  counts["unbalanced_loops"] += unbalanced;
-  counts["repaired_labels"] += label_repairs;
-  counts["repairs"] += repairs + label_repairs;
-  return graph;
+  return label_arrangement(*arrangement, surface, rays, counts, threads, progress.part(0.3, 1));
 }
 
 }  // namespace illustrate
