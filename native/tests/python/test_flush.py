@@ -77,3 +77,28 @@ def test_pictures_of_stages_draw_no_line_within_a_face() -> None:
     assert seen < (drawing.graph.arc_invisibility == 0).sum()
     picture = debug.pictures(prepared, drawing, camera)["visibility"]
     assert drawn_lines(picture, debug.BLACK) == seen
+
+
+def turned(mesh: tuple[Corner, Corner], by: Any) -> ill.PolygonMesh:
+    unit = cube()
+    low, high = np.array(mesh[0]), np.array(mesh[1])
+    positions = low + (unit.positions + 1) / 2 * (high - low)
+    return ill.PolygonMesh(
+        positions @ by.T, unit.face_sizes, unit.corner_vertices, crease_angle_deg=30, cage=False
+    )
+
+
+def test_no_edge_is_seen_behind_the_corners_of_a_flush_end() -> None:
+    """A third of these views drew edges of the beam within the wall."""
+    random = np.random.default_rng(0)
+    for _ in range(20):
+        by, _ = np.linalg.qr(random.normal(size=(3, 3)))
+        by *= np.sign(np.linalg.det(by))
+        (width, height), aside = random.uniform(0.1, 0.4, 2), random.uniform(-0.5, 0.5)
+        beam = turned(((aside - width, -1.5, -height), (aside + width, 0, height)), by)
+        wall = turned(((-1.5, -0.5, -1), (1.5, 0, 1)), by)
+        prepared = ill.prepare([beam, wall], ill.PrepareOptions(level=LEVEL))
+        x, z = random.uniform(-0.25, 0.25, 2)
+        camera = look_at(tuple(by @ (x, 1, z)), radius=2.2, size_px=1024)
+        drawing = draw(prepared, camera, ill.DrawOptions(hatching=False))
+        assert not (drawing.objects == 0).any()

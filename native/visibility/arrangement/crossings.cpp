@@ -137,12 +137,30 @@ class CrossingFinder {
   Crossing crossing(const StrandSegment& s, const StrandSegment& t) const {
     const auto [fs, ft] = fractions(s, t);
     const StrandPlace ps{s.strand, s.segment, fs}, pt{t.strand, t.segment, ft};
-    const bool s_in_front = depth(s, fs) <= depth(t, ft) + strands_.same_depth;
+    const double of_s = depth(s, fs), of_t = depth(t, ft);
+    const bool s_in_front = of_s <= of_t + strands_.same_depth;
     const StrandSegment& front = s_in_front ? s : t;
     const StrandSegment& back = s_in_front ? t : s;
     const bool from_right = orientation(grid(front.a), grid(front.b), grid(back.a)) < 0;
     const Vec2 &a = strands_.image[idx(s.a)], &b = strands_.image[idx(s.b)];
-    return {s_in_front ? ps : pt, s_in_front ? pt : ps, a + fs * (b - a), from_right};
+    return {s_in_front ? ps : pt, s_in_front ? pt : ps, a + fs * (b - a), from_right,
+            std::abs(of_s - of_t) <= strands_.touching && ends_at(s, fs) && ends_at(t, ft)};
+  }
+
+  // Whether the strand ends at a place of its segment.
+  bool ends_at(const StrandSegment& s, double image_fraction) const {
+    const Strand& strand = network_.strands[idx(s.strand)];
+    if (strand.closed()) return false;
+    const auto at = [&](int point) -> const Vec3& {
+      return network_.points.values[idx(point)].position;
+    };
+    const double a = strands_.depth[idx(s.a)], b = strands_.depth[idx(s.b)];
+    const double share = world_fraction(image_fraction, a, b, strands_.perspective);
+    const Vec3 place = at(s.a) + share * (at(s.b) - at(s.a));
+    const auto is_here = [&](int node) {
+      return (network_.nodes[idx(node)].position - place).norm() <= strands_.touching;
+    };
+    return is_here(strand.start_node) || is_here(strand.end_node);
   }
 
   // An edge within a face of another part and the intersection that runs along it.

@@ -21,6 +21,7 @@ struct Crossing {
   StrandPlace back;
   Vec2 image;        // px
   bool enters_left;  // the back strand passes to the front strand's left side as the viewer sees it
+  bool at_corner;    // both strands end here, up to how far apart what touches is decided to be
 };
 
 // All of them, in a fixed order, but those where curvature lines, which hide nothing, pass in

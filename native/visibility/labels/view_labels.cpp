@@ -156,7 +156,7 @@ class Statement {
         unknowns_at_crossings(arrangement_, arcs_, view_.unknowns);
     for (std::size_t c = 0; c < at.size(); ++c) {
       if (!arrangement_.is_live(static_cast<int>(c))) continue;
-      if (view_.at_least[idx(at[c].front)]) continue;
+      if (view_.at_least[idx(at[c].front)] || arrangement_.crossings()[c].at_corner) continue;
       const auto [in, out] = layers_hidden(arrangement_, arrangement_.crossings()[c]);
       const std::int64_t price = as_price(cover_price(extents_.crossings[c]) / 2);
       add({at[c].front, at[c].in, in, price, 0});
@@ -219,8 +219,8 @@ class Relabelling {
   std::vector<Begin> begins_;
 };
 
-// Demotes what labels contradict. How many of these are repairs: not those whose front strand is
-// under cover, where it is only known that there is something in front.
+// Demotes what labels contradict. How many of these are repairs: not those where it was not asked
+// that the back strand has as much in front as the front strand has.
 class GiveWay {
  public:
   GiveWay(Arrangement& arrangement, const ViewProblem& view, const std::vector<int>& labels)
@@ -251,7 +251,9 @@ class GiveWay {
       const int front = label(unknowns.front);
       if (label(unknowns.in) >= front + in && label(unknowns.out) >= front + out) continue;
       is_demoted_[idx(c)] = 1;
-      repairs_ += view_.at_least[idx(unknowns.front)] ? 0 : 1;
+      const bool is_asked =
+          !view_.at_least[idx(unknowns.front)] && !arrangement_.crossing(c).at_corner;
+      repairs_ += is_asked ? 1 : 0;
     }
   }
 

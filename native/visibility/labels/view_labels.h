@@ -5,7 +5,9 @@
 // passes behind another curve, or has a cusp. Asked are
 // - the layers that rays count, by length of line;
 // - at a cusp and behind a crossing, that the label changes as it must;
-// - behind a crossing, that no side has fewer layers than the front curve and its surface give it.
+// - behind a crossing, that no side has fewer layers than the front curve and its surface give it:
+//   not where both curves end there, as at a beam's corner in a wall's face, which is between them
+//   or is not, nor where the front curve is under cover and only a least number is known of it.
 // What a node asks has a price in proportion to what hangs on it (extents.h): a lens that only the
 // interpolation of the contour has made gives way, an outline does not.
 #pragma once
