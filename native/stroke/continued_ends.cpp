@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "core/segments.h"
 
@@ -40,9 +41,69 @@ std::vector<End> free_ends(const std::vector<StrokePath>& paths) {
     if (paths[p].free_start) ends.push_back(end_of(paths, p, true));
     if (paths[p].free_end) ends.push_back(end_of(paths, p, false));
   }
-  std::sort(ends.begin(), ends.end(),
-            [](const End& a, const End& b) { return a.place.x() < b.place.x(); });
+  ends.erase(std::remove_if(ends.begin(), ends.end(),
+                            [](const End& end) { return !end.place.allFinite(); }),
+             ends.end());
   return ends;
+}
+
+// Ends in columns of the image, each from its top.
+class EndsByPlace {
+ public:
+  EndsByPlace(std::vector<End> ends, double column_px)
+      : ends_(std::move(ends)), column_px_(column_px) {
+    std::sort(ends_.begin(), ends_.end(), [&](const End& a, const End& b) {
+      return std::tuple(column(a.place.x()), a.place.y()) <
+             std::tuple(column(b.place.x()), b.place.y());
+    });
+  }
+
+  // Calls visit(end) for all within a box. Columns without ends are passed over: a line may come
+  // from far beyond the image.
+  template <class Visit>
+  void within(const Eigen::AlignedBox2d& box, const Visit& visit) const {
+    const double low = box.min().y(), last = column(box.max().x());
+    if (!box.min().allFinite() || !box.max().allFinite()) return;
+    auto end = first_in(column(box.min().x()), low);
+    while (end != ends_.end() && column(end->place.x()) <= last) {
+      const double here = column(end->place.x());
+      if (end->place.y() < low) {
+        end = first_in(here, low);
+      } else if (end->place.y() > box.max().y()) {
+        end = first_behind(here);
+      } else {
+        if (box.contains(end->place)) visit(*end);
+        ++end;
+      }
+    }
+  }
+
+ private:
+  using Iterator = std::vector<End>::const_iterator;
+
+  double column(double x) const { return std::floor(x / column_px_); }
+
+  Iterator first_in(double wanted, double low) const {
+    return std::partition_point(ends_.begin(), ends_.end(), [&](const End& end) {
+      return std::tuple(column(end.place.x()), end.place.y()) < std::tuple(wanted, low);
+    });
+  }
+
+  Iterator first_behind(double passed) const {
+    return std::partition_point(ends_.begin(), ends_.end(),
+                                [&](const End& end) { return column(end.place.x()) <= passed; });
+  }
+
+  std::vector<End> ends_;
+  double column_px_;
+};
+
+double widest(const std::vector<StrokePath>& paths) {
+  double result = 0;
+  for (const StrokePath& path : paths) {
+    for (const StrokePoint& p : path.points) result = std::max(result, p.width);
+  }
+  return result;
 }
 
 // Whether a path runs on for so long from a place on its segment i, forwards or backwards.
@@ -61,11 +122,11 @@ bool runs_on(const StrokePath& path, std::size_t i, const Vec2& from, bool forwa
 class Continuations {
  public:
   Continuations(std::vector<StrokePath>& paths, double reach_px, double near_px)
-      : paths_(paths), ends_(free_ends(paths)), reach_(reach_px), near_(near_px) {
-    for (const StrokePath& path : paths) {
-      for (const StrokePoint& p : path.points) widest_ = std::max(widest_, p.width);
-    }
-  }
+      : paths_(paths),
+        reach_(reach_px),
+        near_(near_px),
+        margin_(std::max(near_px, widest(paths))),
+        ends_(free_ends(paths), 2 * margin_) {}
 
   void keep() {
     for (std::size_t p = 0; p < paths_.size(); ++p) {
@@ -82,13 +143,10 @@ class Continuations {
     const StrokePath& path = paths_[p];
     const Vec2& a = path.points[i].image;
     const Vec2& b = path.points[(i + 1) % path.points.size()].image;
-    const double margin = std::max(near_, widest_);
-    const auto first = std::lower_bound(ends_.begin(), ends_.end(), std::min(a.x(), b.x()) - margin,
-                                        [](const End& end, double x) { return end.place.x() < x; });
-    const double last = std::max(a.x(), b.x()) + margin;
-    for (auto end = first; end != ends_.end() && end->place.x() <= last; ++end) {
-      if (end->path != p && goes_on(*end, path, i, a, b)) stop_taper(*end);
-    }
+    const Vec2 margin(margin_, margin_);
+    ends_.within({a.cwiseMin(b) - margin, a.cwiseMax(b) + margin}, [&](const End& end) {
+      if (end.path != p && goes_on(end, path, i, a, b)) stop_taper(end);
+    });
   }
 
   bool goes_on(const End& end, const StrokePath& path, std::size_t i, const Vec2& a,
@@ -107,9 +165,8 @@ class Continuations {
   }
 
   std::vector<StrokePath>& paths_;
-  const std::vector<End> ends_;  // by x
-  const double reach_, near_;
-  double widest_ = 0;
+  const double reach_, near_, margin_;
+  const EndsByPlace ends_;
 };
 
 }  // namespace

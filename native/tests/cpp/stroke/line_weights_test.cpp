@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "core/errors.h"
 #include "pipeline/draw.h"
@@ -174,6 +175,33 @@ TEST(ContinuedEnds, OnAnotherLineThatRunsOnAreNotFree) {
   EXPECT_FALSE(end_stays_free(level_path(45, 100, 23, 8))) << "within a wide line";
   EXPECT_TRUE(end_stays_free(level_path(55, 100, 20))) << "too far ahead";
   EXPECT_TRUE(end_stays_free(level_path(0, 55, 20.5))) << "which ends there, too";
+}
+
+// Whatever other lines there are, from beyond the image too.
+TEST(ContinuedEnds, AreToldByEachOtherLineAlone) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> place(0, 60);
+  std::vector<StrokePath> paths;
+  for (int i = 0; i < 150; ++i) {
+    const double from = place(random) - 5, y = place(random);
+    paths.push_back(level_path(i % 50 == 0 ? -1e4 : from, from + 20, y, 1 + i % 3));
+  }
+  std::vector<StrokePath> together = paths;
+  keep_continued_ends(together, 10, 1);
+  int free = 0;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    bool stays_free = true;
+    for (std::size_t j = 0; j < paths.size(); ++j) {
+      if (j == i) continue;
+      std::vector<StrokePath> two{paths[i], paths[j]};
+      keep_continued_ends(two, 10, 1);
+      stays_free = stays_free && two[0].free_end;
+    }
+    EXPECT_EQ(together[i].free_end, stays_free) << i;
+    free += stays_free ? 1 : 0;
+  }
+  EXPECT_GT(free, 10);
+  EXPECT_LT(free, 140);
 }
 
 TEST(ContinuedEnds, OnALineAcrossStayFree) {
