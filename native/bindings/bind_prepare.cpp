@@ -163,8 +163,9 @@ HatchCurvesHandle hatch_curves_of(const PreparedPointer& prepared) {
   const py::gil_scoped_release release;
   auto curves = std::make_shared<Ragged<SurfacePoint>>();
   const std::vector<double> finest(prepared->object_count(), 0);
-  for (const SurfaceCurves* of_object : prepared->hatch_curves(finest)) {
-    for (std::size_t c = 0; c < of_object->curves.size(); ++c) curves->add(of_object->curves[c]);
+  for (const CurvesOfObject& of_object : prepared->hatch_curves(finest)) {
+    const Ragged<SurfacePoint> own = of_object.curves();
+    for (std::size_t c = 0; c < own.size(); ++c) curves->add(own[c]);
   }
   return {curves, prepared};
 }

@@ -30,7 +30,8 @@ void place_surface_curves(StreamlineSet& set, const HatchView& view, const Curve
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const auto done = static_cast<double>(i);
     if (!curves[i]) continue;
-    place_curves(set, view, curves[i]->curves, {}, progress.part(done / count, (done + 1) / count));
+    place_curves(set, view, curves[i].curves(), {},
+                 progress.part(done / count, (done + 1) / count));
   }
 }
 

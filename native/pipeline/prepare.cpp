@@ -286,6 +286,10 @@ CurvesOfObjects Prepared::hatch_curves(const std::vector<double>& radii,
                                        const Progress& progress) const {
   const auto& curves = hatch_curves_->get([&] {
     const CrossField& cross_field = field(progress.part(0, 0.5));
+    if (shares_field() && first_areas_.empty()) {
+      return std::make_unique<ObjectCurves>(*geometry_->originals, *field_->peek(),
+                                            geometry_->instances);
+    }
     return std::make_unique<ObjectCurves>(surface(), cross_field, first_areas_);
   });
   const Progress curve_progress = progress.part(0.5, 1, "hatch curves");

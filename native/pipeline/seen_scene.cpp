@@ -109,8 +109,8 @@ SeenScene::SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& s
 }
 
 // Of an object that is seen.
-SurfaceCurves SeenScene::renumbered(const SurfaceCurves& whole) const {
-  SurfaceCurves part = whole;
+SurfaceCurves SeenScene::renumbered(const CurvesOfObject& whole) const {
+  SurfaceCurves part{whole.curves(), whole.scale * whole.shared->step, whole.seeds(), whole.area()};
   for (SurfacePoint& on : part.curves.values) on.triangle = part_->numbers[idx(on.triangle)];
   for (SurfacePoint& on : part.seeds) on.triangle = part_->numbers[idx(on.triangle)];
   return part;
@@ -123,13 +123,13 @@ CurvesOfObjects SeenScene::hatch_curves(const std::vector<double>& radii,
   if (!part_) return curves;
   const std::vector<SurfaceCurves>& parts = part_->hatch_curves.get([&] {
     std::vector<SurfaceCurves> made;
-    for (const SurfaceCurves* whole : curves) {
-      made.push_back(whole ? renumbered(*whole) : SurfaceCurves{});
+    for (const CurvesOfObject& whole : curves) {
+      made.push_back(whole ? renumbered(whole) : SurfaceCurves{});
     }
     return made;
   });
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    if (curves[i]) curves[i] = &parts[i];
+    if (curves[i]) curves[i] = {&parts[i]};
   }
   return curves;
 }

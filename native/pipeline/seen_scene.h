@@ -61,7 +61,7 @@ class SeenScene {
     IntersectionCurves intersections;
     Lazy<std::vector<SurfaceCurves>> hatch_curves;  // (objects)
   };
-  SurfaceCurves renumbered(const SurfaceCurves& whole) const;
+  SurfaceCurves renumbered(const CurvesOfObject& whole) const;
 
   const Prepared& prepared_;
   int threads_;

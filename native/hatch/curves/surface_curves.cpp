@@ -347,35 +347,81 @@ const SurfaceCurves& RankedCurves::seeds_to(double radius) {
   return *seeds_[idx(level)];
 }
 
-ObjectCurves::ObjectCurves(const Surface& surface, const CrossField& field,
-                           const std::vector<double>& areas) {
+Ragged<SurfacePoint> CurvesOfObject::curves() const {
+  Ragged<SurfacePoint> own = shared->curves;
+  for (SurfacePoint& on : own.values) on.triangle += first_triangle;
+  return own;
+}
+
+std::vector<SurfacePoint> CurvesOfObject::seeds() const {
+  std::vector<SurfacePoint> own = shared->seeds;
+  for (SurfacePoint& on : own) on.triangle += first_triangle;
+  return own;
+}
+
+void ObjectCurves::rank(const Surface& surface, const CrossField& field,
+                        const std::vector<double>& areas) {
   std::vector<std::vector<int>> triangles(surface.object_is_smooth.size());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     triangles[idx(surface.triangle_objects[t])].push_back(static_cast<int>(t));
   }
   for (std::vector<int>& of_object : triangles) {
-    objects_.push_back(std::make_unique<RankedCurves>(surface, field, std::move(of_object), areas));
+    originals_.push_back(
+        std::make_unique<RankedCurves>(surface, field, std::move(of_object), areas));
+  }
+}
+
+ObjectCurves::ObjectCurves(const Surface& surface, const CrossField& field,
+                           const std::vector<double>& areas) {
+  rank(surface, field, areas);
+  for (std::size_t o = 0; o < originals_.size(); ++o) objects_.push_back({o, 0, 1});
+}
+
+ObjectCurves::ObjectCurves(const Surface& originals, const CrossField& field,
+                           const Instances& instances) {
+  rank(originals, field, {});
+  const std::vector<int> first = first_triangles(originals);
+  int next = 0;
+  for (std::size_t o = 0; o < instances.originals.size(); ++o) {
+    const std::size_t original = idx(instances.originals[o]);
+    objects_.push_back({original, next - first[original], instances.placements[o].scale});
+    next += first[original + 1] - first[original];
   }
 }
 
 CurvesOfObjects ObjectCurves::down_to(const std::vector<double>& radii,
                                       const std::vector<std::uint8_t>& seeds_only, int threads,
                                       const Progress& progress) {
-  CurvesOfObjects curves(objects_.size(), nullptr);
-  std::vector<std::size_t> wanted;
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    if (!std::isfinite(radii[i])) continue;
-    const bool has_curves = seeds_only.empty() || !seeds_only[i];
-    if (has_curves) wanted.push_back(i);
-    if (!has_curves) curves[i] = &objects_[i]->seeds_to(radii[i]);
+  const auto has_curves = [&](std::size_t o) { return seeds_only.empty() || !seeds_only[o]; };
+  std::vector<double> finest(originals_.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t o = 0; o < objects_.size(); ++o) {
+    const auto& [original, first_triangle, scale] = objects_[o];
+    if (has_curves(o)) finest[original] = std::min(finest[original], radii[o] / scale);
   }
   progress.report(0);
-  parallel_parts(std::vector<std::size_t>(wanted.size(), 1), {}, threads, progress,
-                 [&](std::size_t k, int, const Progress& part) {
-                   curves[wanted[k]] = &objects_[wanted[k]]->down_to(radii[wanted[k]], part);
-                 });
+  make(finest, threads, progress);
+  CurvesOfObjects curves(objects_.size());
+  for (std::size_t o = 0; o < objects_.size(); ++o) {
+    if (!std::isfinite(radii[o])) continue;
+    const auto& [original, first_triangle, scale] = objects_[o];
+    RankedCurves& ranked = *originals_[original];
+    const double radius = radii[o] / scale;
+    curves[o] = {has_curves(o) ? &ranked.down_to(radius) : &ranked.seeds_to(radius), first_triangle,
+                 scale};
+  }
   progress.report(1);
   return curves;
+}
+
+void ObjectCurves::make(const std::vector<double>& finest, int threads, const Progress& progress) {
+  std::vector<std::size_t> wanted;
+  for (std::size_t i = 0; i < finest.size(); ++i) {
+    if (std::isfinite(finest[i])) wanted.push_back(i);
+  }
+  parallel_parts(std::vector<std::size_t>(wanted.size(), 1), {}, threads, progress,
+                 [&](std::size_t k, int, const Progress& part) {
+                   originals_[wanted[k]]->down_to(finest[wanted[k]], part);
+                 });
 }
 
 }  // namespace illustrate

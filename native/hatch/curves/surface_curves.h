@@ -14,6 +14,7 @@
 #include "core/progress.h"
 #include "core/ragged.h"
 #include "field/cross_field.h"
+#include "surface/instances.h"
 
 namespace illustrate {
 
@@ -57,8 +58,18 @@ class RankedCurves {
   std::vector<std::unique_ptr<const SurfaceCurves>> made_, seeds_;
 };
 
-// Of each object; null where none are wanted.
-using CurvesOfObjects = std::vector<const SurfaceCurves*>;
+// The curves of an object; those that share a surface share them.
+struct CurvesOfObject {
+  const SurfaceCurves* shared = nullptr;  // null where none are wanted
+  int first_triangle = 0;                 // of the object, less that of `shared`
+  double scale = 1;                       // of the object, where that of `shared` is 1
+
+  explicit operator bool() const { return shared != nullptr; }
+  double area() const { return scale * scale * shared->area; }
+  Ragged<SurfacePoint> curves() const;
+  std::vector<SurfacePoint> seeds() const;
+};
+using CurvesOfObjects = std::vector<CurvesOfObject>;
 
 // The ranked curves of all objects.
 class ObjectCurves {
@@ -67,6 +78,9 @@ class ObjectCurves {
   ObjectCurves(const Surface& surface, const CrossField& field,
                const std::vector<double>& areas = {});
 
+  // Of objects that have their surfaces in common, from those and their field.
+  ObjectCurves(const Surface& originals, const CrossField& field, const Instances& instances);
+
   // Of each object down to its own radius, as above; infinite: none of it. seeds_only: (objects) 1:
   // without curves; empty: all with. Several objects at a time (threads: 0 for all cores).
   CurvesOfObjects down_to(const std::vector<double>& radii,
@@ -74,7 +88,19 @@ class ObjectCurves {
                           const Progress& progress = {});
 
  private:
-  std::vector<std::unique_ptr<RankedCurves>> objects_;
+  // The original of an object, and what tells the object from it.
+  struct Placed {
+    std::size_t original;
+    int first_triangle;
+    double scale;
+  };
+
+  void rank(const Surface& surface, const CrossField& field, const std::vector<double>& areas);
+  // (originals) down to these radii; infinite: none.
+  void make(const std::vector<double>& finest, int threads, const Progress& progress);
+
+  std::vector<std::unique_ptr<RankedCurves>> originals_;
+  std::vector<Placed> objects_;
 };
 
 }  // namespace illustrate

@@ -46,7 +46,7 @@ class Divider {
         groups_(1 + *std::max_element(group_of_.begin(), group_of_.end())) {}
 
   void divide(const CurvesOfObjects& curves) {
-    for (HatchGroup& group : groups_) group.curves.assign(curves.size(), nullptr);
+    for (HatchGroup& group : groups_) group.curves.resize(curves.size());
     for (std::size_t o = 0; o < curves.size(); ++o) groups_[group_of_[o]].curves[o] = curves[o];
   }
 

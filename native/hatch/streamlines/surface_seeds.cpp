@@ -67,9 +67,9 @@ std::vector<StreamlineNode> surface_seeds(const HatchScene& scene, const HatchVi
   std::vector<std::uint8_t> is_near(curves.size(), 0);
   for (std::size_t i = 0; i < curves.size(); ++i) {
     if (!curves[i]) continue;
-    const std::size_t count = seed_count(curves[i]->area, spacings[i]);
-    append(seeds, seed_nodes(view, curves[i]->seeds, count));
-    is_near[i] = count > curves[i]->seeds.size();
+    const std::size_t count = seed_count(curves[i].area(), spacings[i]);
+    append(seeds, seed_nodes(view, curves[i].seeds(), count));
+    is_near[i] = count > curves[i].shared->seeds.size();
   }
   if (std::find(is_near.begin(), is_near.end(), 1) == is_near.end()) return seeds;
   std::vector<SurfacePoint> places = lattice_places(scene, view, surface_lattice_step * spacing_px);

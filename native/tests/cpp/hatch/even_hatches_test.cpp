@@ -232,7 +232,9 @@ TEST(EvenHatches, AreTheSameOnAllThreadsAndCanBeCancelled) {
   int calls = 0;
   const Progress progress([&](double, const std::string&) { return ++calls < 3; }, "hatch");
   const SurfaceCurves curves = surface_curves(scene.surface, scene.field);
-  EXPECT_THROW(even_hatches(scene.view(), {&curves}, {}, {}, 1, scene.counts, progress), Cancelled);
+  const CurvesOfObjects of_objects{{&curves}};
+  EXPECT_THROW(even_hatches(scene.view(), of_objects, {}, {}, 1, scene.counts, progress),
+               Cancelled);
 }
 
 TEST(EvenHatches, NothingSeenGivesNothing) {
