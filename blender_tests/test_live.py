@@ -100,6 +100,26 @@ def test_lines_alone_come_first_where_hatches_take_long(scene: Any) -> None:
         assert drawn(changed=False).drawing_of(WHOLE) is not None
 
 
+@pytest.mark.parametrize("hatching", [True, False])
+def test_lines_follow_shapes_that_never_rest(scene: Any, hatching: bool) -> None:
+    cube = tools.cube_scene(scene)
+    scene.illustrate.hatching = hatching
+    seen = drawn()
+    whole, begun = seen.whole, LIVE.version
+    assert whole is not None
+    for _ in range(3000):
+        cube.location.x += 0.01
+        bpy.context.view_layer.update()
+        LIVE.shapes_are_stale = True
+        LIVE.tick(bpy.context)
+        if seen.lines_of[0] >= begun + 3:
+            break
+        time.sleep(0.001)
+    assert seen.lines is not None and seen.lines_of[0] >= begun + 3
+    assert seen.lines.drawing.points[:, 0].max() > whole.drawing.points[:, 0].max() + 0.02
+    assert seen.whole is whole or not hatching, "hatches wait for rest"
+
+
 def test_reading_and_preparing_are_looks_of_their_own(scene: Any) -> None:
     tools.cube_scene(scene)
     LIVE.look(1, camera_view(scene))

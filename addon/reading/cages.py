@@ -30,13 +30,29 @@ def _keeps_shape(modifier: Any) -> bool:
     return modifier.type in NORMALS_ONLY or is_smoothing
 
 
+def is_sculpted(thing: Any) -> bool:
+    """True where a brush moves the very mesh that is shown: Blender evaluates it no more then."""
+    if thing.mode != "SCULPT" or not _keeps_its_mesh(thing):
+        return False
+    idle = [m for m in thing.modifiers if m.type == "SUBSURF" and m.levels == 0]
+    return not any(m.show_viewport and m not in idle for m in thing.modifiers)
+
+
 @contextmanager
 def mesh_of(evaluated: Any) -> Iterator[Any]:
-    """The mesh of an evaluated object. In edit mode its `data` may be empty: this one never is."""
+    """The mesh of an evaluated object. In edit mode its `data` may be empty: this one never is.
+
+    Of what is sculpted it is a copy of the original's, with the normals that belong to it.
+    """
+    sculpted = is_sculpted(evaluated.original)
+    thing = evaluated.original if sculpted else evaluated
     try:
-        yield evaluated.to_mesh()
+        mesh = thing.to_mesh()
+        if sculpted:
+            mesh.update()  # the brush leaves normals as they were
+        yield mesh
     finally:
-        evaluated.to_mesh_clear()
+        thing.to_mesh_clear()
 
 
 def read_cages(objects: list[Any], scene: Any, lightness: LightnessReader) -> dict[Any, MeshArrays]:
@@ -56,9 +72,13 @@ def _is_own_cage(thing: Any) -> bool:
     return (
         sum(modifier.show_viewport for modifier in thing.modifiers) == 1
         and thing.mode != "EDIT"
-        and thing.data.shape_keys is None
-        and thing.parent_type not in DEFORMING_PARENTS
+        and _keeps_its_mesh(thing)
     )
+
+
+def _keeps_its_mesh(thing: Any) -> bool:
+    """True where nothing but modifiers may change the object's mesh."""
+    return thing.data.shape_keys is None and thing.parent_type not in DEFORMING_PARENTS
 
 
 def _evaluated_cages(

@@ -70,7 +70,7 @@ def read_mesh(mesh: Any, name: str, cage: bool) -> MeshArrays:
     )
     return MeshArrays(
         name=name,
-        positions=_held(mesh, "position", mesh.vertices, "co", np.float32, 3).astype(float),
+        positions=positions_of(mesh).astype(float),
         face_sizes=sizes,
         corner_vertices=corners,
         edge_vertices=creased,
@@ -82,6 +82,11 @@ def read_mesh(mesh: Any, name: str, cage: bool) -> MeshArrays:
         corner_normals=normals,
         loose_edges=loose,
     )
+
+
+def positions_of(mesh: Any) -> Any:
+    """(n, 3) float32 the places of its vertices."""
+    return _held(mesh, "position", mesh.vertices, "co", np.float32, 3)
 
 
 def open_edges(mesh: Any) -> Any:

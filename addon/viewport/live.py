@@ -3,7 +3,8 @@
 `LiveDrawing` knows what is stale and goes, one job at a time, through reading, preparing and
 drawing; `live_view.py` shows what is there. While a view moves its rough lines are shown; when it
 rests its exact lines are drawn, then its hatches; both at once where that is soon. Until the next
-is whole the last one stays. What changes faster than it can be drawn is skipped, never queued.
+is whole the last one stays. What changes faster than it can be drawn is skipped, never queued;
+shapes that never rest have the lines of each that was prepared, and hatches once they rest.
 """
 
 import time
@@ -70,6 +71,11 @@ class Running:
     request: Any = None
     begun_at: float = field(default_factory=time.monotonic)
 
+    @property
+    def has_hatches(self) -> bool:
+        """It draws hatches, which take long."""
+        return self.request is not None and bool(self.request.draw["hatching"])
+
 
 class LiveDrawing:
     """What has been read, prepared and drawn, and what is stale of it."""
@@ -135,7 +141,7 @@ class LiveDrawing:
         """Takes what a job has made and starts the next; True when there is something to show."""
         self._notice_settings(context.scene)
         is_new = self._take()
-        if self.running is not None and self.running.part == WHOLE and self.shapes_are_stale:
+        if self.running is not None and self.running.has_hatches and self.shapes_are_stale:
             self._drop_job()
         if self.running is None:
             try:
@@ -201,7 +207,10 @@ class LiveDrawing:
             self._prepare(context.scene)
             return
         if self.shapes_are_stale:
-            if now >= self.read_at + READING_SHARE * self.reading_s:
+            seen = self._without_lines(now)
+            if seen is not None:
+                self._draw(context.scene, seen, LINES)
+            elif now >= self.read_at + READING_SHARE * self.reading_s:
                 self._read(context)
             return
         if self.look_is_stale and self.arrays is not None:
@@ -240,13 +249,21 @@ class LiveDrawing:
         """What is to be drawn next: lines of all views before hatches of any that take long."""
         if self.prepared is None:
             return None
-        resting = [seen for seen in self.views.values() if now - seen.moved_at >= REST_S]
         for part in (WHOLE,) if self.whole_s < SOON_S else (LINES, WHOLE):
-            for seen in resting:
+            for seen in self._resting(now):
                 of = seen.lines_of if part == LINES else seen.whole_of
                 if of != (self.version, seen.key):
                     return seen, part
         return None
+
+    def _without_lines(self, now: float) -> Seen | None:
+        """A resting view that has not even lines of the shapes that were prepared last."""
+        if self.prepared is None:
+            return None
+        return next((s for s in self._resting(now) if s.lines_of != (self.version, s.key)), None)
+
+    def _resting(self, now: float) -> list[Seen]:
+        return [seen for seen in self.views.values() if now - seen.moved_at >= REST_S]
 
     def _draw(self, scene: Any, seen: Seen, part: str) -> None:
         assert self.arrays is not None

@@ -13,8 +13,11 @@ from bpy.app.handlers import persistent
 from .. import native, output
 from ..messages import IllustrateError, counted
 from ..plot.areas import fills_of
+from ..reading.cages import is_sculpted
 from ..reading.kept_images import IMAGES
+from ..reading.mesh_arrays import positions_of
 from ..reading.scene import CameraArrays, camera_problem, read_camera
+from ..running.cache import digest
 from ..settings.guides import is_guide
 from ..settings.scene_settings import draw_values
 from .live import LINES, LIVE, WHOLE, Seen
@@ -216,9 +219,16 @@ def _seen_from(context: Any) -> CameraArrays | None:
 def _what_is_seen(scene: Any) -> Any:
     by_selection = scene.illustrate.source == "SELECTION"
     return scene.name, tuple(
-        (t.name, t.hide_render, t.visible_get(), by_selection and t.select_get())
+        (t.name, t.hide_render, t.visible_get(), by_selection and t.select_get(), _sculpted(t))
         for t in scene.objects
     )
+
+
+def _sculpted(thing: Any) -> str:
+    """A digest of a shape that changes without a word from Blender; empty for all others."""
+    if thing.type != "MESH" or not is_sculpted(thing):
+        return ""
+    return digest(positions_of(thing.data))
 
 
 def _changes_shapes(update: Any) -> bool:

@@ -153,25 +153,29 @@ def what_stands_before_hides_the_drawing(out: pathlib.Path) -> Steps:
     hands.manager().illustrate_live = False
 
 
-def sculpt(_scene: Any) -> None:
-    """A stroke of the brush across the monkey's face."""
-    plain = {"name": "", "mouse_event": (0.0, 0.0), "pen_flip": False, "x_tilt": 0.0, "y_tilt": 0.0}
-    view = hands.region("WINDOW")
+def sculpt(_scene: Any) -> Steps:
+    """A stroke of the brush over the monkey's face; it is followed before the button is let go."""
     with hands.override():
         bpy.ops.object.mode_set(mode="SCULPT")
-        places = [(view.width / 2 + 6 * i, view.height / 2) for i in range(8)]
-        stroke = [
-            plain
-            | {"location": (0.05 * i, -0.8, 0.2), "mouse": place, "pressure": 0.2, "size": 50.0}
-            | {"time": 0.01 * i, "is_start": i == 0}
-            for i, place in enumerate(places)
-        ]
-        known = bpy.types.OperatorStrokeElement.bl_rna.properties.keys()  # fewer in newer versions
-        stroke = [{key: step[key] for key in step if key in known} for step in stroke]
-        bpy.ops.sculpt.brush_stroke(stroke=stroke)
+    yield is_whole
+    before = seen().lines
+    region, window = hands.region("WINDOW"), hands.window()
+    x, y = region.x + region.width // 2, region.y + region.height // 2
+    hands.move(x, y)
+    yield 0.2
+    window.event_simulate(type="LEFTMOUSE", value="PRESS", x=x, y=y)
+    for i in range(1, 9):
+        hands.move(x + 8 * i, y + 4 * i)
+        yield 0.05
+    yield lambda: seen().lines is not before and not is_same_shape(seen().lines, before)
+    window.event_simulate(type="LEFTMOUSE", value="RELEASE", x=x + 64, y=y + 32)
 
 
-def pose(_scene: Any) -> None:
+def is_same_shape(made: Any, before: Any) -> bool:
+    return np.array_equal(made.drawing.points, before.drawing.points)
+
+
+def pose(_scene: Any) -> Steps:
     """The bone turns that the monkey hangs on."""
     monkey = bpy.data.objects["Suzanne"]
     with hands.override():
@@ -184,6 +188,7 @@ def pose(_scene: Any) -> None:
         bpy.ops.object.mode_set(mode="POSE")
     bone = armature.pose.bones[0]
     bone.rotation_mode, bone.rotation_euler = "XYZ", (0.0, 0.6, 0.0)
+    yield 0.0
 
 
 def live_drawing_follows_modes(out: pathlib.Path) -> Steps:
@@ -195,20 +200,14 @@ def live_drawing_follows_modes(out: pathlib.Path) -> Steps:
     yield is_whole
     for change, mode in ((sculpt, "SCULPT"), (pose, "POSE"))[not has_brushes() :]:
         before = seen().drawing_of(WHOLE)
-        change(scene)
+        yield from change(scene)
         hands.redraw()
-        yield lambda before=before: is_whole() and is_another(before)
+        yield lambda before=before: is_whole() and not is_same_shape(seen().whole, before)
         assert hands.window().view_layer.objects.active.mode == mode
         hands.picture(out / f"26_live_{mode.lower()}.png")
     with hands.override():
         bpy.ops.object.mode_set(mode="OBJECT")
     hands.manager().illustrate_live = False
-
-
-def is_another(before: Any) -> bool:
-    """The drawing has other points than one before."""
-    after = seen().drawing_of(WHOLE)
-    return after is not None and not np.array_equal(after.drawing.points, before.drawing.points)
 
 
 def live_drawing_skips_frames(_out: pathlib.Path) -> Steps:
