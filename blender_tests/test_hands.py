@@ -11,8 +11,13 @@ from illustrate.messages import IllustrateError
 from illustrate.output.hiding import hide_stroke
 from illustrate.running import illustration
 from illustrate.ui import gallery, panel, presets
+from illustrate.viewport.guiding import hold_singularities, joined
+from illustrate.viewport.hidden_strokes import hidden_in, hide_in, name_of
 from illustrate.viewport.inspect import INSPECTOR
-from illustrate.viewport.pick import PICKER, hold_singularities, joined, nearest, thing_of
+from illustrate.viewport.live import LIVE
+from illustrate.viewport.live_strokes import inks_of, strokes_as_ribbons
+from illustrate.viewport.pick import PICKER, nearest, thing_of
+from test_live import drawn
 from test_ui import draw
 
 import tools
@@ -23,8 +28,10 @@ SIZE = (320, 240)
 @pytest.fixture(autouse=True)
 def _nothing_is_picked() -> Any:
     PICKER.picked = None
+    LIVE.forget()
     yield
     PICKER.picked = None
+    LIVE.forget()
 
 
 def made_cube(scene: Any) -> Any:
@@ -36,13 +43,13 @@ def made_cube(scene: Any) -> Any:
     return INSPECTOR.made
 
 
-def pick_at(made: Any, number: Any) -> Any:
+def pick_at(made: Any, number: Any, without: Any = ()) -> Any:
     """What is picked in the middle of a stroke's first segment."""
     drawing, camera = made.drawing, made.arrays.camera
     first = drawing.offsets[number]
     x, y = drawing.image[first : first + 2].mean(axis=0)
     matrix = camera.projection @ camera.view
-    return nearest(drawing, made.names, matrix, SIZE, (x, SIZE[1] - y))
+    return nearest(drawing, made.names, matrix, SIZE, (x, SIZE[1] - y), without)
 
 
 def test_every_visible_line_is_picked_where_it_is(scene: Any) -> None:
@@ -88,6 +95,56 @@ def test_a_stroke_is_hidden_and_no_other(scene: Any) -> None:
     assert not hide_stroke(scene, drawing.points[:3] + 100)
     output.clear(scene)
     assert not hide_stroke(scene, drawing.points[:3])
+
+
+def corners_of_ribbons(scene: Any, seen: Any) -> int:
+    """Corners of what is shown of the lines of a live drawing."""
+    drawing = seen.whole.drawing
+    hidden = hidden_in(scene, drawing)
+    return len(
+        strokes_as_ribbons(
+            drawing, seen.view, inks_of(scene.illustrate), False, None, hidden
+        ).points
+    )
+
+
+def test_a_stroke_of_the_live_drawing_is_hidden_and_kept_so(scene: Any) -> None:
+    tools.cube_scene(scene)
+    seen = drawn()
+    made, before = seen.whole, corners_of_ribbons(scene, seen)
+    assert made is not None
+    lines = np.flatnonzero((made.drawing.kinds < 4) & (made.drawing.invisibility == 0))
+    PICKER.picked = first = pick_at(made, int(lines[0]))
+    assert bpy.ops.illustrate.hide_stroke() == {"FINISHED"}
+    assert hidden_in(scene, made.drawing) == [first.number]
+    assert corners_of_ribbons(scene, seen) < before
+    again = pick_at(made, int(lines[0]), hidden_in(scene, made.drawing))
+    assert again is None or again.number != first.number
+    assert bpy.ops.illustrate.keep_live() == {"FINISHED"}
+    assert seen_strokes() == len(made.drawing.kinds) - 1
+
+
+def test_curves_have_no_hidden_strokes(scene: Any, capfd: Any) -> None:
+    tools.cube_scene(scene)
+    scene.illustrate.output = "CURVES"
+    drawing = drawn().whole.drawing
+    hide_in(scene, name_of(drawing), 0, {name_of(drawing)})
+    assert bpy.ops.illustrate.keep_live() == {"FINISHED"}
+    tools.flush()
+    assert "hidden strokes are there again" in capfd.readouterr().out
+
+
+def test_another_drawing_has_all_its_strokes(scene: Any) -> None:
+    tools.cube_scene(scene)
+    first = drawn().whole.drawing
+    hide_in(scene, name_of(first), 3, {name_of(first)})
+    scene.illustrate.spacing_px *= 2
+    second = drawn().whole.drawing
+    assert hidden_in(scene, first) == [3] and hidden_in(scene, second) == []
+    scene.illustrate.spacing_px /= 2
+    assert hidden_in(scene, drawn().whole.drawing) == [3], "made again it is the same"
+    hide_in(scene, name_of(second), 1, {name_of(second)})
+    assert hidden_in(scene, first) == [], "nobody sees it any more"
 
 
 def test_the_hatches_of_an_object_go(scene: Any) -> None:

@@ -9,6 +9,12 @@ from . import PENCIL_API, pencil
 NEAR = 1e-4  # of the size of a stroke: positions are kept as singles
 
 
+def points_of(drawing: Any, number: int) -> Any:
+    """(n, 3) the points of a stroke of a drawing, in the world."""
+    first, end = drawing.offsets[number : number + 2]
+    return np.array(drawing.points[first:end], float)
+
+
 def hide_stroke(scene: Any, points: Any) -> bool:
     """Hides the stroke of the illustration with these points (n, 3); False where there is none.
 

@@ -18,17 +18,19 @@ from ..running.operators import (
 from ..running.problems import slowing_problem, stopping_problem
 from ..settings.native_options import DRAW, PREPARE
 from ..settings.styles import OPTIONS as OBJECT_OPTIONS
+from ..viewport.guiding import (
+    ILLUSTRATE_OT_draw_guide,
+    ILLUSTRATE_OT_hold_singularities,
+    is_drawing_guide,
+)
 from ..viewport.live import LIVE
 from ..viewport.live_view import VIEW, ILLUSTRATE_OT_keep_live
 from ..viewport.paper import PAPER, ILLUSTRATE_OT_toggle_paper
 from ..viewport.pick import (
     PICKER,
-    ILLUSTRATE_OT_draw_guide,
     ILLUSTRATE_OT_hide_hatches,
     ILLUSTRATE_OT_hide_stroke,
-    ILLUSTRATE_OT_hold_singularities,
     ILLUSTRATE_OT_pick,
-    is_drawing_guide,
     thing_of,
 )
 from . import gallery

@@ -1,5 +1,5 @@
 """What is shown over the 3D viewport: the live drawing and overlays to inspect a drawing with."""
 
-from . import inspect, live_view, page_overlay, paper, pick
+from . import guiding, hidden_strokes, inspect, live_view, page_overlay, paper, pick
 
-PARTS = (live_view, inspect, page_overlay, paper, pick)
+PARTS = (hidden_strokes, live_view, inspect, page_overlay, paper, pick, guiding)

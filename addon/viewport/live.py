@@ -129,6 +129,11 @@ class LiveDrawing:
             and self._next_part(time.monotonic() + REST_S) is None
         )
 
+    def wholes(self) -> list[Illustration]:
+        """What is drawn whole of the views."""
+        found = [seen.drawing_of(WHOLE) for seen in self.views.values()]
+        return [made for made in found if made is not None]
+
     def next_look_s(self) -> float:
         """Until there may be something to do: a job ends, or a view comes to rest."""
         if self.running is not None or self.read is not None:

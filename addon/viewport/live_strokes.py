@@ -1,5 +1,6 @@
 """The strokes of the live drawing, as the graphics card gets them, and what may hide them."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -14,24 +15,31 @@ SOLID = ("MESH", "CURVE", "SURFACE", "FONT", "META", "VOLUME", "CURVES")
 
 
 def strokes_as_ribbons(
-    drawing: Any, view: View, inks: dict[str, Any], hatches: bool, hiding: Any = None
+    drawing: Any,
+    view: View,
+    inks: dict[str, Any],
+    hatches: bool,
+    hiding: Any = None,
+    without: Sequence[int] = (),
 ) -> Any:
     """Ribbons of the hatches of a drawing, or of all else, the lowest first.
 
     hiding: the data of a region whose depth hides them; None: they are before everything, since the
-    drawing's own surfaces hide nothing that it shows.
+    drawing's own surfaces hide nothing that it shows. without: numbers of strokes to leave out.
     """
     parts = native.load_part("line_groups")
     groups = [g for g in parts.line_groups(drawing) if g.is_hatching == hatches]
     strokes = np.concatenate([g.strokes for g in groups]) if groups else np.zeros(0, np.intp)
-    colours = [inks[pen_of(g)] for g in groups for _ in g.strokes]
+    colours = np.array([inks[pen_of(g)] for g in groups for _ in g.strokes], np.float32)
+    is_kept = ~np.isin(strokes, without)
+    strokes, colours = strokes[is_kept], colours.reshape(-1, 4)[is_kept]
     chosen, sizes = parts.points_of(drawing, strokes)
     return ribbons_of(
         view.to_region(np.asarray(drawing.image)[chosen]),
         np.asarray(drawing.widths)[chosen] * view.zoom,
         np.concatenate([[0], np.cumsum(sizes)]),
         np.asarray(drawing.closed)[strokes],
-        np.array(colours, np.float32).reshape(-1, 4),
+        colours,
         FOREMOST if hiding is None else _depths(drawing, hiding)[chosen],
     )
 

@@ -12,6 +12,7 @@ from bpy.app.handlers import persistent
 
 from .. import native, output
 from ..messages import IllustrateError, counted
+from ..output.hiding import hide_stroke, points_of
 from ..plot.areas import fills_of
 from ..reading.cages import is_sculpted
 from ..reading.kept_images import IMAGES
@@ -20,6 +21,7 @@ from ..reading.scene import CameraArrays, camera_problem, read_camera
 from ..running.cache import digest
 from ..settings.guides import is_guide
 from ..settings.scene_settings import draw_values
+from .hidden_strokes import hidden_in
 from .live import LINES, LIVE, WHOLE, Seen
 from .live_strokes import has_others, inks_of, strokes_as_ribbons
 from .shown import redraw, viewports
@@ -150,11 +152,15 @@ class LiveView:
             return None
         inks = inks_of(context.scene.illustrate)
         hiding = context.region_data if has_others(context.scene, set(made.names)) else None
-        is_same = (id(made), tuple(seen.view.origin), seen.view.zoom, repr(inks), hiding is None)
+        hidden = hidden_in(context.scene, made.drawing)
+        place = tuple(seen.view.origin), seen.view.zoom
+        is_same = (id(made), *place, repr(inks), hiding is None, hidden)
         key = context.region.as_pointer(), part
         known, batch = self._batches.get(key, (None, None))
         if known != is_same:
-            ribbons = strokes_as_ribbons(made.drawing, seen.view, inks, part == WHOLE, hiding)
+            ribbons = strokes_as_ribbons(
+                made.drawing, seen.view, inks, part == WHOLE, hiding, hidden
+            )
             batch = overlay.ribbon_batch(ribbons)
             self._batches[key] = (is_same, batch)
         return batch
@@ -319,6 +325,10 @@ class ILLUSTRATE_OT_keep_live(bpy.types.Operator):
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         output.write_drawing(scene, made.drawing, camera, chosen.output, made.names, areas)
+        for number in hidden_in(scene, made.drawing):
+            if not hide_stroke(scene, points_of(made.drawing, number)):
+                self.report({"WARNING"}, "Curves are seen whole: hidden strokes are there again")
+                break
         VIEW.switch(False)
         self.report({"INFO"}, f"Kept {counted(len(made.drawing.kinds), 'stroke')}")
         return {"FINISHED"}

@@ -101,6 +101,58 @@ def a_stroke_is_picked_and_hidden(out: pathlib.Path) -> Steps:
     assert strokes() == count and bpy.data.objects["Suzanne"].illustrate.hatching
 
 
+def live_drawing() -> Any:
+    """The whole drawing of the only viewport."""
+    return LIVE.wholes()[0].drawing
+
+
+def darkness_near(path: pathlib.Path, place: tuple[int, int]) -> float:
+    """Of the darkest of some pixels round a place of the region."""
+    x, y = place
+    seen = hands.pixels(path)[::-1]
+    return float(1 - seen[y - 2 : y + 3, x - 2 : x + 3].mean(axis=2).min())
+
+
+def a_stroke_of_the_live_drawing_is_hidden(out: pathlib.Path) -> Steps:
+    """With the mouse; it is gone from the viewport, undo and redo have it, and Keep hides it."""
+    new_scene(1).illustrate.hatching = False
+    hands.show_side_panel(False)
+    with hands.override():
+        bpy.ops.illustrate.toggle_paper()
+    hands.manager().illustrate_live = True
+    hands.redraw()
+    yield is_whole
+    drawing = live_drawing()
+    longest = int(np.argmax(np.diff(drawing.offsets)))
+    place = place_of(drawing.points[drawing.offsets[longest : longest + 2].sum() // 2])
+    with hands.override():
+        bpy.ops.illustrate.pick("INVOKE_DEFAULT")
+    yield 0.3
+    region = hands.region("WINDOW")
+    hands.click(region.x + place[0] - 1, region.y + place[1])
+    yield lambda: PICKER.picked is not None
+    picked: Any = PICKER.picked
+    assert picked.number == longest and picked.thing == "Suzanne"
+    PICKER.pick(None)
+    drawn = darkness_near(hands.picture(out / "47_live_stroke.png"), place)
+    PICKER.pick(picked)
+    with hands.override():
+        assert bpy.ops.illustrate.hide_stroke() == {"FINISHED"}
+        bpy.ops.ed.undo_push(message="Hidden")
+    hidden = darkness_near(hands.picture(out / "48_live_stroke_hidden.png"), place)
+    assert hidden < drawn - 0.5, (drawn, hidden)
+    for step, wanted in ((bpy.ops.ed.undo, drawn), (bpy.ops.ed.redo, hidden)):
+        with hands.override():
+            step()
+        hands.redraw()
+        yield is_whole
+        shown = darkness_near(hands.picture(out / f"48_live_{step.idname_py()}.png"), place)
+        assert abs(shown - wanted) < 0.05, (step.idname_py(), shown, wanted)
+    with hands.override():
+        assert bpy.ops.illustrate.keep_live("EXEC_DEFAULT") == {"FINISHED"}
+    assert clear_strokes() == 1 and strokes() == len(drawing.kinds)
+
+
 def hatches_follow_a_guide(out: pathlib.Path) -> Steps:
     """A stroke drawn on the surface while the drawing is live; then it is undone."""
     if not has_brushes():
@@ -198,6 +250,7 @@ def an_empty_scene_is_drawn_after_one_click(out: pathlib.Path) -> Steps:
 
 ALL = [
     a_stroke_is_picked_and_hidden,
+    a_stroke_of_the_live_drawing_is_hidden,
     hatches_follow_a_guide,
     a_singularity_is_dragged,
     an_empty_scene_is_drawn_after_one_click,
