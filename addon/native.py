@@ -12,7 +12,7 @@ from types import ModuleType
 
 import bpy
 
-from .messages import IllustrateError
+from .messages import IllustrateError, said
 
 NAME = "illustrate_native"
 
@@ -40,16 +40,23 @@ def is_loaded() -> bool:
 def _missing(error: ImportError) -> str:
     """Why the module cannot be loaded, and the way out."""
     needed, inside = "{}.{}".format(*sys.version_info[:2]), pythons_inside()
-    blender = f"Blender {bpy.app.version_string} runs Python {needed}"
     if needed in inside:
-        return (
-            f"The native module of Illustrate for Python {needed} is there and cannot be loaded "
-            f"({error}): install Illustrate again from the package for this system"
+        return said(
+            "The native module of Illustrate for Python {needed} is there and cannot be loaded "
+            "({error}): install Illustrate again from the package for this system",
+            needed=needed,
+            error=error,
         )
-    has = f"has it for Python {', '.join(inside)}" if inside else "has it for no Python"
-    return (
-        f"The native module of Illustrate is missing: {blender}, and this package {has}. "
-        "Install the package of Illustrate that is made for this Blender"
+    has = said("no Python")
+    if inside:
+        has = said("Python {versions}", versions=", ".join(inside))
+    return said(
+        "The native module of Illustrate is missing: Blender {blender} runs Python {needed}, and "
+        "this package has it for {has}. Install the package of Illustrate that is made for this "
+        "Blender",
+        blender=bpy.app.version_string,
+        needed=needed,
+        has=has,
     )
 
 

@@ -6,7 +6,7 @@ from typing import Any
 import bpy
 import numpy as np
 import pytest
-from illustrate.reading import lightness
+from illustrate.reading import lightness, pictures
 from illustrate.reading.kept_images import IMAGES
 from illustrate.running import illustration
 
@@ -149,7 +149,7 @@ def wrongly_packed_image(_folder: Any) -> Any:
 
 def huge_image(_folder: Any) -> Any:
     """32,768 pixels wide, and a little larger than what is read."""
-    return bpy.data.images.new("Bad", 32768, lightness.MOST_TEXELS // 32768 + 1)
+    return bpy.data.images.new("Bad", 32768, pictures.MOST_TEXELS // 32768 + 1)
 
 
 @pytest.mark.parametrize("bad", [missing_image, wrongly_packed_image, huge_image])
@@ -180,7 +180,7 @@ def test_a_wide_image_is_read(scene: Any) -> None:
 def test_large_images_are_averaged() -> None:
     pixels = np.zeros((3, 5000, 4), np.float32)
     pixels[..., 0] = np.arange(5000)
-    small = lightness._averaged(pixels)
+    small = pictures._averaged(pixels)
     assert small.shape == (1, 1666, 4)
     assert small[0, :, 0] == pytest.approx(1 + 3 * np.arange(1666))
 

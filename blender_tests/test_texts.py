@@ -1,12 +1,13 @@
 """What the add-on says: a tooltip with unit and effect for every setting, and in German."""
 
 import re
+from types import SimpleNamespace
 from typing import Any
 
 import bpy
 import interface_texts
 import pytest
-from illustrate import translations
+from illustrate import messages, translations
 
 UNITS = (
     r"millimetre|pixel|degree|second|share|stops|times|how often|levels|spacings|surfaces|frame"
@@ -15,6 +16,7 @@ UNITS = (
 )
 """Words by which a tooltip says what its number counts, where Blender does not show it."""
 SHOWN_BY_BLENDER = {"PIXEL", "ANGLE", "FACTOR", "COLOR", "COLOR_GAMMA", "XYZ", "DISTANCE", "LENGTH"}
+VALUE = re.compile(r"{[^}]*}")
 FROM_BLENDER = {"filepath", "filter_glob", "check_existing", "directory"}
 
 
@@ -60,6 +62,27 @@ def test_no_text_lacks_its_translation(language: str) -> None:
     assert all(words.strip() == words and words for words in table.values())
     for text, words in table.items():
         assert words.endswith(".") == text.endswith("."), text
+
+
+def test_every_message_can_be_translated() -> None:
+    assert not list(interface_texts.unsaid()), "they miss `said` of messages.py"
+
+
+@pytest.mark.parametrize("language", sorted(set(translations.TABLES.values())))
+def test_translations_have_the_values_of_their_texts(language: str) -> None:
+    for text, words in translations.texts(language).items():
+        assert sorted(VALUE.findall(text)) == sorted(VALUE.findall(words)), text
+
+
+def test_messages_are_translated(monkeypatch: Any) -> None:
+    german = translations.texts("german")
+    stand_in = SimpleNamespace(pgettext_rpt=lambda text: german.get(text, text))
+    app = SimpleNamespace(translations=stand_in)
+    monkeypatch.setattr(messages, "bpy", SimpleNamespace(app=app))
+    assert messages.amount(1, "stroke") == "1 Strich"
+    assert messages.amount(2, "stroke") == "2 Striche"
+    assert messages.quoted(["a", "b", "c"], 1) == '"a" und 2 weitere'
+    assert messages.said("Kept {strokes}", strokes="2 Striche") == "2 Striche behalten"
 
 
 def test_blender_shows_the_translation() -> None:

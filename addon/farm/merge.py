@@ -14,8 +14,8 @@ import bpy
 import numpy as np
 
 from .. import native, output
-from ..messages import IllustrateError, counted, quoted
-from ..output.files import write_blend
+from ..messages import IllustrateError, counted, quoted, said
+from ..output.files import not_written, write_blend
 from ..output.saving import only_saved
 from ..output.strokes import Sheet
 from ..reading.scene import CameraArrays
@@ -39,13 +39,16 @@ class Found:
         """One line for each kind of problem."""
         told = []
         if self.missing:
-            told.append(f"Missing frames: {', '.join(map(str, self.missing))}")
+            told.append(said("Missing frames: {frames}", frames=", ".join(map(str, self.missing))))
         if self.damaged:
-            told.append(f"Damaged files: {quoted(self.damaged, MOST_NAMED)}")
+            told.append(said("Damaged files: {names}", names=quoted(self.damaged, MOST_NAMED)))
         if self.foreign:
             told.append(
-                "Files of other settings, of another version, of a frame that is there already or "
-                f"not of Illustrate: {quoted(self.foreign, MOST_NAMED)}"
+                said(
+                    "Files of other settings, of another version, of a frame that is there already "
+                    "or not of Illustrate: {names}",
+                    names=quoted(self.foreign, MOST_NAMED),
+                )
             )
         return told
 
@@ -105,7 +108,7 @@ def merge_into(path: str, folder: str, wanted: list[int] | None, partial: bool) 
     try:
         write_blend(os.path.abspath(path), saving=saving)
     except (OSError, RuntimeError) as error:
-        raise IllustrateError(f'"{path}" cannot be written: {error}') from error
+        raise not_written(path, error) from error
     for warning in warnings:
         complain(f"warning: {warning}")
     say(f"Saved: '{path}'")
@@ -116,8 +119,9 @@ def _check(scene: Any, found: Found, partial: bool) -> None:
     """Raises IllustrateError where nothing is to be merged."""
     output.check_can_bake(scene.illustrate.output)
     if not found.sheets or (found.problems and not partial):
-        told = ". ".join(["Nothing was merged", *found.problems])
-        raise IllustrateError(told if found.problems else f"{told}: there are no frames")
+        if not found.problems:
+            raise IllustrateError(said("Nothing was merged: there are no frames"))
+        raise IllustrateError(". ".join([said("Nothing was merged"), *found.problems]))
 
 
 @contextmanager
@@ -140,7 +144,8 @@ def _json_files(folder: str) -> list[pathlib.Path]:
     try:
         names = sorted(os.listdir(folder))
     except OSError as error:
-        raise IllustrateError(f'"{folder}" cannot be read ({error.strerror})') from error
+        told = said('"{folder}" cannot be read ({why})', folder=folder, why=error.strerror)
+        raise IllustrateError(told) from error
     return [pathlib.Path(folder, n) for n in names if n.endswith(".json") and n[0] != "."]
 
 

@@ -7,7 +7,7 @@ from typing import Any
 import bpy
 from bpy.props import BoolProperty, StringProperty
 
-from ..messages import IllustrateError, counted
+from ..messages import IllustrateError, amount, said
 from ..running.tasks import is_running
 from .merge import find_frames, merge
 
@@ -51,7 +51,8 @@ class ILLUSTRATE_OT_import_frames(bpy.types.Operator):
             return {"CANCELLED"}
         for warning in warnings:
             self.report({"WARNING"}, warning)
-        self.report({"INFO"}, f"Imported {counted(len(found.sheets), 'frame')}")
+        frames = amount(len(found.sheets), "frame")
+        self.report({"INFO"}, said("Imported {frames}", frames=frames))
         return {"FINISHED"}
 
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import bpy
 
-from ..messages import IllustrateError, quoted
+from ..messages import IllustrateError, quoted, said
 from . import curves, fills, grease_pencil_v2, grease_pencil_v3, pencil
 from .strokes import Sheet, stroke_groups
 
@@ -69,14 +69,17 @@ def bake_drawings(scene: Any, sheets: list[Sheet]) -> list[str]:
     left = pencil.bake(PENCIL_API, scene, sheets)
     if not left:
         return []
-    return [f"Left as drawn by hand: {quoted(left)}"]
+    return [said("Left as drawn by hand: {names}", names=quoted(left))]
 
 
 def check_can_bake(target: str) -> None:
     """Raises IllustrateError for outputs that have no keyframes."""
     if target == "CURVES":
         raise IllustrateError(
-            "Curves hold one drawing, not one for each frame: set Output to Grease Pencil to bake"
+            said(
+                "Curves hold one drawing, not one for each frame: set Output to Grease Pencil to "
+                "bake"
+            )
         )
 
 

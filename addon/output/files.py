@@ -12,7 +12,7 @@ from uuid import uuid4
 import bpy
 
 from .. import native
-from ..messages import IllustrateError
+from ..messages import IllustrateError, said
 from .png import png_of
 from .stamps import append_stamp
 
@@ -45,9 +45,17 @@ def prepare_folder(folder: str) -> None:
             pass
     except OSError as error:
         raise IllustrateError(
-            f'Nothing can be written to the folder "{folder}" '
-            f"({error.strerror}): choose another one"
+            said(
+                'Nothing can be written to the folder "{folder}" ({why}): choose another one',
+                folder=folder,
+                why=error.strerror,
+            )
         ) from error
+
+
+def not_written(path: str, error: Exception) -> IllustrateError:
+    """What is said of a file that cannot be written."""
+    return IllustrateError(said('"{path}" cannot be written: {error}', path=path, error=error))
 
 
 def write_file(path: str, page: Page) -> None:
@@ -62,7 +70,7 @@ def write_file(path: str, page: Page) -> None:
         else:
             _write(path, {"svg": _svg, "png": png_of, "json": _json}[file_format](page))
     except (OSError, RuntimeError) as error:
-        raise IllustrateError(f'"{path}" cannot be written: {error}') from error
+        raise not_written(path, error) from error
 
 
 def write_blend(
@@ -134,7 +142,7 @@ def write_bytes(path: str, data: bytes) -> None:
     try:
         _write(path, data)
     except OSError as error:
-        raise IllustrateError(f'"{path}" cannot be written: {error}') from error
+        raise not_written(path, error) from error
 
 
 def _write(path: str, data: bytes) -> None:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from .. import native
-from ..messages import IllustrateError
+from ..messages import IllustrateError, said
 from ..output.png import hex_of
 from ..reading.scene import colour_of
 
@@ -28,7 +28,7 @@ def _explained() -> Iterator[None]:
     try:
         yield
     except native.load_part("plot").PlotError as error:
-        raise IllustrateError(f"Nothing is filled: {error}") from error
+        raise IllustrateError(said("Nothing is filled: {error}", error=error)) from error
 
 
 def check_fills(scene: Any) -> None:

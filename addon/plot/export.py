@@ -9,7 +9,7 @@ from typing import Any
 import bpy
 from bpy.props import BoolProperty, StringProperty
 
-from ..messages import counted
+from ..messages import amount
 from ..output.files import write_bytes
 from ..reading.tone_images import tone_of
 from ..running.bake import frames_of
@@ -71,7 +71,7 @@ class ILLUSTRATE_OT_export_drawing(DrawingOperator, bpy.types.Operator):
             write_bytes(os.path.join(os.path.dirname(path), mask), data)
         PLANNED.remember(name, made.plots[0])
         told = summary(path, made.plots)
-        told += f", {counted(len(made.masks), 'mask')}" if made.masks else ""
+        told += f", {amount(len(made.masks), 'mask')}" if made.masks else ""
         return [*(("WARNING", warning) for warning in made.warnings), ("INFO", told)]
 
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from .. import native
-from ..messages import IllustrateError, counted
+from ..messages import IllustrateError, amount, said
 from ..output.png import hex_of
 from ..reading.scene import collections_of
 from ..settings.scene_settings import draw_values
@@ -77,7 +77,7 @@ def _explained() -> Iterator[None]:
     try:
         yield
     except native.load_part("plot").PlotError as error:
-        raise IllustrateError(f"Nothing is plotted: {error}") from error
+        raise IllustrateError(said("Nothing is plotted: {error}", error=error)) from error
 
 
 def _options(plot: Any, scene: Any, camera: Any) -> Any:
@@ -99,7 +99,10 @@ def _mm_per_px(scene: Any, camera: Any) -> float:
     """Of the scale of the scene's units. Raises IllustrateError for a perspective camera."""
     if camera.projection[3][2] != 0:
         raise IllustrateError(
-            "A camera with perspective has no scale: make it orthographic, or choose another Fit"
+            said(
+                "A camera with perspective has no scale: make it orthographic, or choose another "
+                "Fit"
+            )
         )
     metres = float(camera.pixel_size(np.zeros((1, 3)))[0]) * scene.unit_settings.scale_length
     return float(1000 * metres / scene.illustrate_plot.scale)
@@ -156,10 +159,11 @@ def _hex(colour: Any) -> str:
 def _off(settings: Any, width_mm: float) -> Iterator[str]:
     """That millimetres of the drawing's settings are others on this page."""
     if settings.unit == "MILLIMETRE" and (abs(settings.page_width_mm / width_mm - 1) > LENGTHS_OFF):
-        yield (
-            f"The picture is {width_mm:.1f} mm wide on the page and was drawn for "
-            f"{settings.page_width_mm:.1f} mm: set Page Width, under Output, to {width_mm:.1f} for "
-            "distances in true millimetres"
+        yield said(
+            "The picture is {width:.1f} mm wide on the page and was drawn for {drawn:.1f} mm: set "
+            "Page Width, under Output, to {width:.1f} for distances in true millimetres",
+            width=width_mm,
+            drawn=settings.page_width_mm,
         )
 
 
@@ -196,12 +200,15 @@ def bytes_of(
 def summary(path: str, plots: list[Any]) -> str:
     """What a plot takes, in a line."""
     costs = sum((plot.costs for plot in plots[1:]), plots[0].costs)
-    layers = counted(len(plots[0].layers), "layer")
-    pages = f"{counted(len(plots), 'page')}, " if len(plots) > 1 else ""
-    return (
-        f"{os.path.basename(path)}: {pages}{layers}, {counted(costs.strokes, 'stroke')}, "
-        f"{costs.down_mm / 1000:.1f} m drawn, {costs.up_mm / 1000:.1f} m with the pen up, about "
-        f"{minutes(costs.seconds)}"
+    layers = amount(len(plots[0].layers), "layer")
+    pages = f"{amount(len(plots), 'page')}, " if len(plots) > 1 else ""
+    return said(
+        "{name}: {parts}, {down:.1f} m drawn, {up:.1f} m with the pen up, about {time}",
+        name=os.path.basename(path),
+        parts=f"{pages}{layers}, {amount(costs.strokes, 'stroke')}",
+        down=costs.down_mm / 1000,
+        up=costs.up_mm / 1000,
+        time=minutes(costs.seconds),
     )
 
 

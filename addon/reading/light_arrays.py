@@ -13,6 +13,7 @@ from typing import Any
 import bpy
 import numpy as np
 
+from ..messages import said
 from .lightness import luminance
 
 SKY = (0.5, 0.5, 0.5)  # what stands in for a sky or an image all round
@@ -73,8 +74,8 @@ def strength_problem(data: Any) -> str:
     """What is wrong with the strength of a light, empty where it can be drawn with."""
     watts = _watts(data)
     if not math.isfinite(watts):
-        return "it is infinitely strong"
-    return "its strength is negative" if watts < 0 else ""
+        return said("it is infinitely strong")
+    return said("its strength is negative") if watts < 0 else ""
 
 
 def _watts(data: Any) -> float:

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from ..messages import IllustrateError, quoted
+from ..messages import IllustrateError, quoted, said
 from ..ownership import is_ours
 from .guide_arrays import GuideArrays, read_guides
 from .instances import Placed, read_shown
@@ -135,15 +135,21 @@ def put_into_world(arrays: SceneArrays) -> None:
 
 def nothing_to_draw(scene: Any, selected_only: bool, without_faces: list[str]) -> str:
     """What is said of a scene without a mesh to draw, and the way out."""
-    empty = f" ({quoted(without_faces)}: no faces)" if without_faces else ""
+    empty = ""
+    if without_faces:
+        empty = f" ({said('{names}: no faces', names=quoted(without_faces))})"
     if selected_only:
-        return (
-            f'No mesh with faces is selected in scene "{scene.name}"{empty}: '
-            "select what is to be drawn, or set Draw to Scene"
+        return said(
+            'No mesh with faces is selected in scene "{scene}"{empty}: '
+            "select what is to be drawn, or set Draw to Scene",
+            scene=scene.name,
+            empty=empty,
         )
-    return (
-        f'Nothing in scene "{scene.name}" can be drawn{empty}: add a mesh with '
-        "faces, or show one in viewport and render"
+    return said(
+        'Nothing in scene "{scene}" can be drawn{empty}: add a mesh with '
+        "faces, or show one in viewport and render",
+        scene=scene.name,
+        empty=empty,
     )
 
 
@@ -170,18 +176,25 @@ def camera_problem(scene: Any) -> str:
     """Why the scene's camera cannot be drawn from, and the way out; empty when it can."""
     camera = scene.camera
     if camera is None:
-        return f'Scene "{scene.name}" has no camera: add one, or choose one in the scene properties'
+        return said(
+            'Scene "{scene}" has no camera: add one, or choose one in the scene properties',
+            scene=scene.name,
+        )
     if camera.type != "CAMERA":
-        return (
-            f'"{camera.name}", the camera of scene "{scene.name}", is not a '
-            "camera: choose one in the scene properties"
+        return said(
+            '"{name}", the camera of scene "{scene}", is not a camera: choose one in the scene '
+            "properties",
+            name=camera.name,
+            scene=scene.name,
         )
     # `calc_matrix_camera` would give them an ordinary perspective, without a word.
     if camera.data.type not in ("PERSP", "ORTHO"):
-        kind = {"PANO": "panoramic"}.get(camera.data.type, camera.data.type.lower())
-        return (
-            f'Camera "{camera.name}" is {kind}, which cannot be drawn: set its '
-            "type to Perspective or Orthographic"
+        kinds = {"PANO": said("panoramic")}
+        return said(
+            'Camera "{name}" is {kind}, which cannot be drawn: set its type to Perspective or '
+            "Orthographic",
+            name=camera.name,
+            kind=kinds.get(camera.data.type, camera.data.type.lower()),
         )
     return ""
 
@@ -215,7 +228,7 @@ def read_camera(scene: Any, depsgraph: Any) -> CameraArrays:
         view = evaluated.matrix_world.normalized().inverted()
     except ValueError as error:
         raise IllustrateError(
-            f'Camera "{camera.name}" is scaled to nothing: clear its scale'
+            said('Camera "{name}" is scaled to nothing: clear its scale', name=camera.name)
         ) from error
     return CameraArrays(np.array(projection, float), np.array(view, float), width, height)
 

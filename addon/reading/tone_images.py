@@ -11,8 +11,9 @@ from typing import Any
 import bpy
 import numpy as np
 
+from ..messages import said
 from .kept_images import IMAGES
-from .lightness import read_image
+from .pictures import read_image
 
 SOURCES = [
     ("LIGHTS", "Lights", "Light and materials say how dark the drawing is", 0),
@@ -35,11 +36,12 @@ def read_tone(scene: Any, width_px: int, height_px: int) -> Tone:
         return None, []
     image = chosen.tone_image
     if image is None:
-        return None, ["Tone is from an image, but none is chosen: it is from the lights"]
+        return None, [said("Tone is from an image, but none is chosen: it is from the lights")]
     try:
         luminance = luminance_of(image, scene.frame_current)
     except ValueError as error:
-        return None, [f'Image "{image.name}" gives no tone, the lights do: {error}']
+        told = 'Image "{name}" gives no tone, the lights do: {error}'
+        return None, [said(told, name=image.name, error=error)]
     return fitted(luminance, image.name, width_px, height_px)
 
 
@@ -54,17 +56,24 @@ def fitted(luminance: Any, name: str, width_px: int, height_px: int) -> Tone:
     left, top = (width - wide) // 2, (height - tall) // 2
     cut = np.ascontiguousarray(luminance[top : top + tall, left : left + wide])
     return cut, [
-        f'Of image "{name}" only the middle gives tone: it has {width} x {height} pixels, the '
-        f"picture {width_px} x {height_px}"
+        said(
+            'Of image "{name}" only the middle gives tone: it has {width} x {height} pixels, the '
+            "picture {width_px} x {height_px}",
+            name=name,
+            width=width,
+            height=height,
+            width_px=width_px,
+            height_px=height_px,
+        )
     ]
 
 
 def luminance_of(image: Any, frame: int) -> Any:
     """(h, w) float32 linear luminance, rows downwards. Raises ValueError in words of the artist."""
     if image.type == "RENDER_RESULT":
-        raise ValueError("it is kept by the renderer. Set Tone From to Render")
+        raise ValueError(said("it is kept by the renderer. Set Tone From to Render"))
     if image.source == "MOVIE":
-        raise ValueError("it is a movie. Save its frames as an image sequence")
+        raise ValueError(said("it is a movie. Save its frames as an image sequence"))
     if image.source == "SEQUENCE":
         return _luminance_of_file(path_at(image, frame), image)
     return IMAGES.of(image, "tone", lambda: tone_of(image))
@@ -98,7 +107,8 @@ def load(path: str) -> Any:
     try:
         return bpy.data.images.load(path, check_existing=False)
     except RuntimeError as error:
-        raise ValueError(f'its file "{path}" is missing or cannot be read') from error
+        missing = said('its file "{path}" is missing or cannot be read', path=path)
+        raise ValueError(missing) from error
 
 
 def choose_file(scene: Any, pattern: str) -> None:

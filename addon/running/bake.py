@@ -6,7 +6,7 @@ from typing import Any
 import bpy
 
 from .. import native, output
-from ..messages import IllustrateError, counted
+from ..messages import IllustrateError, amount, said
 from ..plot.areas import check_fills, fills_of
 from ..reading.tone_images import tone_of
 from .illustration import computing, hatches_render, read_request
@@ -22,7 +22,13 @@ def frames_of(scene: Any) -> range:
     if chosen.use_scene_range:
         start, end = scene.frame_start, scene.frame_end
     if end < start:
-        raise IllustrateError(f"The bake ends at frame {end}, before it starts: set End to {start}")
+        raise IllustrateError(
+            said(
+                "The bake ends at frame {end}, before it starts: set End to {start}",
+                end=end,
+                start=start,
+            )
+        )
     return range(start, end + 1, chosen.frame_step)
 
 
@@ -58,7 +64,7 @@ class ILLUSTRATE_OT_bake(DrawingOperator, bpy.types.Operator):
                 if scene.illustrate.keep_strokes and native.can_seed():
                     request.previous = previous
                 share = done / len(frames), (done + 1) / len(frames)
-                made = yield from computing(request, share, f"Frame {frame}")
+                made = yield from computing(request, share, said("Frame {frame}", frame=frame))
                 areas = fills_of(still_there(name), made)
                 camera = made.arrays.camera
                 sheets.append(output.sheet_of(made.drawing, camera, frame, made.names, areas))
@@ -68,9 +74,11 @@ class ILLUSTRATE_OT_bake(DrawingOperator, bpy.types.Operator):
             _go_back(name, *shown)
         warnings += output.bake_drawings(still_there(name), sheets)
         strokes = sum(len(group.sizes) for sheet in sheets for group in sheet.groups)
-        done_text = (
-            f"Baked {counted(len(sheets), 'frame')}: {counted(strokes, 'stroke')} in "
-            f"{time.perf_counter() - start:.2f} s"
+        done_text = said(
+            "Baked {frames}: {strokes} in {seconds:.2f} s",
+            frames=amount(len(sheets), "frame"),
+            strokes=amount(strokes, "stroke"),
+            seconds=time.perf_counter() - start,
         )
         return [*(("WARNING", warning) for warning in warnings), ("INFO", done_text)]
 

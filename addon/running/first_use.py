@@ -7,7 +7,7 @@ from typing import Any
 import bpy
 from mathutils import Matrix, Vector
 
-from ..messages import IllustrateError
+from ..messages import IllustrateError, said
 from ..reading.scene import camera_problem
 from .problems import drawable, stopping_problem
 
@@ -39,13 +39,13 @@ def make_missing(scene: Any, view_layer: Any, view: Any = None) -> list[str]:
 
 def _lacks(scene: Any, view_layer: Any) -> Iterator[tuple[str, Any]]:
     if not any(drawable(scene, view_layer, False)):
-        yield "an object", _add_monkey
+        yield said("an object"), _add_monkey
     elif scene.illustrate.source == "SELECTION" and not any(drawable(scene, view_layer, True)):
-        yield "a selection", _select_all
+        yield said("a selection"), _select_all
     if camera_problem(scene):
-        yield "a camera", _add_camera
+        yield said("a camera"), _add_camera
         if not any(thing.type == "LIGHT" for thing in view_layer.objects):
-            yield "a light", _add_sun
+            yield said("a light"), _add_sun
 
 
 def _link(scene: Any, name: str, data: Any) -> Any:
@@ -133,7 +133,7 @@ class ILLUSTRATE_OT_set_up(bpy.types.Operator):
         except IllustrateError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        self.report({"INFO"}, f"Made {', '.join(made)}")
+        self.report({"INFO"}, said("Made {things}", things=", ".join(made)))
         return {"FINISHED"}
 
 

@@ -14,34 +14,19 @@ from typing import Any
 import numpy as np
 
 from .. import native
-from ..messages import IllustrateError, counted, quoted
+from ..messages import IllustrateError, quoted, said
 from ..reading.light_arrays import LightArrays
 from ..reading.mesh_arrays import MeshArrays
 from ..reading.scene import CameraArrays, SceneArrays, read_lights, read_scene, unusable_lights
 from ..reading.tone_images import read_tone
 from ..settings import scene_settings as settings
+from . import remarks
 from .cache import CACHE, Cache, digest, split_widths
 from .jobs import Progress, Step, Steps, run
 
 PREPARING = 0.6  # share of the progress of a drawing that preparing has
 
-# What is mended in meshes, by the names of the native reports.
-REPAIRS = {
-    "nan_vertices": "vertices that are not finite",
-    "nan_faces": "faces at vertices that are not finite",
-    "repeated_corners": "repeated corners",
-    "degenerate_faces": "degenerate faces",
-    "huge_faces": "faces of too many corners",
-    "duplicate_faces": "duplicate faces",
-    "welded_vertices": "unwelded vertices",
-    "split_edges": "edges of more than two faces",
-    "split_vertices": "vertices where surfaces touch",
-    "flipped_faces": "flipped faces",
-    "turned_parts": "parts turned inside out",
-}
-
-
-TURNS_WAY_OUT = ". Change the Turns of the empties among the guides, in their object properties"
+TURNS_WAY_OUT = "Change the Turns of the empties among the guides, in their object properties"
 
 
 @dataclass
@@ -180,7 +165,7 @@ def request_of(scene: Any, arrays: SceneArrays, rendered: Any = None) -> Request
         settings.prepare_values(chosen),
         draw,
         chosen.guide_weight,
-        warnings + _guide_warnings(scene, arrays),
+        warnings + remarks.of_guides(scene, arrays),
     )
 
 
@@ -227,8 +212,8 @@ def computing(
     seconds = {"read": request.read_seconds}
     seconds.update(request.prepare_seconds)
     seconds.update(drawing.timings if is_drawn else {})
-    warnings = _warnings(request.arrays, prepared.reports) + request.warnings
-    warnings += _crowding(drawing.counts, prepared)
+    warnings = remarks.of_meshes(request.arrays, prepared.reports) + request.warnings
+    warnings += remarks.of_crowding(drawing.counts, prepared)
     return Illustration(drawing, prepared, request.arrays, warnings, seconds)
 
 
@@ -315,83 +300,22 @@ def _explained(request: Request) -> Iterator[None]:
     try:
         yield
     except native.load().InvalidInput as error:
-        way_out = TURNS_WAY_OUT if request.arrays.guides.turns and "singular" in str(error) else ""
-        raise IllustrateError(
-            f'Scene "{request.scene_name}" cannot be drawn: {error}{way_out}'
-        ) from error
+        told = said(
+            'Scene "{scene}" cannot be drawn: {error}', scene=request.scene_name, error=error
+        )
+        if request.arrays.guides.turns and "singular" in str(error):
+            told += f". {said(TURNS_WAY_OUT)}"
+        raise IllustrateError(told) from error
 
 
 def _nothing_is_left(request: Request, reports: list[dict[str, Any]]) -> IllustrateError:
     """Of scenes whose every face is broken."""
     names = quoted([mesh.name for mesh in request.arrays.meshes])
-    found = " ".join(f"{warning}." for warning in _warnings(request.arrays, reports))
-    return IllustrateError(
-        f'Nothing in scene "{request.scene_name}" can be drawn: no face of {names} has an area. '
-        f"Check the coordinates of the vertices and the scale of the objects. {found}".strip()
+    told = said(
+        'Nothing in scene "{scene}" can be drawn: no face of {names} has an area. Check the '
+        "coordinates of the vertices and the scale of the objects.",
+        scene=request.scene_name,
+        names=names,
     )
-
-
-def _guide_warnings(scene: Any, arrays: SceneArrays) -> list[str]:
-    collection = scene.illustrate.guides
-    if collection is None or arrays.guides:
-        return []
-    return [
-        f'Collection "{collection.name}" guides nothing: it has no curve, Grease Pencil stroke '
-        f"at frame {scene.frame_current}, or empty that turns hatches"
-    ]
-
-
-def _warnings(arrays: SceneArrays, reports: list[dict[str, Any]]) -> list[str]:
-    """What the artist should know about the meshes: those mended, and those left out."""
-    warnings = []
-    mended = [report for report in reports if any(report.get(name) for name in REPAIRS)]
-    if mended:
-        counts = {
-            text: sum(report.get(name, 0) for report in mended) for name, text in REPAIRS.items()
-        }
-        listed = ", ".join(f"{count} {text}" for text, count in counts.items() if count)
-        warnings.append(
-            f"Mended {counted(len(mended), 'mesh', 'meshes')}, "
-            f"{quoted([report['name'] for report in mended])}: {listed}"
-        )
-    if arrays.partly_read:
-        names = quoted(arrays.partly_read)
-        warnings.append(
-            f"Of {counted(len(arrays.partly_read), 'material')} ({names}) the nodes are followed "
-            "in part: give it a base colour, an image through a UV map or a viewport colour, or "
-            "lower Materials"
-        )
-    for name, problem in arrays.unread_images.items():
-        warnings.append(f'Image "{name}" counts as white: {problem}')
-    for name, problem in arrays.unusable_lights.items():
-        warnings.append(f'Light "{name}" gives no light: {problem}')
-    if arrays.left_out:
-        warnings.append(f"Left out {', '.join(map(_named, arrays.left_out.items()))}")
-    return warnings
-
-
-def _crowding(counts: dict[str, int], prepared: Any) -> list[str]:
-    """What the artist should know of a view with too many crossings."""
-    if not counts.get("sampled_views", 0):
-        return []
-    sampled = "what hides what was sampled once a pixel"
-    pairs = prepared.left_out_intersections
-    if pairs:
-        meshes = sorted({mesh for pair in pairs for mesh in pair})
-        names = quoted([prepared.reports[mesh]["name"] for mesh in meshes])
-        return [
-            f"Surfaces pass through each other in too many places: the lines there were left out "
-            f"of {names}, and {sampled}. Ignore them, in their styles, or raise Crossings, "
-            "under Surface and Field"
-        ]
-    return [
-        f"There are over 200,000 crossings of lines: {sampled}. "
-        "Ignore objects, in their styles, of which single lines cannot be told, such as fur"
-    ]
-
-
-def _named(kind_and_names: tuple[str, list[str]]) -> str:
-    """Such as '2 volumes ("Fog", "Smoke")'."""
-    kind, names = kind_and_names
-    plural = kind.replace("object", "objects") if kind.startswith("object") else ""
-    return f"{counted(len(names), kind, plural)} ({quoted(list(dict.fromkeys(names)))})"
+    found = [f"{warning}." for warning in remarks.of_meshes(request.arrays, reports)]
+    return IllustrateError(" ".join([told, *found]))

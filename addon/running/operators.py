@@ -6,7 +6,7 @@ from typing import Any
 import bpy
 
 from .. import output
-from ..messages import IllustrateError, counted
+from ..messages import IllustrateError, amount, said
 from ..output import field_overlay
 from ..plot.areas import check_fills, fills_of
 from ..reading.tone_images import tone_of
@@ -36,7 +36,7 @@ class DrawingOperator(TaskOperator):
     @classmethod
     def poll(cls, context: Any) -> bool:
         """True when a drawing can be made; else the operator's button says why it is grey."""
-        problem = "An illustration is being drawn: ESC cancels it" if is_running() else ""
+        problem = said("An illustration is being drawn: ESC cancels it") if is_running() else ""
         problem = problem or stopping_problem(context.scene, context.view_layer)
         if problem:
             cls.poll_message_set(problem)  # type: ignore[attr-defined]
@@ -78,9 +78,11 @@ class ILLUSTRATE_OT_illustrate(DrawingOperator, bpy.types.Operator):
 
 def reports(made: Illustration, seconds: float) -> list[tuple[str, str]]:
     """What the artist is told: warnings, and what was done."""
-    done = (
-        f"Illustrated {counted(len(made.names), 'object')}: "
-        f"{counted(len(made.drawing.kinds), 'stroke')} in {seconds:.2f} s"
+    done = said(
+        "Illustrated {objects}: {strokes} in {seconds:.2f} s",
+        objects=amount(len(made.names), "object"),
+        strokes=amount(len(made.drawing.kinds), "stroke"),
+        seconds=seconds,
     )
     return [*(("WARNING", warning) for warning in made.warnings), ("INFO", done)]
 
@@ -90,7 +92,9 @@ def still_there(scene_name: str) -> Any:
     # By name: after an undo or a loaded file old references are of data that is gone.
     scene = bpy.data.scenes.get(scene_name)
     if scene is None:
-        raise IllustrateError(f'Scene "{scene_name}" is gone: its illustration is not written')
+        raise IllustrateError(
+            said('Scene "{scene}" is gone: its illustration is not written', scene=scene_name)
+        )
     return scene
 
 
@@ -151,8 +155,8 @@ class ILLUSTRATE_OT_show_field(DrawingOperator, bpy.types.Operator):
         prepared = yield Step(start_preparing(request, prepared), 0.5)
         field = prepared.field
         field_overlay.write(still_there(request.scene_name), prepared.surface, field)
-        count = len(field.singular_indices)
-        return [("INFO", f"The field has {counted(count, 'singularity', 'singularities')}")]
+        points = amount(len(field.singular_indices), "singularity", "singularities")
+        return [("INFO", said("The field has {points}", points=points))]
 
 
 class ILLUSTRATE_OT_hide_field(bpy.types.Operator):

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from typing import Any
 
+from ..messages import said
 from ..ownership import is_ours
 from ..reading.scene import camera_problem, nothing_to_draw
 from ..settings.styles import style_of
@@ -35,9 +36,12 @@ def slowing_problem(scene: Any, view_layer: Any) -> str:
     if seconds < LONG_S:
         return ""
     heaviest = max(counts, key=lambda name: counts[name])
-    return (
-        f'"{heaviest}" has {counts[heaviest]:,} faces: the first drawing takes about '
-        f"{seconds:.0f} s. Give it fewer with a Decimate modifier, or set its style to Ignore"
+    return said(
+        '"{name}" has {count:,} faces: the first drawing takes about {seconds:.0f} s. Give it '
+        "fewer with a Decimate modifier, or set its style to Ignore",
+        name=heaviest,
+        count=counts[heaviest],
+        seconds=seconds,
     )
 
 

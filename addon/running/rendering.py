@@ -12,7 +12,7 @@ from typing import Any
 
 import bpy
 
-from ..messages import IllustrateError
+from ..messages import IllustrateError, said
 from ..ownership import is_ours, mark
 from ..reading.tone_images import load
 from .jobs import Step, Steps, run
@@ -60,11 +60,15 @@ def kept(image: Any) -> str:
 def _render(scene: Any, how: str) -> None:
     try:
         if "CANCELLED" in bpy.ops.render.render(how, scene=scene.name):
-            raise RuntimeError("another render is running")
+            raise RuntimeError(said("another render is running"))
     except RuntimeError as error:
         why = str(error).strip().removeprefix("Error: ").rstrip(".")
         raise IllustrateError(
-            f'Scene "{scene.name}" cannot be rendered: {why}. Set Tone From to Lights or Image'
+            said(
+                'Scene "{scene}" cannot be rendered: {why}. Set Tone From to Lights or Image',
+                scene=scene.name,
+                why=why,
+            )
         ) from error
 
 
@@ -103,12 +107,16 @@ def _read(scene: Any, read: Callable[[Any], Any]) -> Any:
         path = os.path.join(folder, f"{NAME}.png")
         try:
             if result is None:
-                raise ValueError("there is no result")
+                raise ValueError(said("there is no result"))
             result.save_render(path, scene=scene)
             image = load(path)
         except (RuntimeError, ValueError) as error:
             raise IllustrateError(
-                f'The render of scene "{scene.name}" cannot be read: {str(error).strip()}'
+                said(
+                    'The render of scene "{scene}" cannot be read: {why}',
+                    scene=scene.name,
+                    why=str(error).strip(),
+                )
             ) from error
         try:
             return read(image)
@@ -161,4 +169,4 @@ class _Watch:
     def result(self) -> None:
         """Raises IllustrateError when the render is not to be whole."""
         if self._was_cancelled:
-            raise IllustrateError("The render was cancelled: nothing was changed")
+            raise IllustrateError(said("The render was cancelled: nothing was changed"))

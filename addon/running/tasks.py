@@ -10,7 +10,7 @@ from typing import Any
 
 import bpy
 
-from ..messages import IllustrateError
+from ..messages import IllustrateError, said
 from .jobs import Steps, go_on, let_go, run
 
 Task = Steps[list[tuple[str, str]]]
@@ -66,8 +66,10 @@ def stop_all() -> None:
 
 def status_text(fraction: float, title: str, stage: str) -> str:
     """What the status bar says, such as 'Illustrate: 42 %  Hatching  (ESC to cancel)'."""
-    words = "  ".join(word for word in (title, STAGES.get(stage, stage.capitalize())) if word)
-    return f"Illustrate: {100 * fraction:.0f} %  {words}  (ESC to cancel)"
+    name = STAGES.get(stage, stage.capitalize())
+    words = "  ".join(word for word in (title, name and said(name)) if word)
+    percent = f"{100 * fraction:.0f}"
+    return said("Illustrate: {percent} %  {words}  (ESC to cancel)", percent=percent, words=words)
 
 
 def _has_window(context: Any) -> bool:
@@ -116,7 +118,7 @@ class TaskOperator:
         """Shows progress, hands results on, and stops on ESC; the view may be moved meanwhile."""
         if event.type == "ESC":
             self.cancel(context)
-            self.report({"INFO"}, "Illustrate: cancelled, nothing was changed")
+            self.report({"INFO"}, said("Illustrate: cancelled, nothing was changed"))
             return {"CANCELLED", "PASS_THROUGH"} if self._step.shares_esc else {"CANCELLED"}
         if event.type != "TIMER":
             return {"PASS_THROUGH" if event.type in NAVIGATION else "RUNNING_MODAL"}

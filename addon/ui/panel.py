@@ -5,7 +5,7 @@ from typing import Any
 
 import bpy
 
-from ..messages import counted
+from ..messages import amount, said
 from ..running.bake import ILLUSTRATE_OT_bake
 from ..running.first_use import ILLUSTRATE_OT_reset, ILLUSTRATE_OT_set_up, missing
 from ..running.operators import (
@@ -116,6 +116,15 @@ def show_text(layout: Any, text: str, width_px: float, icon: str) -> None:
     letters = max(16, int(width_px / PIXELS_PER_LETTER))
     for number, line in enumerate(textwrap.wrap(text, letters)):
         column.label(text=line, icon="BLANK1" if number else icon)
+
+
+def _told(picked: Any) -> str:
+    """What a picked stroke is, and what stands before it."""
+    kind, thing = said(picked.kind.capitalize().replace("_", " ")), picked.thing
+    if not picked.layers:
+        return said("{kind} of {thing}, visible", kind=kind, thing=thing)
+    layers = amount(picked.layers, "surface")
+    return said("{kind} of {thing}, behind {layers}", kind=kind, thing=thing, layers=layers)
 
 
 def _show_problem(layout: Any, context: Any, problem: str) -> None:
@@ -242,10 +251,7 @@ class ILLUSTRATE_PT_hands(SidePanel, bpy.types.Panel):
         layout.operator(ILLUSTRATE_OT_pick.bl_idname, icon="EYEDROPPER")
         picked, thing = PICKER.picked, thing_of(context.scene)
         if picked is not None:
-            seen = "visible" if not picked.layers else f"behind {counted(picked.layers, 'surface')}"
-            kind = picked.kind.capitalize().replace("_", " ")
-            text = f"{kind} of {picked.thing}, {seen}"
-            show_text(layout, text, _room(context), "CURVE_DATA")
+            show_text(layout, _told(picked), _room(context), "CURVE_DATA")
             row = layout.row(align=True)
             row.operator(ILLUSTRATE_OT_hide_stroke.bl_idname)
             row.operator(ILLUSTRATE_OT_hide_hatches.bl_idname)

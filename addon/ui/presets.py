@@ -7,7 +7,7 @@ import bpy
 from bl_operators.presets import AddPresetBase
 from bl_ui.utils import PresetPanel
 
-from ..messages import IllustrateError, quoted
+from ..messages import IllustrateError, quoted, said
 from ..plot.settings import preset_fields as plot_preset_fields
 from ..settings.scene_settings import preset_fields
 
@@ -35,7 +35,9 @@ def apply(name: str, kind: str = FOLDER) -> None:
     path = find(name, kind)
     if not path:
         listed = quoted(titles(kind), 20)
-        raise IllustrateError(f'There is no preset "{name}": choose one of {listed}')
+        raise IllustrateError(
+            said('There is no preset "{name}": choose one of {listed}', name=name, listed=listed)
+        )
     bpy.utils.execfile(path)
 
 

@@ -5,7 +5,7 @@ from typing import Any
 import bpy
 import numpy as np
 
-from ..messages import IllustrateError
+from ..messages import IllustrateError, said
 from .inspect import INSPECTOR
 from .live import LIVE
 
@@ -44,7 +44,7 @@ def hold_singularities(scene: Any, field: Any, near: float = 0.0) -> list[Any]:
     """Empties in the guides at the field's singularities, to be dragged; raises IllustrateError."""
     places, turns = joined(field.singular_positions, field.singular_indices, near)
     if not len(turns):
-        raise IllustrateError("The field has no singularities")
+        raise IllustrateError(said("The field has no singularities"))
     guides = collection_of_guides(scene)
     size = 0.03 * float(np.linalg.norm(np.ptp(places, axis=0))) or 0.1
     made = []

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from .. import native
-from ..messages import IllustrateError
+from ..messages import IllustrateError, said
 from ..preferences import preference
 from ..reading.kept_images import IMAGES
 from ..reading.scene import SceneArrays, put_into_world
@@ -180,7 +180,8 @@ class LiveDrawing:
         self.problem = ""
         if running.part == PREPARE:
             if not len(made.surface.triangles):
-                self._give_up(running, "Nothing can be drawn: no face of the meshes has an area")
+                no_area = said("Nothing can be drawn: no face of the meshes has an area")
+                self._give_up(running, no_area)
                 return True
             self.prepared, self.arrays = made, running.arrays
             self.features = native.load().rough_features(made)

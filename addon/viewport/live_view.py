@@ -11,7 +11,7 @@ import numpy as np
 from bpy.app.handlers import persistent
 
 from .. import native, output
-from ..messages import IllustrateError, counted
+from ..messages import IllustrateError, amount, said
 from ..output.hiding import hide_stroke, points_of
 from ..plot.areas import fills_of
 from ..reading.cages import is_sculpted
@@ -312,7 +312,7 @@ class ILLUSTRATE_OT_keep_live(bpy.types.Operator):
         """There is a whole drawing of the largest viewport."""
         is_whole = _kept(context) is not None
         if not is_whole:
-            cls.poll_message_set("The live drawing is not whole yet: let the view rest")
+            cls.poll_message_set(said("The live drawing is not whole yet: let the view rest"))
         return is_whole
 
     def execute(self, context: Any) -> set[str]:
@@ -327,10 +327,12 @@ class ILLUSTRATE_OT_keep_live(bpy.types.Operator):
         output.write_drawing(scene, made.drawing, camera, chosen.output, made.names, areas)
         for number in hidden_in(scene, made.drawing):
             if not hide_stroke(scene, points_of(made.drawing, number)):
-                self.report({"WARNING"}, "Curves are seen whole: hidden strokes are there again")
+                what = said("Curves are seen whole: hidden strokes are there again")
+                self.report({"WARNING"}, what)
                 break
         VIEW.switch(False)
-        self.report({"INFO"}, f"Kept {counted(len(made.drawing.kinds), 'stroke')}")
+        strokes = amount(len(made.drawing.kinds), "stroke")
+        self.report({"INFO"}, said("Kept {strokes}", strokes=strokes))
         return {"FINISHED"}
 
 

@@ -12,6 +12,7 @@ import numpy as np
 from bpy.app.handlers import persistent
 
 from .. import native
+from ..messages import said
 from ..output.hiding import hide_stroke, points_of
 from .hidden_strokes import hidden_in, hide_in, name_of
 from .inspect import INSPECTOR
@@ -154,7 +155,8 @@ class ILLUSTRATE_OT_pick(bpy.types.Operator):
         """Picks what is at x, y of the viewport."""
         made, view = _drawing_of(context), context.region_data
         if made is None:
-            self.report({"WARNING"}, "There is no drawing to pick from: press Illustrate or Live")
+            missing = said("There is no drawing to pick from: press Illustrate or Live")
+            self.report({"WARNING"}, missing)
             return {"CANCELLED"}
         size = context.region.width, context.region.height
         matrix = np.array(view.perspective_matrix, float)
@@ -189,7 +191,8 @@ class ILLUSTRATE_OT_hide_stroke(_OfPicked, bpy.types.Operator):
         if picked.drawing in live:
             hide_in(context.scene, picked.drawing, picked.number, live)
         if not hide_stroke(context.scene, picked.points) and picked.drawing not in live:
-            self.report({"ERROR"}, "The illustration has no such stroke: press Keep or Illustrate")
+            missing = said("The illustration has no such stroke: press Keep or Illustrate")
+            self.report({"ERROR"}, missing)
             return {"CANCELLED"}
         PICKER.pick(None)
         return {"FINISHED"}
@@ -206,7 +209,7 @@ class ILLUSTRATE_OT_hide_hatches(_OfPicked, bpy.types.Operator):
         """By a style of its own; the illustration is drawn anew where there is no live one."""
         thing = thing_of(context.scene)
         if thing is None:
-            self.report({"ERROR"}, "The object of the stroke is gone: draw anew")
+            self.report({"ERROR"}, said("The object of the stroke is gone: draw anew"))
             return {"CANCELLED"}
         thing.illustrate.use_own, thing.illustrate.hatching = True, False
         if not VIEW.is_on:
