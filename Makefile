@@ -1,6 +1,6 @@
 # Each target sets up what it needs and can be run first; what is already there is not done again.
 # `make help` prints the lines that begin with ##.
-.PHONY: help build demo test test-window test-windows farm bench sanitize unoptimised extension \
+.PHONY: help build demo test test-window test-windows test-jobs farm bench sanitize unoptimised extension \
 	windows macos repository gallery matrix lint fresh docs coverage
 
 ## these lines
@@ -26,6 +26,10 @@ test-window:
 ## the same, from the packages, in every Blender that has windows
 test-windows:
 	tools/matrix.sh --window
+
+## what may befall jobs (undo, files, quitting), each 100 times: half an hour
+test-jobs:
+	ILLUSTRATE_REPEATS=100 tools/test_window.sh job_scenarios
 
 ## farm templates on a real Slurm, openjd-cli and Node; as root
 farm:

@@ -1,6 +1,7 @@
 """Runs the scenarios in a real window, and ends Blender with their results.
 
     blender --factory-startup --enable-event-simulate --python blender_tests/window/drive.py -- OUT
+        [SCENARIO or MODULE...]
 
 A scenario is a generator: it yields seconds to wait, or a condition to wait for, and Blender works
 meanwhile. Pictures and a JUnit file go to the folder OUT. The exit code is 0 when none failed.
@@ -101,11 +102,14 @@ def provide() -> None:
 
 
 def run(scenarios: list[Scenario]) -> None:
-    """Starts the driver with those that are named after the folder, or all of them."""
+    """Starts the driver with those that are named after the folder, or all of them.
+
+    The name of a module stands for all scenarios in it.
+    """
     out = pathlib.Path(sys.argv[sys.argv.index("--") + 1]).resolve()
     out.mkdir(parents=True, exist_ok=True)
-    chosen = sys.argv[sys.argv.index("--") + 2 :]
-    wanted = [each for each in scenarios if not chosen or each.__name__ in chosen]
+    names = set(sys.argv[sys.argv.index("--") + 2 :])
+    wanted = [each for each in scenarios if not names or names & {each.__name__, each.__module__}]
     driver = Driver(wanted, out)
     bpy.app.timers.register(driver.tick, first_interval=1.0, persistent=True)
 
