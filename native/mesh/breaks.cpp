@@ -5,23 +5,16 @@
 #include "core/angles.h"
 #include "core/disjoint_sets.h"
 #include "mesh/creases.h"
+#include "mesh/flat_rings.h"
 #include "mesh/polygons.h"
 
 namespace illustrate {
 namespace {
 
-// Below Blender's own angle between sharp and smooth nothing is a corner.
-constexpr double steep_deg = 30;
-// The sides of a pentagon turn by 72 and are samples of a circle.
-constexpr double break_deg = 76;
-// Between breaks at both ends: those of an octagon, which is a circle, turn by 45.
-constexpr double held_deg = 50;
 // Where a line bends by more, or a third edge turns by more, there is a corner: a hexagon has none.
 constexpr double corner_deg = 64;
 // Of the lesser of two edges: what turns less is no third line that meets them.
 constexpr double branch = 2.0 / 3;
-// Of an edge: what turns less is not of the same curve.
-constexpr double alike = 0.5;
 // The rim of a hole of twelve sides bends by 30 at each, that of an octagon by 45.
 constexpr double fine_deg = 32;
 // Of an edge: what turns less is as flat as a face beside it.
@@ -33,12 +26,19 @@ constexpr double least_bend_deg = 60;
 struct Steepest {
   std::array<int, 4> edges{none, none, none, none};
   std::array<double, 4> degrees{0, 0, 0, 0};
-  bool has_sharp = false, has_break = false;
+  bool has_sharp = false, has_break = false, is_angular = false;
 
   // Three walls of a block meet, which are flat beside it.
   bool is_corner() const {
     return degrees[1] >= break_deg && degrees[2] > corner_deg && degrees[3] <= calm * degrees[2];
   }
+
+  bool is_third(std::size_t edge) const {
+    return edges[0] != static_cast<int>(edge) && edges[1] != static_cast<int>(edge);
+  }
+
+  // Whether an edge goes up to a rim.
+  bool is_upright(std::size_t edge) const { return degrees[1] >= break_deg && is_third(edge); }
 
   void add(int edge, double turn) {
     for (std::size_t k = 0; k < degrees.size(); ++k) {
@@ -55,14 +55,16 @@ struct Line {
   double turn_deg = 0;                  // sum over edges
   double bend_deg = 0, beside_deg = 0;  // sums over passed vertices; beside: of the third edges
   std::size_t rounds = 0;               // edges with a curve that goes on to both sides
+  std::size_t like_rounds = 0;          // those with sides that are alike
   std::vector<std::size_t> ends;        // vertices; of a closed line none
 
   double mean_turn() const {
     return edges.empty() ? 0 : turn_deg / static_cast<double>(edges.size());
   }
   bool is_round() const { return 2 * rounds >= edges.size(); }
+  bool is_ring() const { return 2 * like_rounds >= edges.size(); }
   bool is_fine() const {
-    return edges.size() >= fewest_edges && bend_deg >= least_bend_deg &&
+    return !is_ring() && edges.size() >= fewest_edges && bend_deg >= least_bend_deg &&
            bend_deg < fine_deg * passed && beside_deg < calm * mean_turn() * passed;
   }
 };
@@ -70,78 +72,45 @@ struct Line {
 class BreakFinder {
  public:
   BreakFinder(const Faces& faces, const Points& positions, const Ragged<int>& edges,
-              const std::vector<std::uint8_t>& is_sharp, const Shading& shading)
-      : faces_(faces),
-        p_(positions),
-        edges_(edges),
-        shading_(shading),
-        half_edge_edges_(faces.corners.size(), none) {
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-      const bool is_open = edges[e].size() != 2;
-      turns_.push_back(is_open || is_sharp[e] ? sharp_edge : turn(edges[e]));
-      for (const int h : edges[e]) half_edge_edges_[h] = static_cast<int>(e);
-    }
-  }
+              const EdgeTurns& turns, const FlatRings& rings)
+      : faces_(faces), p_(positions), edges_(edges), turns_(turns), rings_(rings) {}
 
   std::vector<std::uint8_t> run() {
     survey_vertices();
+    spread_corners();
     gather_lines();
     return choose();
   }
 
  private:
-  static constexpr double sharp_edge = -1;
-
-  bool is_steep(std::size_t e) const { return turns_[e] >= steep_deg; }
+  bool is_sharp(std::size_t e) const { return turns_.of_edge(e) == EdgeTurns::sharp_edge; }
+  bool is_rim(std::size_t e) const { return rings_.is_rim[e] && !is_sharp(e); }
+  bool is_steep(std::size_t e) const { return turns_.of_edge(e) >= steep_deg; }
   std::array<std::size_t, 2> ends(std::size_t e) const {
     const int h = edges_[e][0];
     return {idx(faces_.corners[h]), idx(faces_.head(h))};
   }
 
-  const Vec3& face_normal(int h) const { return shading_.face_normals[faces_.corner_faces[h]]; }
-
-  double turn(Span<const int> edge) const {
-    return degrees_between(face_normal(edge[0]), face_normal(edge[1]));
-  }
-
-  int mate(int h) const {
-    const auto edge = edges_[idx(half_edge_edges_[h])];
-    return edge[0] == h ? edge[1] : edge[0];
-  }
-
-  // Whether the strip that the half-edge's face is of turns as far, and the same way, where it
-  // comes into that face: across a quad, or two triangles that are one but for a diagonal.
-  bool goes_on(int h) const {
-    const std::size_t size = faces_[faces_.corner_faces[h]].size();
-    if (size == 4) return turns_alike(faces_.next(faces_.next(h)), h);
-    if (size != 3) return false;
-    const int after = faces_.next(h), before = faces_.previous(h);
-    return (is_diagonal(after, h) && turns_alike(faces_.previous(mate(after)), h)) ||
-           (is_diagonal(before, h) && turns_alike(faces_.next(mate(before)), h));
-  }
-
-  bool is_diagonal(int side, int h) const {
-    const double turn = turn_at(side);
-    return turn != sharp_edge && turn < calm * turn_at(h) &&
-           faces_[faces_.corner_faces[mate(side)]].size() == 3;
-  }
-
-  bool turns_alike(int across, int h) const {
-    if (turn_at(across) < alike * turn_at(h)) return false;
-    return face_normal(mate(across))
-               .cross(face_normal(across))
-               .dot(face_normal(h).cross(face_normal(mate(h)))) > 0;
-  }
-
-  double turn_at(int h) const { return turns_[idx(half_edge_edges_[h])]; }
-
   void survey_vertices() {
     vertices_.resize(p_.size());
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       for (const std::size_t v : ends(e)) {
-        if (turns_[e] == sharp_edge) vertices_[v].has_sharp |= edges_[e].size() == 2;
-        vertices_[v].add(static_cast<int>(e), turns_[e]);
+        if (is_sharp(e)) vertices_[v].has_sharp |= edges_[e].size() == 2;
+        vertices_[v].has_break |= is_rim(e);
+        vertices_[v].is_angular |= rings_.is_angular[v] != 0;
+        vertices_[v].add(static_cast<int>(e), turns_.of_edge(e));
       }
+    }
+  }
+
+  // Along the upright edges of a polygon beside a circle, to the rim of its other end: the top of a
+  // bolt's head.
+  void spread_corners() {
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      if (turns_.of_edge(e) < octagon_deg) continue;
+      const auto [a, b] = ends(e);
+      for (const auto& [from, to] : {std::array{a, b}, std::array{b, a}})
+        if (rings_.is_angular[from] && vertices_[to].is_upright(e)) vertices_[to].is_angular = true;
     }
   }
 
@@ -157,8 +126,8 @@ class BreakFinder {
 
   bool passes(std::size_t v) const {
     const Steepest& at = vertices_[v];
-    return !at.has_sharp && at.degrees[1] >= steep_deg && at.degrees[2] <= branch * at.degrees[1] &&
-           bend(v) <= corner_deg;
+    return !at.has_sharp && !at.is_angular && at.degrees[1] >= steep_deg &&
+           at.degrees[2] <= branch * at.degrees[1] && bend(v) <= corner_deg;
   }
 
   void gather_lines() {
@@ -184,24 +153,29 @@ class BreakFinder {
 
   void add_edge(std::size_t e, const std::vector<std::uint8_t>& passed, Line& line) const {
     line.edges.push_back(static_cast<int>(e));
-    line.turn_deg += turns_[e];
-    line.rounds += goes_on(edges_[e][0]) && goes_on(edges_[e][1]);
-    for (const std::size_t v : ends(e))
-      if (!passed[v]) line.ends.push_back(v);
+    line.turn_deg += turns_.of_edge(e);
+    line.rounds += turns_.is_round(e);
+    line.like_rounds += turns_.is_round_of_like_sides(e);
+    for (const std::size_t v : ends(e)) {
+      const auto& steepest = vertices_[v].edges;
+      const bool is_third =
+          steepest[0] != static_cast<int>(e) && steepest[1] != static_cast<int>(e);
+      if (!passed[v] || is_third) line.ends.push_back(v);
+    }
   }
 
   // Fine lines first, then what is held at both ends.
   std::vector<std::uint8_t> choose() {
     std::vector<std::uint8_t> chosen(lines_.size(), 0);
-    choose_where([](const Line& line) { return !line.is_round() && line.is_fine(); }, break_deg,
-                 chosen);
+    choose_where([](const Line& line) { return line.is_fine(); }, break_deg, chosen);
     const auto is_held = [&](const Line& line) { return ends_at_corners(line); };
     const auto is_between = [&](const Line& line) { return ends_at_breaks(line); };
-    while (choose_where(is_held, break_deg, chosen) || choose_where(is_between, held_deg, chosen)) {
+    while (choose_where(is_held, break_deg, chosen) ||
+           choose_where(is_between, octagon_deg, chosen)) {
     }
     std::vector<std::uint8_t> breaks;
     for (std::size_t e = 0; e < edges_.size(); ++e)
-      breaks.push_back(is_steep(e) && chosen[roots_[e]]);
+      breaks.push_back(is_rim(e) || (is_steep(e) && chosen[roots_[e]]));
     return breaks;
   }
 
@@ -217,10 +191,12 @@ class BreakFinder {
     });
   }
 
-  // What may be round there only where it turns as far as nothing round does.
+  // What may be round there only where it turns as far as nothing round does, or ends at corners of
+  // polygons beside circles.
   bool ends_at_breaks(const Line& line) const {
-    return (!line.is_round() || line.mean_turn() >= break_deg) &&
-           ends(line, [](const Steepest& end) { return end.has_break; });
+    const bool is_corner = !line.is_round() || line.mean_turn() >= break_deg;
+    return ends(
+        line, [&](const Steepest& end) { return end.is_angular || (end.has_break && is_corner); });
   }
 
   // Whether there were any.
@@ -241,12 +217,11 @@ class BreakFinder {
   const Faces& faces_;
   const Points& p_;
   const Ragged<int>& edges_;
-  const Shading& shading_;
-  std::vector<int> half_edge_edges_;  // (c)
-  std::vector<double> turns_;         // (e) degrees; sharp_edge where it is one, or open
-  std::vector<Steepest> vertices_;    // (n)
-  std::vector<std::size_t> roots_;    // (e) its line
-  std::vector<Line> lines_;           // by their roots; others are empty
+  const EdgeTurns& turns_;
+  const FlatRings& rings_;
+  std::vector<Steepest> vertices_;  // (n)
+  std::vector<std::size_t> roots_;  // (e) its line
+  std::vector<Line> lines_;         // by their roots; others are empty
 };
 
 // Shades the corners of a vertex alike from one sharp edge to the next.
@@ -330,8 +305,10 @@ int shade_breaks(const PolygonMesh& mesh, const Faces& faces, const Ragged<int>&
   const bool is_covered = std::find(sound.kept.begin(), sound.kept.end(), 0) != sound.kept.end();
   if (mesh.cage || mesh.corner_normals.empty() || is_covered) return 0;
   std::vector<std::uint8_t> sharp = sharp_as_shaded(mesh, faces, edges, is_sharp, shading);
+  const EdgeTurns turns(faces, sound.positions, edges, sharp, shading);
+  const FlatRings rings = find_flat_rings(faces, sound.positions, turns, shading, edges.size());
   const std::vector<std::uint8_t> breaks =
-      BreakFinder(faces, sound.positions, edges, sharp, shading).run();
+      BreakFinder(faces, sound.positions, edges, turns, rings).run();
   std::vector<std::uint8_t> is_broken(sound.positions.size(), 0);
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (!breaks[e]) continue;

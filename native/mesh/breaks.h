@@ -6,8 +6,8 @@
 // rounding. What shades it smooth is that nobody said otherwise, as with all edges that modifiers
 // make: the faces are what a render shows of it, and their shading is a blur. Where the mesh is as
 // coarse along the line, as the edges of a smooth-shaded cube and the limbs of a low-poly figure
-// are, nothing tells a rounding from a corner: those edges stay as they are shaded
-// (control/folds.h).
+// are, nothing tells a rounding from a corner, unless flat ends do: those edges stay as they are
+// shaded (control/folds.h).
 #pragma once
 
 #include "mesh/shading.h"
@@ -20,11 +20,15 @@ namespace illustrate {
 // as round a tube of four sides or round a cube. It breaks
 // - where its faces turn by over 76 degrees on average, as the sides of a square do and of no
 //   pentagon, and it has six edges or more and bends by over 60 degrees, but by less than 32 at
-//   each vertex, where other edges turn by less than two fifths of it, and is not round;
+//   each vertex, where other edges turn by less than two fifths of it, and is not round a strip
+//   of like sides (one at most twice as wide as the other): a pipe's wall is longer than thick;
+// - where it is a rim of a flat ring, the end of a pipe or the lid of a nut (mesh/flat_rings.h);
 // - where it turns so far and ends at both ends at creases, at other breaks or at corners of
 //   blocks, where a third edge turns by over 64 and all others by less than two fifths of that, and
 //   is not round;
-// - where both of its ends lie at breaks and it turns so far, or by over 50 and is not round.
+// - where both of its ends lie at breaks and it turns so far, or by over 50 and is not round;
+// - where both of its ends are corners of a polygon beside a circle in a flat ring, or the other
+//   ends of the edges that stand upright on those, and it turns by over 50.
 // Makes shading.corner_normals as if breaks were marked sharp: at their vertices corners of faces
 // that are not flat get the mean of the faces' normals, weighted by angle, from one sharp edge to
 // the next. In a cage and in a double cover none are looked for.
