@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/angles.h"
+#include "mesh/lone_bends.h"
 
 namespace illustrate {
 namespace {
@@ -43,6 +44,7 @@ class CreaseFinder {
     creases_.sharp_vertices.assign(sound_.positions.size(), 0);
     find_split_tips();
     sharpen_edges();
+    if (!mesh_.cage && mesh_.crease_angle_deg <= steep_deg && !is_covered()) sharpen_lone_bends();
     gather_sharp_edges();
     if (!mesh_.cage) find_corners();
     find_pointed_tips();
@@ -101,6 +103,19 @@ class CreaseFinder {
         ++report_["normal_creases"];
       }
       creases_.sharp_edges[e] = 1;
+    }
+  }
+
+  bool is_covered() const {
+    return std::find(sound_.kept.begin(), sound_.kept.end(), 0) != sound_.kept.end();
+  }
+
+  void sharpen_lone_bends() {
+    const EdgeTurns turns(faces_, sound_.positions, edges_, creases_.sharp_edges, shading_);
+    const auto is_lone = find_lone_bends(faces_, sound_.positions, edges_, turns, shading_);
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      creases_.sharp_edges[e] |= is_lone[e];
+      report_["lone_bends"] += is_lone[e];
     }
   }
 

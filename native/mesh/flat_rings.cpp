@@ -1,16 +1,14 @@
 #include "mesh/flat_rings.h"
 
 #include <algorithm>
+#include <map>
 
 #include "core/angles.h"
-#include "core/disjoint_sets.h"
+#include "mesh/flat_pieces.h"
 
 namespace illustrate {
 namespace {
 
-// What single precision leaves of a plane; far below what a curved surface turns from one piece to
-// the next that is as large as a ring.
-constexpr double level_deg = 2;
 constexpr std::size_t fewest_edges_of_circle = 8;
 // Of another border: a hexagon beside a circle of ten sides is a polygon, beside an octagon round.
 constexpr double coarser = 1.6;
@@ -30,72 +28,59 @@ struct Border {
 class RingFinder {
  public:
   RingFinder(const Faces& faces, const Points& positions, const EdgeTurns& turns,
-             const Shading& shading, std::size_t edge_count)
-      : faces_(faces),
-        p_(positions),
-        turns_(turns),
-        shading_(shading),
-        pieces_(faces.sources.size()) {
+             const FlatPieces& flat, std::size_t edge_count)
+      : faces_(faces), p_(positions), turns_(turns), flat_(flat) {
     result_.is_rim.assign(edge_count, 0);
     result_.is_angular.assign(positions.size(), 0);
   }
 
   FlatRings run() {
-    find_pieces();
     gather_borders();
-    for (const std::vector<Border>& borders : borders_) add(borders);
+    for (auto& [piece, borders] : borders_) add(borders);
     return std::move(result_);
   }
 
  private:
-  int piece(int h) { return pieces_.root(faces_.corner_faces[h]); }
+  int piece(int h) const { return flat_.pieces[faces_.corner_faces[h]]; }
 
-  bool is_inside(int h) {
+  bool is_inside(int h) const {
     const int mate = turns_.mate(h);
     return mate != none && piece(h) == piece(mate);
   }
 
-  void find_pieces() {
-    for (int h = 0; h < faces_.corner_count(); ++h) {
-      const double turn = turns_.at(h);
-      if (turn == EdgeTurns::sharp_edge || turn > level_deg) continue;
-      pieces_.join(faces_.corner_faces[h], faces_.corner_faces[turns_.mate(h)]);
-    }
-    is_flat_.assign(faces_.sources.size(), 1);
-    Points sums(faces_.sources.size(), Vec3::Zero());
-    for (int c = 0; c < faces_.corner_count(); ++c) {
-      const int f = faces_.corner_faces[c];
-      sums[pieces_.root(f)] += corner_angle(faces_, p_, c) * shading_.face_normals[f];
-    }
-    for (int f = 0; f < faces_.size(); ++f) {
-      const int root = pieces_.root(f);
-      is_flat_[root] &= degrees_between(shading_.face_normals[f], sums[root]) <= level_deg;
-    }
+  // Of pieces with several borders alone: on a scan every face is a piece.
+  void gather_borders() {
+    std::vector<int> counts(faces_.sources.size(), 0);
+    for_each_border([&](const Border& border) { ++counts[piece(border.half_edges[0])]; });
+    for_each_border([&](const Border& border) {
+      const int here = piece(border.half_edges[0]);
+      if (counts[here] >= 2) borders_[here].push_back(border);
+    });
   }
 
-  void gather_borders() {
-    borders_.resize(faces_.sources.size());
+  template <class Visit>
+  void for_each_border(const Visit& visit) const {
     std::vector<std::uint8_t> is_done(faces_.corners.size(), 0);
+    Border border;
     for (int h = 0; h < faces_.corner_count(); ++h) {
-      if (is_done[h] || !is_flat_[piece(h)] || is_inside(h)) continue;
-      Border border;
+      if (is_done[h] || !flat_.is_flat[piece(h)] || is_inside(h)) continue;
+      border.half_edges.clear();
       for (int g = h; !is_done[g]; g = after(g)) {
         is_done[g] = 1;
         border.half_edges.push_back(g);
       }
-      borders_[piece(h)].push_back(std::move(border));
+      visit(border);
     }
   }
 
   // The next half-edge on the same border.
-  int after(int h) {
+  int after(int h) const {
     int next = faces_.next(h);
     while (is_inside(next)) next = faces_.next(turns_.mate(next));
     return next;
   }
 
-  void add(std::vector<Border> borders) {
-    if (borders.size() < 2) return;
+  void add(std::vector<Border>& borders) {
     for (Border& border : borders) measure(border);
     const auto is_steep = [](const Border& border) { return border.mean_turn_deg >= steep_deg; };
     const auto is_round = [](const Border& border) { return border.is_round(); };
@@ -138,10 +123,8 @@ class RingFinder {
   const Faces& faces_;
   const Points& p_;
   const EdgeTurns& turns_;
-  const Shading& shading_;
-  DisjointSets pieces_;
-  std::vector<std::uint8_t> is_flat_;         // (f) by the pieces' roots
-  std::vector<std::vector<Border>> borders_;  // (f) by the pieces' roots
+  const FlatPieces& flat_;
+  std::map<int, std::vector<Border>> borders_;  // by pieces
   FlatRings result_;
 };
 
@@ -149,7 +132,8 @@ class RingFinder {
 
 FlatRings find_flat_rings(const Faces& faces, const Points& positions, const EdgeTurns& turns,
                           const Shading& shading, std::size_t edge_count) {
-  return RingFinder(faces, positions, turns, shading, edge_count).run();
+  const FlatPieces flat = find_flat_pieces(faces, positions, turns, shading);
+  return RingFinder(faces, positions, turns, flat, edge_count).run();
 }
 
 }  // namespace illustrate

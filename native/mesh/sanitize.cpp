@@ -33,6 +33,7 @@ void name_counts(Counts& report) {
                            "angle_creases",
                            "normal_creases",
                            "breaks",
+                           "lone_bends",
                            "tips",
                            "corners",
                            "empty_meshes",
