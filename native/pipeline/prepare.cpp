@@ -286,9 +286,9 @@ CurvesOfObjects Prepared::hatch_curves(const std::vector<double>& radii,
                                        const Progress& progress) const {
   const auto& curves = hatch_curves_->get([&] {
     const CrossField& cross_field = field(progress.part(0, 0.5));
-    if (shares_field() && first_areas_.empty()) {
+    if (shares_field()) {
       return std::make_unique<ObjectCurves>(*geometry_->originals, *field_->peek(),
-                                            geometry_->instances);
+                                            geometry_->instances, first_areas_);
     }
     return std::make_unique<ObjectCurves>(surface(), cross_field, first_areas_);
   });

@@ -378,15 +378,21 @@ ObjectCurves::ObjectCurves(const Surface& surface, const CrossField& field,
 }
 
 ObjectCurves::ObjectCurves(const Surface& originals, const CrossField& field,
-                           const Instances& instances) {
-  rank(originals, field, {});
+                           const Instances& instances, const std::vector<double>& areas) {
   const std::vector<int> first = first_triangles(originals);
+  std::vector<double> of_originals(areas.empty() ? 0 : originals.triangles.size(), 0);
   int next = 0;
   for (std::size_t o = 0; o < instances.originals.size(); ++o) {
     const std::size_t original = idx(instances.originals[o]);
-    objects_.push_back({original, next - first[original], instances.placements[o].scale});
+    const double scale = instances.placements[o].scale;
+    for (int t = first[original]; !areas.empty() && t < first[original + 1]; ++t) {
+      double& area = of_originals[idx(t)];
+      if (area == 0) area = areas[idx(next + t - first[original])] / (scale * scale);
+    }
+    objects_.push_back({original, next - first[original], scale});
     next += first[original + 1] - first[original];
   }
+  rank(originals, field, of_originals);
 }
 
 CurvesOfObjects ObjectCurves::down_to(const std::vector<double>& radii,

@@ -78,8 +78,10 @@ class ObjectCurves {
   ObjectCurves(const Surface& surface, const CrossField& field,
                const std::vector<double>& areas = {});
 
-  // Of objects that have their surfaces in common, from those and their field.
-  ObjectCurves(const Surface& originals, const CrossField& field, const Instances& instances);
+  // Of objects that have their surfaces in common, from those and their field. Of the areas, which
+  // are those of the objects' triangles, the first object's of each surface count.
+  ObjectCurves(const Surface& originals, const CrossField& field, const Instances& instances,
+               const std::vector<double>& areas = {});
 
   // Of each object down to its own radius, as above; infinite: none of it. seeds_only: (objects) 1:
   // without curves; empty: all with. Several objects at a time (threads: 0 for all cores).

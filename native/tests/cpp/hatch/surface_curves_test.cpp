@@ -247,8 +247,10 @@ TEST(ObjectCurves, OfObjectsThatShareASurfaceAreMadeOnce) {
   instances.originals = {0, 0};
   instances.placements.resize(2);
   instances.placements[1].scale = 2;
-  const CrossField field = field_of(torus, round_z), field_of_two = field_of(two, round_z);
-  ObjectCurves shared(torus, field, instances), separate(two, field_of_two);
+  const CrossField field = field_of(torus, round_z);
+  CrossField field_of_two = field;
+  shapes::append(field_of_two.directions, field.directions);
+  ObjectCurves shared(torus, field, instances, triangle_areas(two)), separate(two, field_of_two);
   for (const double radius : {0.2, 0.05}) {
     const CurvesOfObjects ours = shared.down_to({radius, 2 * radius});
     const CurvesOfObjects theirs = separate.down_to({radius, 2 * radius});
