@@ -123,10 +123,11 @@ def main() -> None:
     import live_scenarios
     import live_times
     import paper_scenarios
+    import render_scenarios
     import scenarios
 
     drawn = (scenarios, job_scenarios, export_scenarios, live_scenarios, paper_scenarios)
-    parts = (*drawn, hands_scenarios, live_times)
+    parts = (*drawn, hands_scenarios, live_times, render_scenarios)
     run([each for part in parts for each in part.ALL])
 
 

@@ -97,34 +97,6 @@ def state() -> Any:
     return blocks, hands.window().scene.frame_current
 
 
-def a_render_is_hatched_or_stopped(out: pathlib.Path) -> Steps:
-    """Tone from a render: ESC ends the task, and nothing is written when the render is over (keys
-    that are simulated do not reach Blender's render job); a render that is whole becomes strokes.
-    """
-    scene = new_scene(1)
-    scene.render.engine, scene.illustrate.tone_source = "CYCLES", "RENDER"
-    scene.cycles.use_denoising, scene.cycles.samples = False, 16
-    yield from open_panel()
-    before = state()
-    hands.click(*hands.button_place())
-    yield tasks.is_running
-    yield lambda: bpy.app.is_job_running("RENDER")
-    hands.picture(out / "17_rendering.png")
-    hands.press("ESC")
-    yield lambda: not tasks.is_running()
-    yield lambda: not bpy.app.is_job_running("RENDER")
-    assert state() == before and not strokes()
-    assert not scene.render.use_freestyle
-    scene.cycles.samples, scene.render.resolution_percentage = 2, 30
-    yield 0.5
-    hands.redraw()
-    hands.click(*hands.button_place())
-    yield tasks.is_running
-    yield lambda: not tasks.is_running()
-    assert strokes() > 10
-    hands.picture(out / "18_hatched_render.png")
-
-
 def the_view_moves_while_it_works(out: pathlib.Path) -> Steps:
     """Orbiting is allowed during a run, a click on another object is not."""
     new_scene(4).illustrate.level = 5
@@ -275,7 +247,6 @@ def every_panel_is_shown(out: pathlib.Path) -> Steps:
 ALL = [
     the_button_draws,
     escape_stops_a_run,
-    a_render_is_hatched_or_stopped,
     the_view_moves_while_it_works,
     saved_and_reopened,
     a_bake_is_stopped_between_frames,
