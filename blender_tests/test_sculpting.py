@@ -43,6 +43,7 @@ def test_the_mesh_under_the_brush_is_read(scene: Any, sculpted: Any) -> None:
     after = tools.read(scene).meshes[0]
     assert after.positions[:, 2].max() == pytest.approx(before.positions[:, 2].max() + 0.5)
     bpy.ops.object.mode_set(mode="OBJECT")
+    sculpted.data.update()
     bpy.context.view_layer.update()
     left = tools.read(scene).meshes[0]
     assert np.array_equal(left.positions, after.positions)
