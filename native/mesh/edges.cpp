@@ -7,6 +7,7 @@
 #include "core/pi.h"
 #include "mesh/breaks.h"
 #include "mesh/creases.h"
+#include "mesh/held_places.h"
 
 namespace illustrate {
 namespace {
@@ -163,6 +164,10 @@ void carry_edges(const PolygonMesh& mesh, const Faces& faces,
     values.push_back(creases.take(sound.source_vertices[faces.corners[h]],
                                   sound.source_vertices[faces.head(h)]));
   }
+  HeldPlaces held;
+  if (mesh.cage) held = find_held_places(faces, edges, is_cut, sound);
+  for (std::size_t e = 0; e < held.edges.size(); ++e)
+    if (held.edges[e]) values[e] = infinitely_sharp;
   const bool is_shaded = !mesh.cage || !mesh.corner_normals.empty();
   const std::vector<std::uint8_t> sharp_vertices =
       is_shaded ? sharpen_as_shaded(mesh, faces, edges, is_cut, numbers, values, sound, report)
@@ -189,6 +194,8 @@ void carry_edges(const PolygonMesh& mesh, const Faces& faces,
   carry_vertex_sharpness(mesh, numbers, sound, report);
   for (std::size_t v = 0; v < sharp_vertices.size(); ++v)
     if (sharp_vertices[v]) sound.vertex_sharpness[v] = infinitely_sharp;
+  for (std::size_t v = 0; v < held.vertices.size(); ++v)
+    if (held.vertices[v]) sound.vertex_sharpness[v] = infinitely_sharp;
 }
 
 }  // namespace illustrate
