@@ -401,22 +401,24 @@ CurvesOfObjects ObjectCurves::down_to(const std::vector<double>& radii,
   const auto has_curves = [&](std::size_t o) { return seeds_only.empty() || !seeds_only[o]; };
   std::vector<double> finest(originals_.size(), std::numeric_limits<double>::infinity());
   for (std::size_t o = 0; o < objects_.size(); ++o) {
-    const auto& [original, first_triangle, scale] = objects_[o];
-    if (has_curves(o)) finest[original] = std::min(finest[original], radii[o] / scale);
+    double& of_original = finest[objects_[o].original];
+    if (has_curves(o)) of_original = std::min(of_original, radii[o] / objects_[o].scale);
   }
   progress.report(0);
   make(finest, threads, progress);
   CurvesOfObjects curves(objects_.size());
   for (std::size_t o = 0; o < objects_.size(); ++o) {
-    if (!std::isfinite(radii[o])) continue;
-    const auto& [original, first_triangle, scale] = objects_[o];
-    RankedCurves& ranked = *originals_[original];
-    const double radius = radii[o] / scale;
-    curves[o] = {has_curves(o) ? &ranked.down_to(radius) : &ranked.seeds_to(radius), first_triangle,
-                 scale};
+    if (std::isfinite(radii[o])) curves[o] = of_object(objects_[o], radii[o], has_curves(o));
   }
   progress.report(1);
   return curves;
+}
+
+CurvesOfObject ObjectCurves::of_object(const Placed& object, double radius, bool has_curves) {
+  RankedCurves& ranked = *originals_[object.original];
+  const double of_original = radius / object.scale;
+  return {has_curves ? &ranked.down_to(of_original) : &ranked.seeds_to(of_original),
+          object.first_triangle, object.scale};
 }
 
 void ObjectCurves::make(const std::vector<double>& finest, int threads, const Progress& progress) {

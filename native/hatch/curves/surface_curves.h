@@ -100,6 +100,7 @@ class ObjectCurves {
   void rank(const Surface& surface, const CrossField& field, const std::vector<double>& areas);
   // (originals) down to these radii; infinite: none.
   void make(const std::vector<double>& finest, int threads, const Progress& progress);
+  CurvesOfObject of_object(const Placed& object, double radius, bool has_curves);
 
   std::vector<std::unique_ptr<RankedCurves>> originals_;
   std::vector<Placed> objects_;
