@@ -11,8 +11,8 @@
 namespace illustrate {
 namespace {
 
-// Twice what joins faces to a flat piece.
-constexpr double least_lone_deg = 4;
+// A render hardly shows what turns by less.
+constexpr double least_lone_deg = 8;
 constexpr double px_of_diagonal = 1400;
 // A quad of a grid has a quarter at the grid's border, and a facet of a ball has none.
 constexpr double least_sharp_share = 0.3;

@@ -11,7 +11,7 @@
 namespace illustrate {
 
 // The line where two flat pieces (mesh/flat_pieces.h) meet is a lone bend if
-// - it turns by over 4 degrees, both are shaded flat, and a smooth surface would leave it by over a
+// - it turns by over 8 degrees, both are shaded flat, and a smooth surface would leave it by over a
 //   pixel of a drawing in which the mesh's diagonal has 1400: by an eighth of the narrower piece
 //   times the angle;
 // - three tenths of the border of both pieces are sharp or open: they end where a curve does not;

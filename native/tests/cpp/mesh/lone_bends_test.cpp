@@ -47,8 +47,8 @@ PolygonMesh roof(double degrees) {
 }
 
 TEST(LoneBends, AreBendsOfLowRoofs) {
-  for (const double degrees : {5., 12., 20., 29.}) EXPECT_EQ(bends_of(roof(degrees)), 1);
-  EXPECT_EQ(bends_of(roof(2)), 0) << "hardly seen";
+  for (const double degrees : {9., 12., 20., 29.}) EXPECT_EQ(bends_of(roof(degrees)), 1);
+  EXPECT_EQ(bends_of(roof(6)), 0) << "hardly seen";
   EXPECT_EQ(bends_of(roof(40)), 0) << "sharp by its angle";
 }
 
