@@ -137,6 +137,5 @@ TEST(FlushEdges, MeetInJointsWhereBarsOfOnePlaneCross) {
   EXPECT_GT(nodes, 1000);
 }
 
-
 }  // namespace
 }  // namespace illustrate
