@@ -9,7 +9,7 @@
 #pragma once
 
 #include "core/progress.h"
-#include "hatch/curves/surface_curves.h"
+#include "hatch/curves/object_curves.h"
 #include "hatch/greedy/place_hatches.h"
 
 namespace illustrate {

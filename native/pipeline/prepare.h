@@ -9,7 +9,7 @@
 #include "contour/shape/feature_edges.h"
 #include "core/lazy.h"
 #include "field/families/families.h"
-#include "hatch/curves/surface_curves.h"
+#include "hatch/curves/object_curves.h"
 #include "mesh/bvh.h"
 #include "pipeline/options.h"
 #include "surface/instances.h"
@@ -52,7 +52,7 @@ class Prepared {
   // when first asked for.
   const Families& families(const Progress& progress = {}) const;
   const Families& diagonal_families(const Progress& progress = {}) const;
-  // Of each object, down to its radius, or the seeds alone (hatch/curves/surface_curves.h). They
+  // Of each object, down to its radius, or the seeds alone (hatch/curves/object_curves.h). They
   // stay where they are.
   CurvesOfObjects hatch_curves(const std::vector<double>& radii,
                                const std::vector<std::uint8_t>& seeds_only = {},

@@ -2,7 +2,7 @@
 // which group an object is in changes none of its hatches.
 #pragma once
 
-#include "hatch/curves/surface_curves.h"
+#include "hatch/curves/object_curves.h"
 #include "hatch/hatches.h"
 #include "hatch/view/hatch_scene.h"
 

@@ -1,7 +1,7 @@
 // Where streamlines of a view start from: places fixed on the surface.
 #pragma once
 
-#include "hatch/curves/surface_curves.h"
+#include "hatch/curves/object_curves.h"
 #include "hatch/view/hatch_view.h"
 
 namespace illustrate {

@@ -37,6 +37,19 @@ inline SurfaceCurves surface_curves(const Surface& surface, const CrossField& fi
   return RankedCurves(surface, field, all_triangles(surface)).down_to(0, progress);
 }
 
+// Whether curves and seeds are the first of others, to the bit.
+inline bool is_start_of(const SurfaceCurves& some, const SurfaceCurves& all) {
+  const auto is_same = [](const SurfacePoint& a, const SurfacePoint& b) {
+    return a.triangle == b.triangle && a.b1 == b.b1 && a.b2 == b.b2;
+  };
+  return some.curves.size() <= all.curves.size() && some.seeds.size() <= all.seeds.size() &&
+         std::equal(some.curves.offsets.begin(), some.curves.offsets.end(),
+                    all.curves.offsets.begin()) &&
+         std::equal(some.curves.values.begin(), some.curves.values.end(), all.curves.values.begin(),
+                    is_same) &&
+         std::equal(some.seeds.begin(), some.seeds.end(), all.seeds.begin(), is_same);
+}
+
 inline Vec3 round_z(const Vec3& p) { return Vec3::UnitZ().cross(p) + Vec3(1e-9, 0, 0); }
 
 inline ToneMap uniform_tone(const VisibleImage& visible, Tone level) {

@@ -127,18 +127,6 @@ TEST(SurfaceCurves, SeedsSpreadEvenlyByArea) {
   for (const int count : quarters) EXPECT_NEAR(count, 1000, 40);
 }
 
-bool is_start_of(const SurfaceCurves& some, const SurfaceCurves& all) {
-  const auto is_same = [](const SurfacePoint& a, const SurfacePoint& b) {
-    return a.triangle == b.triangle && a.b1 == b.b1 && a.b2 == b.b2;
-  };
-  return some.curves.size() <= all.curves.size() && some.seeds.size() <= all.seeds.size() &&
-         std::equal(some.curves.offsets.begin(), some.curves.offsets.end(),
-                    all.curves.offsets.begin()) &&
-         std::equal(some.curves.values.begin(), some.curves.values.end(), all.curves.values.begin(),
-                    is_same) &&
-         std::equal(some.seeds.begin(), some.seeds.end(), all.seeds.begin(), is_same);
-}
-
 TEST(SurfaceCurves, AreTheSameAtAnySize) {
   const Surface torus = shapes::plain_surface(shapes::torus_mesh(2, 0.8, 24, 12));
   const CrossField field = field_of(torus, round_z);
@@ -227,41 +215,6 @@ TEST(RankedCurves, CanBeAskedAgainAfterCancellingAndWhileReporting) {
   const SurfaceCurves all = surface_curves(torus, field);
   EXPECT_TRUE(is_start_of(asked, all));
   EXPECT_TRUE(is_start_of(curves.down_to(0.1), all));
-}
-
-void expect_same(const CurvesOfObject& a, const CurvesOfObject& b) {
-  const SurfaceCurves of_a{a.curves(), 0, a.seeds()}, of_b{b.curves(), 0, b.seeds()};
-  EXPECT_TRUE(is_start_of(of_a, of_b) && is_start_of(of_b, of_a));
-  EXPECT_EQ(of_a.seeds.size(), of_b.seeds.size());
-  EXPECT_DOUBLE_EQ(a.area(), b.area());
-}
-
-// A torus, and one that is twice as large.
-TEST(ObjectCurves, OfObjectsThatShareASurfaceAreMadeOnce) {
-  const Surface torus = shapes::torus_surface(1, 0.4, 40, 20);
-  Surface large = torus;
-  for (Vec3& p : large.positions) p *= 2;
-  Surface two = shapes::joined(torus, large);
-  two.object_is_smooth.assign(2, 1);
-  Instances instances;
-  instances.originals = {0, 0};
-  instances.placements.resize(2);
-  instances.placements[1].scale = 2;
-  const CrossField field = field_of(torus, round_z);
-  CrossField field_of_two = field;
-  shapes::append(field_of_two.directions, field.directions);
-  ObjectCurves shared(torus, field, instances, triangle_areas(two)), separate(two, field_of_two);
-  for (const double radius : {0.2, 0.05}) {
-    const CurvesOfObjects ours = shared.down_to({radius, 2 * radius});
-    const CurvesOfObjects theirs = separate.down_to({radius, 2 * radius});
-    EXPECT_EQ(ours[0].shared, ours[1].shared);
-    for (const std::size_t o : {0, 1}) expect_same(ours[o], theirs[o]);
-  }
-  const double infinite = std::numeric_limits<double>::infinity();
-  const CurvesOfObjects one = shared.down_to({infinite, 0.1}, {0, 1});
-  EXPECT_FALSE(one[0]);
-  EXPECT_TRUE(one[1].curves().empty());
-  EXPECT_FALSE(one[1].seeds().empty());
 }
 
 TEST(SurfaceCurves, AreDeterministicAndCanBeCancelled) {
