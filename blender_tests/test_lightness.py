@@ -133,6 +133,15 @@ def test_what_is_not_followed_is_named_once(scene: Any) -> None:
     assert '"Ink"' in warning
 
 
+def test_materials_that_nodes_cut_out_are_named(scene: Any) -> None:
+    made, shader = material()
+    link(made, "ShaderNodeTexNoise", shader.inputs["Alpha"])
+    board(scene, made)
+    drawn = illustration.illustrate(scene, bpy.context.evaluated_depsgraph_get())
+    (warning,) = [w for w in drawn.warnings if "is drawn whole" in w]
+    assert '"Ink"' in warning
+
+
 def missing_image(folder: Any) -> Any:
     image = bpy.data.images.new("Bad", 4, 4)
     image.source = "FILE"

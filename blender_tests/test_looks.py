@@ -83,6 +83,18 @@ def test_a_mix_by_nodes_is_the_first_that_is_followed() -> None:
     assert (look.value, look.is_whole, look.is_clear) == (pytest.approx(0.2), False, False)
 
 
+def test_what_nodes_cut_out_is_its_solid_side() -> None:
+    made, _ = material()
+    mix = mixer(made)
+    link("ShaderNodeTexNoise", mix.inputs[0])
+    shaded("ShaderNodeBsdfTransparent", 1.0, mix.inputs[1])
+    shaded("ShaderNodeBsdfDiffuse", 0.2, mix.inputs[2])
+    assert look_of(made) == Look(pytest.approx(0.2), is_cut_out=True)
+    made, shader = material(grey(0.3))
+    link("ShaderNodeTexNoise", shader.inputs["Alpha"])
+    assert look_of(made) == Look(pytest.approx(0.3), is_cut_out=True)
+
+
 def test_of_a_side_that_is_not_mixed_in_nothing_is_said() -> None:
     made, _ = material()
     mix = mixer(made)

@@ -42,6 +42,7 @@ class Look:
     attribute: str | None = None  # of colours; empty: the one that is rendered
     is_whole: bool = True  # False: its nodes do more than is followed
     is_clear: bool = False  # seen through
+    is_cut_out: bool = False  # nodes say where: not followed, it is drawn whole
 
     @property
     def is_plain(self) -> bool:
@@ -91,6 +92,8 @@ def _shader(node: Any) -> Look | None:
         return None
     if _passing(node) >= HALF:
         return replace(look, is_clear=True)
+    if _is_cut_out(node):
+        look = replace(look, is_cut_out=True)
     if node.type == "EMISSION":
         return replace(look, value=look.value * _constant(node.inputs["Strength"], 1.0))
     shining = _emission(node)
@@ -116,13 +119,26 @@ def _passing(node: Any) -> float:
     return max(through, 0.0 if alpha is None else 1.0 - _constant(alpha, 1.0))
 
 
+def _is_cut_out(node: Any) -> bool:
+    alpha = node.inputs.get("Alpha")
+    return alpha is not None and bool(alpha.links)
+
+
 def _mixed_shaders(node: Any) -> Look | None:
     sides = [_shader(_source(s)) if s.links else None for s in node.inputs[1:3]]
     if node.inputs[0].links:
-        known = [side for side in sides if side is not None]
-        clear = len(known) == len(sides) and all(side.is_clear for side in known)
-        return replace(known[0], is_whole=False, is_clear=clear) if known else None
+        return _mixed_by_nodes(sides)
     return _mixed(sides[0], sides[1], float(node.inputs[0].default_value))
+
+
+def _mixed_by_nodes(sides: list[Look | None]) -> Look | None:
+    """The first side that is followed; where the other one is clear it is cut out."""
+    known = [side for side in sides if side is not None]
+    solid = [side for side in known if not side.is_clear]
+    if solid and len(solid) < len(known):
+        return replace(solid[0], is_cut_out=True)
+    clear = not solid and len(known) == len(sides)
+    return replace(known[0], is_whole=False, is_clear=clear) if known else None
 
 
 def _mixed(a: Look | None, b: Look | None, share: float) -> Look | None:
@@ -257,6 +273,7 @@ class LightnessReader:
     def __init__(self) -> None:
         self.unread: dict[str, str] = {}  # what is wrong with an image, by its name
         self.partly: list[str] = []  # names of materials
+        self.cut_out: list[str] = []  # the same: those that are cut out and drawn whole
         self._looks: dict[Any, Look] = {}
         self._textures: dict[tuple[Any, str], TextureArrays | None] = {}
 
@@ -282,8 +299,9 @@ class LightnessReader:
     def _look(self, material: Any) -> Look:
         look = self._looks.get(material) or look_of(material)
         self._looks[material] = look
-        if material is not None and not look.is_whole and material.name not in self.partly:
-            self.partly.append(material.name)
+        for names, is_one in ((self.partly, not look.is_whole), (self.cut_out, look.is_cut_out)):
+            if material is not None and is_one and material.name not in names:
+                names.append(material.name)
         return look
 
     def _tint(self, arrays: Any, mesh: Any, attribute: Any, chosen: Any) -> None:

@@ -39,7 +39,7 @@ def of_guides(scene: Any, arrays: SceneArrays) -> list[str]:
 
 def of_meshes(arrays: SceneArrays, reports: list[dict[str, Any]]) -> list[str]:
     """What the artist should know about the meshes: those mended, and those left out."""
-    warnings = [*_of_repairs(reports), *_of_materials(arrays.partly_read)]
+    warnings = [*_of_repairs(reports), *_of_materials(arrays.partly_read, arrays.cut_out)]
     for name, problem in arrays.unread_images.items():
         warnings.append(
             said('Image "{name}" counts as white: {problem}', name=name, problem=problem)
@@ -66,13 +66,20 @@ def _of_repairs(reports: list[dict[str, Any]]) -> Iterator[str]:
         )
 
 
-def _of_materials(partly_read: list[str]) -> Iterator[str]:
+def _of_materials(partly_read: list[str], cut_out: list[str]) -> Iterator[str]:
     if partly_read:
         yield said(
             "Of {materials} ({names}) the nodes are followed in part: give it a base colour, an "
             "image through a UV map or a viewport colour, or lower Materials",
             materials=amount(len(partly_read), "material"),
             names=quoted(partly_read),
+        )
+    if cut_out:
+        yield said(
+            "Of {materials} ({names}) nodes say where it is clear, as of leaves: it is drawn "
+            "whole. Cut the mesh to its outline, or have its style for materials ignore it",
+            materials=amount(len(cut_out), "material"),
+            names=quoted(cut_out),
         )
 
 
