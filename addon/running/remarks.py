@@ -71,16 +71,19 @@ def _of_materials(partly_read: list[str], cut_out: list[str]) -> Iterator[str]:
         yield said(
             "Of {materials} ({names}) the nodes are followed in part: give it a base colour, an "
             "image through a UV map or a viewport colour, or lower Materials",
-            materials=amount(len(partly_read), "material"),
-            names=quoted(partly_read),
+            **_materials(partly_read),
         )
     if cut_out:
         yield said(
             "Of {materials} ({names}) nodes say where it is clear, as of leaves: it is drawn "
             "whole. Cut the mesh to its outline, or have its style for materials ignore it",
-            materials=amount(len(cut_out), "material"),
-            names=quoted(cut_out),
+            **_materials(cut_out),
         )
+
+
+def _materials(names: list[str]) -> dict[str, str]:
+    """How many, and which."""
+    return {"materials": amount(len(names), "material"), "names": quoted(names)}
 
 
 def of_crowding(counts: dict[str, int], prepared: Any) -> list[str]:

@@ -83,7 +83,7 @@ bool HatchArea::is_covered_at(int centre, const HatchPoint& point) const {
 bool HatchArea::passes_before(int triangle, const HatchPoint& point) const {
   const Vec3 before =
       position_at(surface_, surface_point_under(surface_, map_, triangle, point.image));
-  const double cell = cell_size(point.position), gap = least_gap_cells * cell;
+  const double gap = least_gap_cells * cell_size(point.position);
   if (camera_.depth(before) > camera_.depth(point.position) - gap) return false;
   return (camera_.project(before).xy - point.image).norm() < least_gap_cells * visible_.cell_px;
 }
