@@ -6,20 +6,26 @@
 namespace illustrate {
 
 void Spread::add(const Vec3& a, const Vec3& b, const Vec3& c) {
-  if (area_ == 0) origin_ = a.cast<long double>();
-  const Wide p = a.cast<long double>() - origin_, q = b.cast<long double>() - origin_,
-             r = c.cast<long double>() - origin_, sum = p + q + r;
-  const long double area = (q - p).cross(r - p).norm() / 2;
+  if (area_ == 0) measure_from(a, b, c);
+  const Vec3 p = per_unit_ * (a - origin_), q = per_unit_ * (b - origin_),
+             r = per_unit_ * (c - origin_), sum = p + q + r;
+  const double area = (q - p).cross(r - p).norm() / 2;
   area_ += area;
   sum_ += area / 3 * sum;
   squares_ += area / 12 * (p.squaredNorm() + q.squaredNorm() + r.squaredNorm() + sum.squaredNorm());
 }
 
+void Spread::measure_from(const Vec3& a, const Vec3& b, const Vec3& c) {
+  origin_ = a;
+  const double size = std::max((b - a).cwiseAbs().maxCoeff(), (c - a).cwiseAbs().maxCoeff());
+  per_unit_ = size > 0 ? std::ldexp(1., -std::ilogb(size)) : 1;
+}
+
 // Along a side of length l points spread evenly have the variance l^2 / 12.
 double Spread::diagonal() const {
   if (!(area_ > 0)) return 0;
-  const long double variance = squares_ / area_ - (sum_ / area_).squaredNorm();
-  return static_cast<double>(std::sqrt(12 * std::max(variance, 0.0L)));
+  const double variance = squares_ / area_ - (sum_ / area_).squaredNorm();
+  return std::sqrt(12 * std::max(variance, 0.0)) / per_unit_;
 }
 
 double rounding_size(double size, double distance) {

@@ -16,13 +16,15 @@ class Spread {
   double diagonal() const;
 
  private:
-  // Squares of squares of what may be very large or very small.
-  using Wide = Eigen::Matrix<long double, 3, 1>;
+  // Squares of squares are summed: what may be very large or very small is measured in a unit near
+  // the size of the first triangle, a power of two.
+  void measure_from(const Vec3& a, const Vec3& b, const Vec3& c);
 
-  Wide origin_ = Wide::Zero();  // the first corner
-  long double area_ = 0;
-  Wide sum_ = Wide::Zero();  // of the places from there, and of their squares, over the area
-  long double squares_ = 0;
+  Vec3 origin_ = Vec3::Zero();  // the first corner
+  double per_unit_ = 1;
+  double area_ = 0;
+  Vec3 sum_ = Vec3::Zero();  // of the places from there, and of their squares, over the area
+  double squares_ = 0;
 };
 
 // The size by which the rounding of coordinates in single precision is told. It grows with the

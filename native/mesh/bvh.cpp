@@ -96,7 +96,7 @@ class BoxTest {
 class Bvh::Pairs {
  public:
   Pairs(const Bvh& tree, const std::function<void(int, int)>& visit, double margin)
-      : tree_(tree), visit_(visit), margin_(Vec3::Constant(margin)) {}
+      : tree_(tree), visit_(visit), margin_(margin) {}
 
   void run() {
     if (!tree_.nodes_.empty()) stack_.push_back({0, 0});
@@ -142,7 +142,10 @@ class Bvh::Pairs {
   }
 
   bool are_near(const Box& a, const Box& b) const {
-    return Box(a.min() - margin_, a.max() + margin_).intersects(b);
+    for (int k = 0; k < 3; ++k) {
+      if (a.min()[k] - margin_ > b.max()[k] || b.min()[k] - margin_ > a.max()[k]) return false;
+    }
+    return true;
   }
 
   static bool is_larger(const Node& a, const Node& b) {
@@ -156,7 +159,7 @@ class Bvh::Pairs {
 
   const Bvh& tree_;
   const std::function<void(int, int)>& visit_;
-  Vec3 margin_;
+  double margin_;
   std::vector<Edge> stack_;
 };
 
