@@ -23,6 +23,12 @@ std::vector<Triangle> fan(int size) {
   return triangles;
 }
 
+// Whether a quad's diagonal from its first corner is the shorter one, or as long as the other.
+bool is_first_diagonal_shorter(Span<const Vec3> p) {
+  // A tie within rounding goes to the first: a square is split alike wherever it stands.
+  return (p[2] - p[0]).squaredNorm() <= (1 + tolerance::same_length) * (p[3] - p[1]).squaredNorm();
+}
+
 std::vector<Triangle> split_quad(Span<const Vec3> p) {
   const Vec3 normal = newell_normal(p);
   const auto faces_front = [&](std::size_t a, std::size_t b, std::size_t c) {
@@ -33,9 +39,7 @@ std::vector<Triangle> split_quad(Span<const Vec3> p) {
   // Of a dented quad one diagonal lies outside: then lengths do not matter.
   const bool first_inside = faces_front(0, 1, 2) && faces_front(0, 2, 3);
   const bool second_inside = faces_front(1, 2, 3) && faces_front(1, 3, 0);
-  const bool first = first_inside == second_inside
-                         ? is_first_diagonal_shorter(p[0], p[1], p[2], p[3])
-                         : first_inside;
+  const bool first = first_inside == second_inside ? is_first_diagonal_shorter(p) : first_inside;
   if (first) return {{0, 1, 2}, {0, 2, 3}};
   return {{1, 2, 3}, {1, 3, 0}};
 }
@@ -155,11 +159,6 @@ Vec3 tangent_towards(const Vec3& wanted, const Vec3& v) {
   // Once more: where little was left, it is rounding along v as well.
   const Vec3 tangent = unit_or_zero(rough - rough.dot(v) * v);
   return tangent.isZero() || std::abs(tangent.dot(v)) > 1e-9 ? any_tangent(v) : tangent;
-}
-
-bool is_first_diagonal_shorter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  // A tie within rounding goes to the first: a square is split alike wherever it stands.
-  return (c - a).squaredNorm() <= (1 + tolerance::same_length) * (d - b).squaredNorm();
 }
 
 Vec3 newell_normal(Span<const Vec3> polygon) {

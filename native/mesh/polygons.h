@@ -21,9 +21,6 @@ Vec3 tangent_towards(const Vec3& wanted, const Vec3& v);
 // Newell's normal: twice the area vector of the polygon. Any length, zero for a degenerate polygon.
 Vec3 newell_normal(Span<const Vec3> polygon);
 
-// Whether a quad's diagonal from its first corner is the shorter one, or as long as the other.
-bool is_first_diagonal_shorter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
-
 // n - 2 triangles of corner numbers, wound as the polygon. A quad is split along its shorter
 // diagonal, ties towards corner 0, unless only the other one lies inside; larger polygons into
 // Delaunay's triangles in Newell's plane.

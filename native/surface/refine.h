@@ -5,7 +5,7 @@
 // split first), and `polygons` takes the mesh as it is. Refinement is OpenSubdiv's, uniform;
 // vertices are pushed to the limit. Infinitely sharp edges become creases with one normal a side;
 // semi-sharp ones are OpenSubdiv's own. Triangles of quads: split along the shorter diagonal of the
-// limit points, ties towards the first corner.
+// limit points that lies inside, ties towards the first corner.
 #pragma once
 
 #include "core/progress.h"

@@ -188,7 +188,8 @@ struct PlaneMesh {
   std::vector<int> sectors;         // ascending
   std::vector<Vec2> points;         // of the sectors
   std::vector<std::uint8_t> fixed;  // 1: on the part's border
-  std::vector<Triangle> triangles;  // of points; of quads those at their corners
+  // Of points; of quads those at their corners, of dented ones the two that they are split into.
+  std::vector<Triangle> triangles;
 
   int point(int sector) const {
     return static_cast<int>(std::lower_bound(sectors.begin(), sectors.end(), sector) -
@@ -276,12 +277,27 @@ class Unfolder {
   void add_face(int face, PlaneMesh& flat) const {
     const auto point = [&](int c) { return flat.point(sector(c)); };
     const int first = mesh_.first(face), size = mesh_.face_size(face);
+    const int dent = size == 4 ? dented_corner(face, flat) : none;
     for (int c = first; c < first + size; ++c) {
       const int at = point(c), next = point(mesh_.next(c));
       if (mesh_.is_sharp(c)) flat.fixed[idx(at)] = flat.fixed[idx(next)] = 1;
       if (is_shared_[idx(place_of(mesh_, mesh_.vertex(c)))]) flat.fixed[idx(at)] = 1;
-      if (size > 3 || c == first) flat.triangles.push_back({at, next, point(mesh_.previous(c))});
+      const bool is_split = dent != none && (c - dent) % 2 == 0;
+      if (is_split || (size == 3 && c != first)) continue;
+      flat.triangles.push_back({at, next, point(mesh_.previous(c))});
     }
+  }
+
+  // Where the border turns by more than 180 degrees within one quad no move makes the triangle of
+  // that corner right; those at its neighbours are the halves of the quad, split there.
+  int dented_corner(int face, const PlaneMesh& flat) const {
+    for (int c = mesh_.first(face); c < mesh_.first(face + 1); ++c) {
+      const auto at = [&](int corner) { return flat.points[idx(flat.point(sector(corner)))]; };
+      const int previous = mesh_.previous(c);
+      if (!mesh_.is_sharp(c) || !mesh_.is_sharp(previous)) continue;
+      if (cross(at(mesh_.next(c)) - at(c), at(previous) - at(c)) < 0) return c;
+    }
+    return none;
   }
 
   // Points to where the control mesh has them, moved on as the border is.

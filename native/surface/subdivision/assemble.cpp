@@ -122,14 +122,7 @@ class Assembler {
 
   // Corner numbers of the triangles of a face.
   const std::vector<Triangle>& split(int face, FaceWork& work) const {
-    static const std::vector<Triangle> first{{0, 1, 2}, {0, 2, 3}}, second{{1, 2, 3}, {1, 3, 0}};
     const int c = mesh_.first(face), size = mesh_.face_size(face);
-    if (size == 4 && !mesh_.domains.empty()) {
-      return is_first_diagonal_shorter(position(c), position(c + 1), position(c + 2),
-                                       position(c + 3))
-                 ? first
-                 : second;
-    }
     work.polygon.clear();
     for (int k = 0; k < size; ++k) work.polygon.push_back(position(c + k));
     work.split = triangulate({work.polygon.data(), work.polygon.size()});

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <numeric>
 
 #include "surface/planes/mean_value.h"
 #include "surface/planes/untangle.h"
@@ -129,6 +130,43 @@ TEST(FlatFaces, OfQuadsDoNotFold) {
   const Surface surface = refined(mesh, at_level(4, Scheme::catmull_clark));
   EXPECT_EQ(count_backward(surface), 0);
   EXPECT_NEAR(area(surface), 2 * .51 + 4, 1e-12);
+}
+
+// One face with teeth: at the foot of a tooth a quad has a corner of more than 180 degrees between
+// two edges of the border.
+std::vector<Vec2> gear_outline(int teeth) {
+  std::vector<Vec2> outline;
+  for (int k = 0; k < 4 * teeth; ++k) {
+    const double a = 2 * shapes::pi * k / (4 * teeth), r = k % 4 < 2 ? 1 : .8;
+    outline.emplace_back(r * std::cos(a), r * std::sin(a));
+  }
+  return outline;
+}
+
+// Of a prism of height 1.
+double prism_area(const std::vector<Vec2>& outline) {
+  double twice_top = 0, wall = 0;
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    const Vec2 &a = outline[k], &b = outline[(k + 1) % outline.size()];
+    twice_top += cross(a, b);
+    wall += (b - a).norm();
+  }
+  return twice_top + wall;
+}
+
+TEST(FlatFaces, OfGearsDoNotFold) {
+  for (const int teeth : {5, 10, 18}) {
+    std::vector<int> top(idx(4 * teeth));
+    std::iota(top.begin(), top.end(), 0);
+    PolygonMesh gear = prism(gear_outline(teeth), {top});
+    gear.crease_angle_deg = 10;
+    const double covered = prism_area(gear_outline(teeth));
+    for (const int level : {1, 2, 3, 4}) {
+      const Surface surface = refined(gear, at_level(level, Scheme::catmull_clark));
+      EXPECT_EQ(count_backward(surface), 0) << teeth << " at level " << level;
+      EXPECT_NEAR(area(surface), covered, 1e-9) << teeth << " at level " << level;
+    }
+  }
 }
 
 // Each step of the unfolding looks at signs and ties, which rounding must not choose.
