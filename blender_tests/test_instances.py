@@ -276,9 +276,11 @@ class Spy:
     def __init__(self) -> None:
         self.native = native.load()
         self.made = 0
+        self.edge_lengths: list[float | None] = []
 
     def PolygonMesh(self, **arrays: Any) -> Any:  # noqa: N802
         self.made += 1
+        self.edge_lengths.append(arrays["edge_length"])
         return self.native.PolygonMesh(**arrays)
 
 
@@ -302,6 +304,14 @@ def test_linked_copies_share_one_mesh(scene: Any) -> None:
     meshes = illustration.native_meshes(spy, arrays)
     assert [mesh.name for mesh in meshes] == [mesh.name for mesh in arrays.meshes]
     assert spy.made == 1
+
+
+def test_what_copies_share_is_as_fine_as_the_largest_asks(scene: Any) -> None:
+    linked_copies(scene)
+    arrays, spy = read(scene), Spy()
+    illustration.native_meshes(spy, arrays)
+    plain, turned, halved = (mesh.edge_length for mesh in arrays.meshes)
+    assert spy.edge_lengths == [pytest.approx(min(plain, turned, 2 * halved))]
 
 
 def test_a_mirrored_copy_is_a_mesh_of_its_own(scene: Any) -> None:

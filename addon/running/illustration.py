@@ -7,7 +7,7 @@ import time
 from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -272,14 +272,27 @@ def native_meshes(ill: Any, arrays: SceneArrays) -> list[Any]:
         return [_native_mesh(ill, mesh, textures) for mesh in arrays.meshes]
     keys = [digest(copy.mesh.shape, copy.mesh.look) for copy in arrays.copies]
     counts, originals, meshes = Counter(keys), {}, []
+    finest = _finest_edges(keys, arrays)
     for key, copy, mesh in zip(keys, arrays.copies, arrays.meshes, strict=True):
         if counts[key] == 1 or not _can_share(copy.matrix):
             meshes.append(_native_mesh(ill, mesh, textures))
             continue
         if key not in originals:
-            originals[key] = _native_mesh(ill, copy.mesh, textures)
+            original = replace(copy.mesh, edge_length=finest.get(key))
+            originals[key] = _native_mesh(ill, original, textures)
         meshes.append(originals[key].instance(copy.matrix, mesh.name, mesh.edge_length))
     return meshes
+
+
+def _finest_edges(keys: list[str], arrays: SceneArrays) -> dict[str, float]:
+    """The shortest edges that any object with the same mesh asks for, in units of that mesh."""
+    finest: dict[str, float] = {}
+    for key, copy, mesh in zip(keys, arrays.copies, arrays.meshes, strict=True):
+        scale = abs(np.linalg.det(copy.matrix[:3, :3])) ** (1 / 3)
+        if mesh.edge_length is not None and scale > 0:
+            length = float(mesh.edge_length / scale)
+            finest[key] = min(length, finest.get(key, length))
+    return finest
 
 
 def _native_mesh(ill: Any, mesh: MeshArrays, textures: dict[int, Any]) -> Any:

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/angles.h"
+#include "mesh/fine_bends.h"
 #include "mesh/lone_bends.h"
 
 namespace illustrate {
@@ -23,6 +24,8 @@ constexpr double crease_corner_deg = 80;
 // What single precision leaves of a whole angle between faces 1/1000 as wide as their place is far
 // from the origin is a tenth of this.
 constexpr double tie_deg = 0.1;
+// Of the edges that a drawing asks for, which are about three units of paper long.
+constexpr double line_share = 0.5;
 
 class CreaseFinder {
  public:
@@ -44,7 +47,10 @@ class CreaseFinder {
     creases_.sharp_vertices.assign(sound_.positions.size(), 0);
     find_split_tips();
     sharpen_edges();
-    if (!mesh_.cage && mesh_.crease_angle_deg <= steep_deg && !is_covered()) sharpen_lone_bends();
+    if (!mesh_.cage && mesh_.crease_angle_deg <= steep_deg && !is_covered()) {
+      sharpen_lone_bends();
+      if (mesh_.edge_length) sharpen_fine_bends(*mesh_.edge_length * line_share);
+    }
     gather_sharp_edges();
     if (!mesh_.cage) find_corners();
     find_pointed_tips();
@@ -116,6 +122,16 @@ class CreaseFinder {
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       creases_.sharp_edges[e] |= is_lone[e];
       report_["lone_bends"] += is_lone[e];
+    }
+  }
+
+  void sharpen_fine_bends(double reach) {
+    const EdgeTurns turns(faces_, sound_.positions, edges_, creases_.sharp_edges, shading_);
+    const auto is_fine =
+        find_fine_bends(faces_, sound_.positions, edges_, turns, shading_, reach, steep_deg);
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      creases_.sharp_edges[e] |= is_fine[e];
+      report_["fine_bends"] += is_fine[e];
     }
   }
 

@@ -7,7 +7,8 @@
 // - Faces that are flat in fact were meant flat or never told otherwise (every STL, any import
 //   without normals): between two of them an edge is sharp where it turns more than
 //   crease_angle_deg. Of a mesh that is no cage lone bends are sharp too (mesh/lone_bends.h),
-//   unless crease_angle_deg is over 30: who raises it wants fewer edges.
+//   unless crease_angle_deg is over 30: who raises it wants fewer edges. So are fine bends, however
+//   they are shaded, where the mesh says how long its edges may be (mesh/fine_bends.h).
 // - A vertex where at least three edges differ, 60 % of those it has, that agree at their other
 //   ends is a *tip* (of a cone): it is sharp, and they are smooth.
 // A vertex without sharp edges whose faces all stand more than 60 degrees off their mean (of flat
@@ -37,7 +38,7 @@ struct Creases {
 };
 
 // `edges`: half_edges_by_edge's. `is_sharp` (edges): 1 where the input says so. `is_cut`: Joints'.
-// Counts "normal_creases", "angle_creases", "lone_bends", "tips", "corners".
+// Counts "normal_creases", "angle_creases", "lone_bends", "fine_bends", "tips", "corners".
 Creases find_creases(const PolygonMesh& mesh, const Faces& faces, const Ragged<int>& edges,
                      const std::vector<std::uint8_t>& is_cut, std::vector<std::uint8_t> is_sharp,
                      const Shading& shading, const SoundMesh& sound, Counts& report);

@@ -13,7 +13,7 @@ namespace illustrate {
 // cage is sharp where its parts touch, too (mesh/held_places.h).
 // faces: its faces; is_cut: FaceAdjacency's; numbers: weld_open_edges'. Of several sharpnesses on
 // one edge the largest counts. Counts "open_edges", "ignored_creases", "ignored_marks",
-// "angle_creases", "normal_creases", "breaks", "lone_bends", "tips", "corners".
+// "angle_creases", "normal_creases", "breaks", "lone_bends", "fine_bends", "tips", "corners".
 void carry_edges(const PolygonMesh& mesh, const Faces& faces,
                  const std::vector<std::uint8_t>& is_cut, const std::vector<int>& numbers,
                  SoundMesh& sound, Counts& report);

@@ -45,7 +45,9 @@ struct PolygonMesh {
   double crease_angle_deg = 180;
   std::optional<Scheme> scheme;  // this mesh's own, instead of the options'
   std::optional<int> level;
-  std::optional<double> edge_length;  // world units
+  // World units: three units of paper where it is nearest. What is rounded within half of it has a
+  // line (mesh/fine_bends.h).
+  std::optional<double> edge_length;
   std::string name;
   // Of an instance (mesh/instance.h): what it is a copy of, and from there to here.
   std::shared_ptr<const PolygonMesh> original;

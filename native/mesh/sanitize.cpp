@@ -34,6 +34,7 @@ void name_counts(Counts& report) {
                            "normal_creases",
                            "breaks",
                            "lone_bends",
+                           "fine_bends",
                            "tips",
                            "corners",
                            "empty_meshes",

@@ -36,6 +36,7 @@ PolygonMesh nasty_mesh(unsigned seed) {
   }
   mesh.crease_angle_deg = below(181);
   mesh.cage = below(2) == 0;
+  mesh.edge_length = 2 * (seed % 8);
   if (below(2) == 0) return mesh;
   for (std::size_t c = 0; c < mesh.corner_vertices.size(); ++c)
     mesh.corner_normals.emplace_back(coordinates[below(8)], below(3) - 1, below(3) - 1);
@@ -50,7 +51,7 @@ TEST(MeshInput, NastyMeshesBecomeSound) {
     if (HasFailure()) FAIL() << "seed " << seed;
   }
   for (const auto& [name, count] : total)
-    if (name != "huge_faces") {
+    if (name != "huge_faces" && name != "fine_bends") {  // random faces are no strips
       EXPECT_GT(count, 0) << name;
     }
 }
