@@ -28,6 +28,12 @@ constexpr double sharp_cosine = 0.8660254037844387;
 constexpr double sharp_share = 0.99;
 // A flat face is this many times as thick as most of what it goes on into smoothly...
 constexpr double thickness_ratio = 3, thin_share = 0.5;
+// A rounding this narrow beside it, up to a crease amid the rounding (mesh/fine_bends.h), is no
+// more than the crease.
+constexpr double rounding_share = 0.05;
+// Edges across a rounding run this much the same way; so many strips are crossed.
+constexpr double along_strip = 0.86;
+constexpr int most_strips = 32;
 // ... and this much of the mesh. A dense scan has no triangle so large.
 constexpr double least_area = 1e-3;
 
@@ -86,6 +92,7 @@ class PlaneFinder {
       piece.rim += length;
       if (is_smooth(corner)) piece.smooth_rim += length;
     });
+    if (has_creases()) forget_fine_roundings();
   }
 
   // Numbers the flat faces among the pieces from `first`; (f) the number of each face.
@@ -244,6 +251,54 @@ class PlaneFinder {
       if (own == none || own == other) continue;
       visit(c, other, (mesh_.point(mesh_.next(c)) - mesh_.point(c)).norm());
     }
+  }
+
+  bool has_creases() const {
+    return std::any_of(pieces_.begin(), pieces_.end(),
+                       [](const Piece& piece) { return piece.smooth_rim < piece.rim; });
+  }
+
+  // What ends at a crease within a narrow rounding ends sharply.
+  void forget_fine_roundings() {
+    std::vector<double> forgotten(pieces_.size(), 0);
+    for_each_rim_edge([&](int corner, int, double length) {
+      const int own = pieces_of_[idx(mesh_.face(corner))];
+      const double reach = rounding_share * pieces_[idx(own)].thickness();
+      if (mesh_.mate(corner) == none || !is_smooth(corner)) return;
+      if (ends_within(corner, reach)) forgotten[idx(own)] += length;
+    });
+    for (std::size_t p = 0; p < pieces_.size(); ++p) pieces_[p].smooth_rim -= forgotten[p];
+  }
+
+  // Whether the strips beyond an edge end at a sharp one.
+  bool ends_within(int corner, double reach) const {
+    const Vec3 way = unit_or_zero(along(corner)), from = middle(corner);
+    int in = mesh_.mate(corner);
+    for (int strip = 0; strip < most_strips; ++strip) {
+      const int out = way_on(in, way);
+      if (out == none || !(way.cross(middle(out) - from).norm() <= reach)) return false;
+      if (mesh_.is_sharp(out)) return true;
+      in = mesh_.mate(out);
+    }
+    return false;
+  }
+
+  // The other edge of the face that runs the way; none: no other does.
+  int way_on(int in, const Vec3& way) const {
+    int best = none;
+    double most = along_strip;
+    for (int c = mesh_.next(in); c != in; c = mesh_.next(c)) {
+      const double cosine = std::abs(unit_or_zero(along(c)).dot(way));
+      if (!(cosine > most)) continue;
+      most = cosine;
+      best = c;
+    }
+    return best;
+  }
+
+  Vec3 along(int corner) const { return mesh_.point(mesh_.next(corner)) - mesh_.point(corner); }
+  Vec3 middle(int corner) const {
+    return (mesh_.point(mesh_.next(corner)) + mesh_.point(corner)) / 2;
   }
 
   static bool is_sharp(const Piece& piece) {

@@ -120,6 +120,48 @@ TEST(PlaneFaces, OfARoundedBoxTheFlatSidesAndNoStrip) {
             2);
 }
 
+// A drum whose upper rim is rounded off by five strips.
+PolygonMesh drum_with_round_rim(double radius) {
+  constexpr int sides = 48, strips = 5;
+  Points positions;
+  const auto add_ring = [&](double r, double z) {
+    for (int k = 0; k < sides; ++k) {
+      const double a = 2 * shapes::pi * k / sides;
+      positions.emplace_back(r * std::cos(a), r * std::sin(a), z);
+    }
+  };
+  add_ring(1, -1);
+  for (int s = 0; s <= strips; ++s) {
+    const double a = s * shapes::pi / 2 / strips;
+    add_ring(1 - radius + radius * std::cos(a), radius * std::sin(a) - radius);
+  }
+  std::vector<std::vector<int>> faces(2);
+  for (int k = 0; k < sides; ++k) {
+    faces[0].push_back(sides - 1 - k);
+    faces[1].push_back((strips + 1) * sides + k);
+    for (int ring = 0; ring <= strips; ++ring) {
+      const int a = ring * sides + k, b = ring * sides + (k + 1) % sides;
+      faces.push_back({a, b, b + sides, a + sides});
+    }
+  }
+  PolygonMesh mesh = shapes::polygon_mesh(std::move(positions), faces);
+  mesh.crease_angle_deg = 30;
+  mesh.cage = false;
+  return mesh;
+}
+
+// The crease in the middle of the rounding ends it, where there is one.
+TEST(PlaneFaces, EndSharplyAtAFineRounding) {
+  PolygonMesh drum = drum_with_round_rim(.01);
+  const auto top = [&] {
+    const Found found = found_in(drum);
+    return found.planes[idx(found.mesh.face_planes[1])];
+  };
+  EXPECT_FALSE(top().ends_sharply);
+  drum.edge_length = .05;
+  EXPECT_TRUE(top().ends_sharply);
+}
+
 TEST(PlaneFaces, SmoothFormsHaveNone) {
   for (PolygonMesh mesh : {shapes::torus_mesh(1, .4, 24, 12), shapes::icosphere_mesh(1, 2),
                            shapes::uv_sphere_mesh(1, 16, 8), shapes::moebius_mesh(12, 3)}) {
