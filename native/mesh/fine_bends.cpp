@@ -22,8 +22,8 @@ constexpr double tie_share = 0.02;
 // What lies on one side of an edge.
 struct BendSide {
   double near_deg = 0, whole_deg = 0;  // turns within half of the reach, and within four
-  double width = 0;                    // as far as it turns within half of the reach
-  int steps = 0;                       // edges at which it does
+  double strip = 0;                    // the width of the first; 0: it does not turn on
+  double last = 0;                     // how far away the last edge is that turns
   int next = none;                     // the first edge that turns
 };
 
@@ -74,12 +74,11 @@ class FineBendFinder {
   bool is_in_the_middle(std::size_t e, const std::array<BendSide, 2>& sides) const {
     const double own = turns_.of_edge(e);
     const double whole = sides[0].whole_deg + own + sides[1].whole_deg;
-    const int steps = sides[0].steps + sides[1].steps;
-    if (steps == 0) return false;
-    const double width = (sides[0].width + sides[1].width) / steps;
-    return sides[0].near_deg + own + sides[1].near_deg >= least_deg_ && whole <= most_deg &&
+    const double near = sides[0].near_deg + sides[1].near_deg;
+    const double strip = std::max(sides[0].strip, sides[1].strip);
+    return near > 0 && own + near >= least_deg_ && whole <= most_deg &&
            std::abs(sides[0].whole_deg - sides[1].whole_deg) <= own + tie_share * whole &&
-           length(static_cast<int>(e)) >= longer_than_wide * width;
+           length(static_cast<int>(e)) >= longer_than_wide * strip;
   }
 
   // From an edge into the face of its half-edge and on.
@@ -106,10 +105,11 @@ class FineBendFinder {
   void add(int edge, double turn, double distance, BendSide& side) const {
     if (side.next == none) side.next = edge;
     side.whole_deg += turn;
-    if (distance > reach_ / 2) return;
-    side.near_deg += turn;
-    side.width = distance;
-    ++side.steps;
+    // A smooth surface turns at an edge from the middle of one strip to that of the next.
+    const double width = distance - side.last, begin = distance - width / 2;
+    if (side.strip == 0) side.strip = width;
+    if (begin < reach_ / 2) side.near_deg += turn * std::min(1., (reach_ / 2 - begin) / width);
+    side.last = distance;
   }
 
   // The other edge of the face that runs the way; none: no other does.
