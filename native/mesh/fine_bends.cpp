@@ -58,7 +58,7 @@ class FineBendFinder {
     return shading_.face_normals[idx(faces_.corner_faces[idx(h)])];
   }
   bool is_convex(int h) const { return normal(h).cross(normal(turns_.mate(h))).dot(along(h)) > 0; }
-  double length(int edge) const { return along(edges_[idx(edge)][0]).norm(); }
+  double length(int edge) const { return along(edges_[idx(edge)][0]).stableNorm(); }
 
   void find_middles() {
     is_middle_.assign(edges_.size(), 0);
@@ -84,13 +84,13 @@ class FineBendFinder {
   // From an edge into the face of its half-edge and on.
   BendSide side(int h) const {
     BendSide result;
-    const Vec3 way = along(h).normalized(), from = middle(h);
+    const Vec3 way = along(h).stableNormalized(), from = middle(h);
     const bool convex = is_convex(h);
     int in = h;
     for (int step = 0; step < most_steps; ++step) {
       const int out = way_on(in, way);
       if (out == none || turns_.mate(out) == none) break;
-      const double distance = way.cross(middle(out) - from).norm();
+      const double distance = way.cross(middle(out) - from).stableNorm();
       const double turn = turns_.at(out);
       if (!(distance <= reaches_looked_at * reach_) || turn == EdgeTurns::sharp_edge) break;
       if (turn > least_turn_deg) {
@@ -106,7 +106,7 @@ class FineBendFinder {
     if (side.next == none) side.next = edge;
     side.whole_deg += turn;
     // A smooth surface turns at an edge from the middle of one strip to that of the next.
-    const double width = distance - side.last, begin = distance - width / 2;
+    const double width = std::max(0., distance - side.last), begin = distance - width / 2;
     if (side.strip == 0) side.strip = width;
     if (begin < reach_ / 2) side.near_deg += turn * std::min(1., (reach_ / 2 - begin) / width);
     side.last = distance;
@@ -117,7 +117,7 @@ class FineBendFinder {
     int best = none;
     double most = same_way;
     for (int h = faces_.next(in); h != in; h = faces_.next(h)) {
-      const double cosine = std::abs(along(h).normalized().dot(way));
+      const double cosine = std::abs(along(h).stableNormalized().dot(way));
       if (!(cosine > most)) continue;
       most = cosine;
       best = h;
@@ -166,7 +166,8 @@ class FineBendFinder {
   int goes_on(int edge, int vertex) const {
     const auto away = [&](int e) {
       const std::array<int, 2> ends = ends_of(e);
-      return Vec3((p_[idx(ends[0] == vertex ? ends[1] : ends[0])] - p_[idx(vertex)]).normalized());
+      return Vec3(
+          (p_[idx(ends[0] == vertex ? ends[1] : ends[0])] - p_[idx(vertex)]).stableNormalized());
     };
     const Vec3 back = away(edge);
     int best = none;
