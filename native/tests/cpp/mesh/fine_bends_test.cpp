@@ -103,12 +103,20 @@ TEST(FineBends, AreNoneOfWiresAndRims) {
   EXPECT_EQ(fine_bends_of(drawn(lathed(sheet, 48), .05)), 0);
 }
 
+// Ground with small waves, whose quads are as long as they are wide; and a noisy ball.
 TEST(FineBends, AreNoneOfAScan) {
   std::mt19937 random(7);
-  std::normal_distribution<double> noise(0, .004);
-  PolygonMesh ball = shapes::icosphere_mesh(1, 5);
-  for (Vec3& p : ball.positions) p *= 1 + noise(random);
-  for (const double reach : {.01, .03, .1, .3}) EXPECT_EQ(fine_bends_of(drawn(ball, reach)), 0);
+  std::normal_distribution<double> noise(0, 1);
+  PolygonMesh ground = shapes::plane(40, 40), ball = shapes::icosphere_mesh(1, 5);
+  for (Vec3& p : ground.positions) {
+    p *= 20;  // quads of 1
+    p.z() = .35 * std::sin(1.1 * p.x()) + .02 * noise(random);
+  }
+  for (Vec3& p : ball.positions) p *= 1 + .004 * noise(random);
+  for (const double edges : {1., 2., 3., 5.}) {
+    EXPECT_EQ(fine_bends_of(drawn(ground, edges)), 0) << edges;
+    EXPECT_EQ(fine_bends_of(drawn(ball, .035 * edges)), 0) << edges;
+  }
 }
 
 }  // namespace
