@@ -119,10 +119,10 @@ class CurveMeetings {
 
   void pass_segment(int i, int sheet) {
     const int t = triangle(i, sheet);
-    const auto found = pieces_.find(t);
-    if (found == pieces_.end()) return;
+    const Span<const CurvePiece> pieces = pieces_[t];
+    if (pieces.empty()) return;
     const auto [from, to] = ends_on_sheet(surface_, intersections_, curve_, i, sheet);
-    for (const CurvePiece& p : found->second) {
+    for (const CurvePiece& p : pieces) {
       double f, h;
       if (!cross_evenly(from, to, p.start, p.end, f, h)) continue;
       h = p.from + h * (p.to - p.from);

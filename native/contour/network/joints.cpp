@@ -36,7 +36,7 @@ class JointFinder {
     cut_flush();
     for (std::size_t c = 0; c < silhouettes_.chains.size(); ++c) cut_chain(static_cast<int>(c));
     if (!intersections_.curves.empty() || !lines_.curves.empty()) {
-      chain_pieces_ = pieces_of_chains(surface_, silhouettes_);
+      chain_pieces_ = pieces_of_chains(surface_, silhouettes_, triangles_of_others());
     }
     for (std::size_t c = 0; c < intersections_.curves.size(); ++c) {
       cut_intersection(static_cast<int>(c));
@@ -51,6 +51,21 @@ class JointFinder {
   }
 
  private:
+  // Of intersection curves and free lines.
+  std::vector<int> triangles_of_others() const {
+    std::vector<int> result = triangles_of_lines();
+    for (const std::array<int, 2>& sheets : intersections_.segment_triangles) {
+      result.insert(result.end(), sheets.begin(), sheets.end());
+    }
+    return result;
+  }
+
+  std::vector<int> triangles_of_lines() const {
+    std::vector<int> result;
+    for (const ZeroPoint& p : lines_.curves.values) result.push_back(p.on.triangle);
+    return result;
+  }
+
   void index_features() {
     for (std::size_t f = 0; f < features_.size(); ++f) {
       for (const EdgeSide& side : features_[f].sides) {
@@ -61,16 +76,17 @@ class JointFinder {
   }
 
   void index_intersections() {
+    intersection_pieces_ = PiecesByTriangle(triangles_of_lines());
     for (std::size_t c = 0; c < intersections_.curves.size(); ++c) {
       for (std::size_t i = 0; i < intersections_.curves[c].size(); ++i) {
         const int curve = static_cast<int>(c), segment = static_cast<int>(i);
         for (const int triangle : intersections_.segment_triangles[global_point(curve, segment)]) {
-          if (triangle == none) continue;
+          if (triangle == none || !intersection_pieces_.holds(triangle)) continue;
           const Span<const IntersectionPoint> points = intersections_.curves[c];
           const Vec2 start = barycentrics(surface_, triangle, points[i].position);
           const Vec2 end =
               barycentrics(surface_, triangle, points[(i + 1) % points.size()].position);
-          intersection_pieces_[triangle].push_back({curve, segment, start, end, 0, 1});
+          intersection_pieces_.add(triangle, {curve, segment, start, end, 0, 1});
         }
       }
     }
@@ -274,10 +290,9 @@ class JointFinder {
     const int triangle = line[idx(i)].on.triangle;
     const Vec2 start = barycentrics(surface_, triangle, line[idx(i)].position);
     const Vec2 end = barycentrics(surface_, triangle, line[(idx(i) + 1) % line.size()].position);
-    const auto cut = [&](const auto& pieces, const auto& curves, std::vector<CurveCut>& cuts) {
-      const auto found = pieces.find(triangle);
-      if (found == pieces.end()) return;
-      for (const CurvePiece& s : found->second) {
+    const auto cut = [&](const PiecesByTriangle& pieces, const auto& curves,
+                         std::vector<CurveCut>& cuts) {
+      for (const CurvePiece& s : pieces[triangle]) {
         double f, h;
         if (!segments_cross(start, end, s.start, s.end, f, h)) continue;
         h = s.from + h * (s.to - s.from);

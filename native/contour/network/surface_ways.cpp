@@ -61,9 +61,10 @@ void add_pieces(const Surface& surface, const Way& way, int curve, int segment,
     const double step = (way[k + 1]->position - way[k]->position).norm();
     const double from = length > 0 ? reached / length : 0;
     reached += step;
+    if (!result.holds(triangle)) continue;
     const double to = k + 2 < way.size() && length > 0 ? reached / length : 1;
-    result[triangle].push_back({curve, segment, place_on(surface, triangle, *way[k]),
-                                place_on(surface, triangle, *way[k + 1]), from, to});
+    result.add(triangle, {curve, segment, place_on(surface, triangle, *way[k]),
+                          place_on(surface, triangle, *way[k + 1]), from, to});
   }
 }
 
@@ -122,8 +123,27 @@ class IntersectionWay {
 
 }  // namespace
 
-PiecesByTriangle pieces_of_chains(const Surface& surface, const Silhouettes& silhouettes) {
-  PiecesByTriangle result;
+PiecesByTriangle::PiecesByTriangle(const std::vector<int>& triangles) : lists_(triangles.size()) {
+  int count = 0;
+  for (const int triangle : triangles) {
+    if (triangle != none && !holds(triangle)) lists_.at(triangle) = count++;
+  }
+  pieces_.resize(idx(count));
+}
+
+void PiecesByTriangle::add(int triangle, const CurvePiece& piece) {
+  if (holds(triangle)) pieces_[idx(lists_[triangle])].push_back(piece);
+}
+
+Span<const CurvePiece> PiecesByTriangle::operator[](int triangle) const {
+  if (!holds(triangle)) return {};
+  const std::vector<CurvePiece>& list = pieces_[idx(lists_[triangle])];
+  return {list.data(), list.size()};
+}
+
+PiecesByTriangle pieces_of_chains(const Surface& surface, const Silhouettes& silhouettes,
+                                  const std::vector<int>& triangles) {
+  PiecesByTriangle result(triangles);
   auto passed = silhouettes.passed.begin();
   Way way;
   for (std::size_t c = 0; c < silhouettes.chains.size(); ++c) {

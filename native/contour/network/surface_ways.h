@@ -6,11 +6,11 @@
 // a mesh passes through itself exactly along its edges.
 #pragma once
 
-#include <unordered_map>
 #include <vector>
 
 #include "contour/exact/exact_silhouettes.h"
 #include "contour/intersection/intersections.h"
+#include "core/index_map.h"
 
 namespace illustrate {
 
@@ -22,10 +22,29 @@ struct CurvePiece {
   Vec2 start, end;
   double from, to;
 };
-using PiecesByTriangle = std::unordered_map<int, std::vector<CurvePiece>>;
 
-// All pieces of all chains, those of a chain without a gap between them.
-PiecesByTriangle pieces_of_chains(const Surface& surface, const Silhouettes& silhouettes);
+// Of some triangles of a surface, which are all that other curves pass.
+class PiecesByTriangle {
+ public:
+  PiecesByTriangle() = default;
+  // Triangles may be named more than once, or be none.
+  explicit PiecesByTriangle(const std::vector<int>& triangles);
+
+  bool holds(int triangle) const { return lists_[triangle] != none; }
+  // Forgotten where the triangle is not held.
+  void add(int triangle, const CurvePiece& piece);
+  // None where it is not held.
+  Span<const CurvePiece> operator[](int triangle) const;
+
+ private:
+  IndexMap lists_;  // of each triangle the number of its list
+  std::vector<std::vector<CurvePiece>> pieces_;
+};
+
+// The pieces of all chains in these triangles. In all triangles of the surface those of a chain
+// follow each other without a gap.
+PiecesByTriangle pieces_of_chains(const Surface& surface, const Silhouettes& silhouettes,
+                                  const std::vector<int>& triangles);
 
 // Where a segment of an intersection curve starts and ends on one of its two triangles: barycentric
 // weights as above.

@@ -10,7 +10,7 @@
 namespace illustrate {
 namespace {
 
-constexpr int directions = 8;
+constexpr int directions = 4;
 constexpr double half_turn = 3.141592653589793;
 constexpr int most_rows = 8192;  // a larger frame gets wider rows
 constexpr int finer_rows = 16;   // in a row where they are

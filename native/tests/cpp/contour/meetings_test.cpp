@@ -54,6 +54,8 @@ ChainPoint chain_point(const Vec3& position, int triangle, int edge, double frac
   return p;
 }
 
+const std::vector<int> all_of_the_fan{0, 1, 2, 3, 4, 5};
+
 // A chain from the first triangle of the fan to the fifth. Its points on the spokes between them,
 // at this share of their length, are left out.
 Silhouettes chain_round_the_vertex(double share) {
@@ -73,7 +75,7 @@ TEST(Meetings, AreFoundWhereAChainHasLeftOutItsPoints) {
   const Surface surface = fan_and_blade();
   const Silhouettes silhouettes = chain_round_the_vertex(.4);
   const std::vector<Meeting> found =
-      find_meetings(surface, silhouettes, pieces_of_chains(surface, silhouettes),
+      find_meetings(surface, silhouettes, pieces_of_chains(surface, silhouettes, all_of_the_fan),
                     foot_of_the_blade(), cameras::orthographic(Vec3(0, 0, 1), 1));
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].curve, 0);
@@ -84,25 +86,33 @@ TEST(Meetings, AreFoundWhereAChainHasLeftOutItsPoints) {
 TEST(Meetings, AreNoneWhereItPassesBesideTheCurve) {
   const Surface surface = fan_and_blade();
   const Silhouettes silhouettes = chain_round_the_vertex(.95);
-  EXPECT_TRUE(find_meetings(surface, silhouettes, pieces_of_chains(surface, silhouettes),
+  EXPECT_TRUE(find_meetings(surface, silhouettes,
+                            pieces_of_chains(surface, silhouettes, all_of_the_fan),
                             foot_of_the_blade(), cameras::orthographic(Vec3(0, 0, 1), 1))
                   .empty());
 }
 
+TEST(SurfaceWays, AreKeptInTheTrianglesAskedFor) {
+  const std::vector<int> asked{2, none, 3, 2};
+  const PiecesByTriangle pieces =
+      pieces_of_chains(fan_and_blade(), chain_round_the_vertex(.4), asked);
+  for (int t = 0; t < 5; ++t) EXPECT_EQ(pieces[t].size(), t == 2 || t == 3 ? 1U : 0U);
+}
+
 TEST(SurfaceWays, HaveNoGaps) {
   const Surface surface = fan_and_blade();
-  const PiecesByTriangle pieces = pieces_of_chains(surface, chain_round_the_vertex(.4));
-  ASSERT_EQ(pieces.size(), 5U);
+  const PiecesByTriangle pieces =
+      pieces_of_chains(surface, chain_round_the_vertex(.4), all_of_the_fan);
   double reached = 0;
   for (int t = 0; t < 5; ++t) {
-    ASSERT_EQ(pieces.at(t).size(), 1U);
-    const CurvePiece& piece = pieces.at(t).front();
+    ASSERT_EQ(pieces[t].size(), 1U);
+    const CurvePiece& piece = pieces[t].front();
     EXPECT_EQ(piece.from, reached);
     EXPECT_GT(piece.to, piece.from);
     reached = piece.to;
     if (t < 4) {
       EXPECT_NEAR(piece.end.y(), .4, 1e-12);
-      EXPECT_NEAR(pieces.at(t + 1).front().start.x(), .4, 1e-12);
+      EXPECT_NEAR(pieces[t + 1].front().start.x(), .4, 1e-12);
     }
   }
   EXPECT_EQ(reached, 1);
