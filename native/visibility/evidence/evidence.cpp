@@ -13,7 +13,7 @@ namespace {
 constexpr double asked_thrice_px = 30;
 // Of a path: they tell the others, by the rules.
 constexpr std::size_t most_asked = 5;
-constexpr std::size_t least_share = 500;  // arcs that are worth a turn on another thread
+constexpr std::size_t least_share = 64;  // arcs that are worth a turn on another thread
 
 bool is_before(const StrandPlace& a, const StrandPlace& b) {
   return std::tie(a.segment, a.fraction) < std::tie(b.segment, b.fraction);
