@@ -125,13 +125,15 @@ class GroupHatcher {
               options),
         undercuts_(scene, options) {}
 
-  // Places of hatches and of undercuts beside critical curves.
-  EdgeStrips strips() const { return {edge_places(view_), undercuts_.strips()}; }
+  // What all objects have of the view.
+  HatchGroup all(const CurvesOfObjects& curves, const Ragged<SurfacePoint>& first) const {
+    return {curves, first, seed_places(scene_, view_, curves), undercuts_.places(curves)};
+  }
 
   Hatches hatches(const HatchGroup& group, int threads, std::int64_t& steps,
                   const Progress& progress) const {
     const std::vector<StreamlineNode> seeds =
-        without_resting(surface_seeds(scene_, view_, group.curves), view_);
+        without_resting(surface_seeds(view_, group.curves, group.hatched), view_);
     StreamlineSet set(view_);
     const Progress placing = progress.part(0.1, 0.7);
     if (follows_) {
@@ -139,7 +141,7 @@ class GroupHatcher {
     } else {
       place_anew(set, view_, group.curves, seeds, threads, placing);
     }
-    finish_ends(set, view_, seeds, group.strips.hatched, threads, progress.part(0.7, 0.9));
+    finish_ends(set, view_, seeds, group.hatched.strips, threads, progress.part(0.7, 0.9));
     progress.report(0.9);
     Hatches hatches = finished(set.streamlines, HatchView(scene_, options_));
     hatches.placed = places_of(set.streamlines);
@@ -175,7 +177,7 @@ Hatches even_hatches(const HatchScene& scene, const CurvesOfObjects& curves,
   validate(scene);
   progress.report(0);
   const GroupHatcher hatcher(scene, options, !first.empty());
-  const std::vector<HatchGroup> groups = hatch_groups(scene, curves, first, hatcher.strips());
+  const std::vector<HatchGroup> groups = hatch_groups(scene, hatcher.all(curves, first));
   std::vector<Hatches> made(groups.size());
   std::vector<std::int64_t> steps(groups.size());
   parallel_parts(std::vector<std::size_t>(groups.size(), 1), {}, threads, progress,

@@ -8,7 +8,6 @@
 #include "hatch/streamlines/finish_streamlines.h"
 #include "hatch/streamlines/grow_streamlines.h"
 #include "hatch/streamlines/relax_streamlines.h"
-#include "hatch/streamlines/surface_seeds.h"
 
 namespace illustrate {
 namespace {
@@ -45,18 +44,18 @@ void fix_all(StreamlineSet& set) {
 UndercutHatcher::UndercutHatcher(const HatchScene& scene, const HatchOptions& options)
     : scene_(scene), is_needed_(has_undercuts(scene.tone)), view_(scene, options, Area::undercut) {}
 
-std::vector<SurfacePoint> UndercutHatcher::strips() const {
-  return is_needed_ ? edge_places(view_) : std::vector<SurfacePoint>();
+SeedPlaces UndercutHatcher::places(const CurvesOfObjects& curves) const {
+  return is_needed_ ? seed_places(scene_, view_, curves) : SeedPlaces();
 }
 
 void UndercutHatcher::add(Hatches& hatches, StreamlineSet& set, const HatchGroup& group,
                           int threads, const Progress& progress) const {
   if (!is_needed_) return;
   fix_all(set);
-  const std::vector<StreamlineNode> seeds = surface_seeds(scene_, view_, group.curves);
+  const std::vector<StreamlineNode> seeds = surface_seeds(view_, group.curves, group.undercuts);
   fill_streamlines(set, view_, seeds, gaps, progress.part(0, 0.3));
   relax_streamlines(set, view_, first_sweeps, threads, progress.part(0.3, 0.6));
-  const std::vector<StreamlineNode> strips = edge_seeds(set, view_, group.strips.undercut);
+  const std::vector<StreamlineNode> strips = edge_seeds(set, view_, group.undercuts.strips);
   fill_streamlines(set, view_, strips, strips_left, progress.part(0.6, 0.8));
   extend_tips(set, view_, tip_step_test, tip_test);
   relax_streamlines(set, view_, last_sweeps, threads, progress.part(0.8, 1));

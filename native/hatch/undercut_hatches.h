@@ -12,8 +12,8 @@ class UndercutHatcher {
   // Refers to both.
   UndercutHatcher(const HatchScene& scene, const HatchOptions& options);
 
-  // Places beside critical curves of the view; none where nothing is undercut.
-  std::vector<SurfacePoint> strips() const;
+  // Nothing where nothing is undercut.
+  SeedPlaces places(const CurvesOfObjects& curves) const;
 
   // Adds hatches of kind undercut to `hatches`, in undercuts only, evened out between the
   // streamlines of `set`, which they were made of: about undercut_spacing_px from each other and

@@ -204,7 +204,7 @@ class BandMarker {
   }
 
   void mark_round(const FoldSample& sample, double least_depth) {
-    const double reach = std::max(options_.mach_band_px, options_.undercut_px);
+    const double reach = std::max(options_.mach_band_px, sample.undercut_px);
     each_cell_round(sample, reach, [&](const Vec2& centre, int cell) {
       mark_cell(sample, least_depth, centre, cell);
     });

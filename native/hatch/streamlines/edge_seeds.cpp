@@ -27,8 +27,8 @@ bool is_crossed(const StreamlineSet& set, const HatchView& view, const Vec2& ima
   });
 }
 
-// Which squares have their middles on the surface near a critical curve: looked for row by row, as
-// they lie in memory.
+// Which squares have their middles where hatches are wanted near a critical curve: looked for row
+// by row, as they lie in memory.
 std::vector<std::uint8_t> strips(const HatchView& view, const ImageLattice& lattice,
                                  double width_px) {
   std::vector<std::uint8_t> is_near(static_cast<std::size_t>(lattice.count()));
@@ -36,7 +36,7 @@ std::vector<std::uint8_t> strips(const HatchView& view, const ImageLattice& latt
   for (std::int64_t row = 0; row < lattice.rows; ++row) {
     for (std::int64_t column = 0; column < lattice.columns; ++column, ++square) {
       const Vec2 image = lattice.middle(row, column);
-      is_near[square] = view.area.is_covered(image) && view.curves.pass(image, width_px);
+      is_near[square] = view.triangle_at(image) != none && view.curves.pass(image, width_px);
     }
   }
   return is_near;

@@ -56,9 +56,10 @@ class Divider {
     }
   }
 
-  void divide(const std::vector<SurfacePoint>& places,
-              std::vector<SurfacePoint> EdgeStrips::*const kind) {
-    for (const SurfacePoint& on : places) (group(on).strips.*kind).push_back(on);
+  void divide(const SeedPlaces& places, SeedPlaces HatchGroup::*const area) {
+    for (HatchGroup& group : groups_) (group.*area).spacings = places.spacings;
+    for (const SurfacePoint& on : places.lattice) (group(on).*area).lattice.push_back(on);
+    for (const SurfacePoint& on : places.strips) (group(on).*area).strips.push_back(on);
   }
 
   std::vector<HatchGroup> take() { return std::move(groups_); }
@@ -75,14 +76,13 @@ class Divider {
 
 }  // namespace
 
-std::vector<HatchGroup> hatch_groups(const HatchScene& scene, const CurvesOfObjects& curves,
-                                     const Ragged<SurfacePoint>& first, const EdgeStrips& strips) {
-  if (curves.size() <= 1) return {{curves, first, strips}};
+std::vector<HatchGroup> hatch_groups(const HatchScene& scene, HatchGroup all) {
+  if (all.curves.size() <= 1) return {std::move(all)};
   Divider divider(scene);
-  divider.divide(curves);
-  divider.divide(first);
-  divider.divide(strips.hatched, &EdgeStrips::hatched);
-  divider.divide(strips.undercut, &EdgeStrips::undercut);
+  divider.divide(all.curves);
+  divider.divide(all.first);
+  divider.divide(all.hatched, &HatchGroup::hatched);
+  divider.divide(all.undercuts, &HatchGroup::undercuts);
   return divider.take();
 }
 

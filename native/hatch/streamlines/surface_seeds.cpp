@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hatch/streamlines/edge_seeds.h"
 #include "hatch/streamlines/grow_streamlines.h"
 #include "hatch/view/image_lattice.h"
 
@@ -20,14 +21,30 @@ std::size_t seed_count(double area, double spacing) {
   return static_cast<std::size_t>(std::min(count, 1e9));
 }
 
-// What is seen under a lattice of the image.
+// (objects) whether each has fewer places on its surface than this view wants.
+std::vector<std::uint8_t> near_objects(const CurvesOfObjects& curves,
+                                       const std::vector<double>& spacings) {
+  std::vector<std::uint8_t> is_near(curves.size(), 0);
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    is_near[i] =
+        curves[i] && seed_count(curves[i].area(), spacings[i]) > curves[i].shared->seeds.size();
+  }
+  return is_near;
+}
+
+// What is seen of these objects under a lattice of the image.
 std::vector<SurfacePoint> lattice_places(const HatchScene& scene, const HatchView& view,
-                                         double step_px) {
+                                         const std::vector<std::uint8_t>& objects) {
   std::vector<SurfacePoint> places;
-  visit_lattice(scene.camera.width_px(), scene.camera.height_px(), step_px,
-                [&](std::int64_t, const Vec2& image) {
+  if (std::find(objects.begin(), objects.end(), 1) == objects.end()) return places;
+  const auto is_asked = [&](int triangle) {
+    return triangle != none && objects[idx(scene.surface.triangle_objects[idx(triangle)])] != 0;
+  };
+  visit_lattice(scene.camera.width_px(), scene.camera.height_px(),
+                surface_lattice_step * view.spacing_px(), [&](std::int64_t, const Vec2& image) {
+                  if (!is_asked(view.triangle_at(image))) return;
                   const SurfacePoint on = view.area.visible_point(image);
-                  if (on.triangle != none) places.push_back(on);
+                  if (is_asked(on.triangle)) places.push_back(on);
                 });
   return places;
 }
@@ -59,25 +76,24 @@ std::vector<double> mean_spacings(const HatchScene& scene, double spacing_px) {
   return sums;
 }
 
-std::vector<StreamlineNode> surface_seeds(const HatchScene& scene, const HatchView& view,
-                                          const CurvesOfObjects& curves) {
-  const double spacing_px = view.spacing_px();
-  const std::vector<double> spacings = mean_spacings(scene, spacing_px);
+SeedPlaces seed_places(const HatchScene& scene, const HatchView& view,
+                       const CurvesOfObjects& curves) {
+  SeedPlaces places;
+  places.spacings = mean_spacings(scene, view.spacing_px());
+  places.lattice = lattice_places(scene, view, near_objects(curves, places.spacings));
+  places.strips = edge_places(view);
+  return places;
+}
+
+std::vector<StreamlineNode> surface_seeds(const HatchView& view, const CurvesOfObjects& curves,
+                                          const SeedPlaces& places) {
   std::vector<StreamlineNode> seeds;
-  std::vector<std::uint8_t> is_near(curves.size(), 0);
   for (std::size_t i = 0; i < curves.size(); ++i) {
     if (!curves[i]) continue;
-    const std::size_t count = seed_count(curves[i].area(), spacings[i]);
+    const std::size_t count = seed_count(curves[i].area(), places.spacings[i]);
     append(seeds, seed_nodes(view, curves[i].seeds(), count));
-    is_near[i] = count > curves[i].shared->seeds.size();
   }
-  if (std::find(is_near.begin(), is_near.end(), 1) == is_near.end()) return seeds;
-  std::vector<SurfacePoint> places = lattice_places(scene, view, surface_lattice_step * spacing_px);
-  const auto is_far = [&](const SurfacePoint& on) {
-    return !is_near[idx(scene.surface.triangle_objects[idx(on.triangle)])];
-  };
-  places.erase(std::remove_if(places.begin(), places.end(), is_far), places.end());
-  append(seeds, seed_nodes(view, places, places.size()));
+  append(seeds, seed_nodes(view, places.lattice, places.lattice.size()));
   return seeds;
 }
 

@@ -10,9 +10,20 @@ namespace illustrate {
 // nothing is seen and hatched.
 std::vector<double> mean_spacings(const HatchScene& scene, double spacing_px);
 
-// Along both directions of the cross, where the view's hatches may run. On objects so near that
-// their places lie too far apart, from a lattice of the image too.
-std::vector<StreamlineNode> surface_seeds(const HatchScene& scene, const HatchView& view,
-                                          const CurvesOfObjects& curves);
+// What streamlines in one area of a view, all hatches or undercuts, start from besides places fixed
+// on the surface: found once for all objects.
+struct SeedPlaces {
+  std::vector<double> spacings;       // (objects) as above
+  std::vector<SurfacePoint> lattice;  // under a lattice of the image: on objects so near that
+                                      // places fixed on them lie too far apart
+  std::vector<SurfacePoint> strips;  // beside critical curves (edge_seeds.h)
+};
+SeedPlaces seed_places(const HatchScene& scene, const HatchView& view,
+                       const CurvesOfObjects& curves);
+
+// Along both directions of the cross, where the view's hatches may run: at places fixed on the
+// objects that have curves, and those of the lattice.
+std::vector<StreamlineNode> surface_seeds(const HatchView& view, const CurvesOfObjects& curves,
+                                          const SeedPlaces& places);
 
 }  // namespace illustrate

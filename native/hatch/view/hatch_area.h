@@ -57,10 +57,10 @@ class HatchArea {
   // World length of a pixel where the map takes a point to `mapped`.
   double pixel_size(const Vec3& mapped) const { return std::abs(mapped[2]) * pixel_per_w_; }
 
-  // Whether anything is seen at an image point.
-  bool is_covered(const Vec2& image) const {
+  // The triangle that is seen at an image point, `none` where hatches are not wanted.
+  int wanted_triangle(const Vec2& image, Area area) const {
     const int cell = visible_.cell_of(image);
-    return cell != none && visible_.triangle[idx(cell)] != none;
+    return cell == none || !wanted(cell, area) ? none : visible_.triangle[idx(cell)];
   }
 
   // The visible point of the surface under an image point, `none` where nothing is seen.

@@ -46,6 +46,13 @@ class HatchView {
   }
   bool may_pass(const HatchPoint& point) const { return area.may_pass(point, where_); }
   bool is_wanted(const HatchPoint& point) const { return area.is_wanted(point, where_); }
+  // The triangle that is seen at an image point, `none` where it is not to be hatched.
+  int triangle_at(const Vec2& image) const {
+    const int triangle = area.wanted_triangle(image, where_);
+    const bool is_wanted =
+        triangle != none && is_hatched(scene_.surface.triangle_objects[idx(triangle)]);
+    return is_wanted ? triangle : none;
+  }
   const Camera& camera() const { return scene_.camera; }
   // The flat face that a node lies on (surface/planes/plane_faces.h), or none.
   int plane_of(const StreamlineNode& node) const {
