@@ -1,0 +1,1 @@
+"""Meshes cut to the outline of what the alpha of their materials' images shows."""
