@@ -1,6 +1,6 @@
 """What a render shows: every mesh at every place, and what it shows that has no surface."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..settings.styles import Surface, style_of, surface_of
+from .alpha.reader import AlphaReader
 from .cages import mesh_of, read_cages, trailing_subdivision
 from .lightness import LightnessReader
 from .mesh_arrays import MeshArrays, read_mesh
@@ -36,6 +37,7 @@ class Shown:
     placed: list[Placed] = field(default_factory=list)
     left_out: dict[str, list[str]] = field(default_factory=dict)  # names by kind, in words
     lightness: LightnessReader = field(default_factory=LightnessReader)
+    alpha: AlphaReader = field(default_factory=AlphaReader)
 
     def leave_out(self, kind: str, name: str) -> None:
         """Notes what cannot be drawn."""
@@ -54,7 +56,8 @@ def read_shown(scene: Any, depsgraph: Any, is_wanted: Callable[[Any], bool]) -> 
     objects; False leaves them out, and with them what they instance.
     """
     shown = Shown()
-    reader = _Reader(depsgraph, shown.lightness)
+    shown.alpha.is_on = scene.illustrate.cut_by_alpha
+    reader = _Reader(depsgraph, shown)
     chosen = cache(lambda owner: (style_of(owner, scene), surface_of(owner, scene)))
     seen = cache(lambda thing, owner: seen_as(thing, owner, depsgraph.view_layer))
     pending: list[_Pending] = []
@@ -76,8 +79,10 @@ def read_shown(scene: Any, depsgraph: Any, is_wanted: Callable[[Any], bool]) -> 
         # A curve, surface, text or metaball comes twice: as itself, and as the mesh that counts.
         if thing.type == "MESH":
             place = (thing.name, style, surface, np.array(instance.matrix_world, float))
-            mesh = reader.read(thing, surface)
-            pending.append((place, thing.original, mesh, _materials(thing)))
+            materials = _materials(thing)
+            pending += [
+                (place, thing.original, mesh, materials) for mesh in reader.read(thing, surface)
+            ]
     _place(pending, instancers, shown, scene)
     return shown
 
@@ -180,39 +185,49 @@ def _is_strands(modifier: Any) -> bool:
 class _Reader:
     """Reads evaluated meshes, each once, at however many places it stands."""
 
-    def __init__(self, depsgraph: Any, lightness: LightnessReader) -> None:
+    def __init__(self, depsgraph: Any, shown: Shown) -> None:
         self._depsgraph = depsgraph
-        self._lightness = lightness
-        self._read: dict[Any, MeshArrays] = {}
+        self._shown = shown
+        self._read: dict[Any, list[MeshArrays]] = {}
 
-    def read(self, thing: Any, surface: Surface) -> MeshArrays | None:
-        """The mesh of an evaluated object or instance; None where its cage is to be read."""
+    def read(self, thing: Any, surface: Surface) -> Sequence[MeshArrays | None]:
+        """The mesh of an evaluated object or instance; None where its cage is to be read.
+
+        Parts that alpha cuts are a mesh of their own: they are drawn as they are, never as a cage.
+        """
         own = thing.original.evaluated_get(self._depsgraph)
         is_own = own.type == "MESH" and own.data == thing.data
+        is_cut = self._shown.alpha.cuts(_materials(own if is_own else thing))
         subdivision = trailing_subdivision(thing.original) if is_own else None
         is_smoothed = subdivision is not None and subdivision.subdivision_type == "CATMULL_CLARK"
-        if is_smoothed and surface.form != "MESH":
-            return None
-        is_cage = surface.form == "CAGE"
+        if is_smoothed and surface.form != "MESH" and not is_cut:
+            return [None]
+        is_cage = surface.form == "CAGE" and not is_cut
         key = (thing.original, thing.data.as_pointer(), is_cage)
         if key not in self._read:
-            self._read[key] = _read_evaluated(
-                thing, own if is_own else None, is_cage, self._lightness
-            )
+            read = _read_evaluated(thing, own if is_own else None, is_cage, self._shown)
             if subdivision is not None and not is_smoothed:
-                self._read[key].scheme = "none"  # the artist wants facets
+                for each in read:
+                    each.scheme = "none"  # the artist wants facets
+            self._read[key] = read
         return self._read[key]
 
 
-def _read_evaluated(thing: Any, own: Any, is_cage: bool, lightness: LightnessReader) -> MeshArrays:
+def _read_evaluated(thing: Any, own: Any, is_cage: bool, shown: Shown) -> list[MeshArrays]:
     """own: the evaluated object itself where the mesh is its own and not generated."""
     if own is None:
-        arrays = read_mesh(thing.data, thing.name, is_cage)
-        lightness.read(arrays, thing.data, thing.data.materials)
-    else:
-        with mesh_of(own) as mesh:
-            arrays = read_mesh(mesh, thing.name, is_cage)
-            lightness.read(arrays, mesh, [slot.material for slot in own.material_slots])
+        return _read_mesh(thing.data, thing.name, is_cage, list(thing.data.materials), shown)
+    with mesh_of(own) as mesh:
+        materials = [slot.material for slot in own.material_slots]
+        return _read_mesh(mesh, thing.name, is_cage, materials, shown)
+
+
+def _read_mesh(
+    mesh: Any, name: str, is_cage: bool, materials: list[Any], shown: Shown
+) -> list[MeshArrays]:
+    arrays = read_mesh(mesh, name, is_cage)
+    shown.lightness.read(arrays, mesh, materials)
     if is_cage:
         arrays.boundary = "edges"  # as a Subdivision modifier has it at first
-    return arrays
+        return [arrays]
+    return shown.alpha.cut(arrays, mesh, materials)

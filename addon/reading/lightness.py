@@ -42,7 +42,7 @@ class Look:
     attribute: str | None = None  # of colours; empty: the one that is rendered
     is_whole: bool = True  # False: its nodes do more than is followed
     is_clear: bool = False  # seen through
-    is_cut_out: bool = False  # nodes say where: not followed, it is drawn whole
+    is_cut_out: bool = False  # nodes say where (alpha/looks.py)
 
     @property
     def is_plain(self) -> bool:
@@ -190,7 +190,7 @@ def _colour(socket: Any) -> Look | None:
     if node.type == "RGB":
         return Look(luminance(node.outputs[0].default_value))
     if node.type == "TEX_IMAGE":
-        return _image(node)
+        return image_of(node)
     if node.type == "VERTEX_COLOR":
         return Look(1.0, attribute=node.layer_name)
     if node.type == "ATTRIBUTE" and node.attribute_type == "GEOMETRY":
@@ -212,7 +212,8 @@ def _mixed_colours(node: Any) -> Look | None:
     return mix(*looks, min(max(float(factor.default_value), 0.0), 1.0))
 
 
-def _image(node: Any) -> Look | None:
+def image_of(node: Any) -> Look | None:
+    """The look of an image texture; None where it does not lie by a UV map."""
     if node.image is None or node.projection != "FLAT":
         return None
     look = Look(1.0, image=node.image, wrap=WRAPS.get(node.extension, "repeat"))
@@ -273,13 +274,12 @@ class LightnessReader:
     def __init__(self) -> None:
         self.unread: dict[str, str] = {}  # what is wrong with an image, by its name
         self.partly: list[str] = []  # names of materials
-        self.cut_out: list[str] = []  # the same: those that are cut out and drawn whole
         self._looks: dict[Any, Look] = {}
         self._textures: dict[tuple[Any, str], TextureArrays | None] = {}
 
     def read(self, arrays: Any, mesh: Any, materials: Iterable[Any]) -> None:
         """Sets what `arrays` (MeshArrays) says of the reflectance of a Blender mesh."""
-        looks = [self._look(material) for material in materials] or [Look()]
+        looks = [self.look(material) for material in materials] or [Look()]
         of_faces = np.clip(arrays.face_materials, 0, len(looks) - 1)
         used = set(np.unique(of_faces).tolist())
         values = np.array([look.value / PAPER for look in looks])
@@ -294,14 +294,14 @@ class LightnessReader:
 
     def is_clear(self, materials: list[Any]) -> bool:
         """True where there are materials and all are seen through."""
-        return bool(materials) and all(self._look(material).is_clear for material in materials)
+        return bool(materials) and all(self.look(material).is_clear for material in materials)
 
-    def _look(self, material: Any) -> Look:
+    def look(self, material: Any) -> Look:
+        """The look of a material; it is noted where it is followed in part."""
         look = self._looks.get(material) or look_of(material)
         self._looks[material] = look
-        for names, is_one in ((self.partly, not look.is_whole), (self.cut_out, look.is_cut_out)):
-            if material is not None and is_one and material.name not in names:
-                names.append(material.name)
+        if material is not None and not look.is_whole and material.name not in self.partly:
+            self.partly.append(material.name)
         return look
 
     def _tint(self, arrays: Any, mesh: Any, attribute: Any, chosen: Any) -> None:
@@ -320,15 +320,14 @@ class LightnessReader:
         numbers = np.full(len(looks), -1, np.int32)
         uv = np.zeros((len(of_corners), 2))
         for i, look in enumerate(looks):
-            layer = _uv_layer(mesh, look.uv_map) if look.image is not None else None
+            layer = uv_layer(mesh, look.uv_map) if look.image is not None else None
             texture = self._texture(look) if layer is not None else None
             if texture is None:
                 continue
             numbers[i] = len(arrays.textures)
             arrays.textures.append(texture)
-            matrix = np.reshape(look.mapping, (2, 3))
             chosen = of_corners == i
-            uv[chosen] = _uv_of(layer)[chosen] @ matrix[:, :2].T + matrix[:, 2]
+            uv[chosen] = mapped_uv(layer, look)[chosen]
         if arrays.textures:
             arrays.uv, arrays.face_textures = uv, numbers[of_faces]
 
@@ -347,17 +346,23 @@ def _texture_of(look: Look) -> TextureArrays:
     return TextureArrays(read_image(look.image), look.wrap)
 
 
-def _uv_layer(mesh: Any, name: str) -> Any:
+def uv_layer(mesh: Any, name: str) -> Any:
     """The named UV map, else the one that is rendered; None where there is none."""
     found = mesh.uv_layers.get(name) if name else None
     return found or next((layer for layer in mesh.uv_layers if layer.active_render), None)
 
 
-def _uv_of(layer: Any) -> Any:
+def uv_of(layer: Any) -> Any:
     """(corners, 2)."""
     values = np.zeros(2 * len(layer.data), np.float32)
     layer.data.foreach_get("uv", values)
     return values.reshape(-1, 2).astype(float)
+
+
+def mapped_uv(layer: Any, look: Look) -> Any:
+    """(corners, 2) places on the image of a look."""
+    matrix = np.reshape(look.mapping, (2, 3))
+    return uv_of(layer) @ matrix[:, :2].T + matrix[:, 2]
 
 
 def _corner_colours(mesh: Any, name: str) -> Any:

@@ -8,11 +8,31 @@ from ..messages import said
 
 LUMINANCE = (0.2126, 0.7152, 0.0722)
 MOST_TEXELS = 8192 * 8192
+WITH_ALPHA = 4  # channels
 SIDE = 2048  # larger images are averaged down to about that
 
 
 def read_image(image: Any) -> Any:
     """(h, w) float32 luminance, linear, rows upwards. Raises ValueError in words of the artist."""
+    pixels = _read_pixels(image)
+    colours = pixels[..., :3] if image.channels > 2 else pixels[..., :1]
+    # Pixels of bytes come as the file has them, floats are linear already.
+    if image.colorspace_settings.name == "sRGB" and not image.is_float:
+        colours = _linear(colours)
+    weights = np.array(LUMINANCE if colours.shape[2] == 3 else (1.0,), np.float32)
+    return np.ascontiguousarray(colours @ weights)
+
+
+def read_alpha(image: Any) -> Any:
+    """(h, w) float32 alpha, rows upwards. Raises ValueError as `read_image` does."""
+    pixels = _read_pixels(image)
+    if image.channels != WITH_ALPHA or image.alpha_mode == "NONE":
+        raise ValueError(said("it has no alpha"))
+    return np.ascontiguousarray(pixels[..., -1])
+
+
+def _read_pixels(image: Any) -> Any:
+    """(h, w, channels) float32 as the file has them, large ones averaged."""
     width, height = image.size
     if not width * height:
         raise ValueError(said("its file is missing or cannot be read"))
@@ -27,13 +47,7 @@ def read_image(image: Any) -> Any:
         )
     pixels = np.zeros(width * height * image.channels, np.float32)
     image.pixels.foreach_get(pixels)
-    pixels = _averaged(pixels.reshape(height, width, image.channels))
-    colours = pixels[..., :3] if image.channels > 2 else pixels[..., :1]
-    # Pixels of bytes come as the file has them, floats are linear already.
-    if image.colorspace_settings.name == "sRGB" and not image.is_float:
-        colours = _linear(colours)
-    weights = np.array(LUMINANCE if colours.shape[2] == 3 else (1.0,), np.float32)
-    return np.ascontiguousarray(colours @ weights)
+    return _averaged(pixels.reshape(height, width, image.channels))
 
 
 def _averaged(pixels: Any) -> Any:

@@ -78,7 +78,9 @@ class SceneArrays:
     guides: GuideArrays = field(default_factory=GuideArrays)
     left_out: dict[str, list[str]] = field(default_factory=dict)  # by kind: what is not drawn
     partly_read: list[str] = field(default_factory=list)  # materials
-    cut_out: list[str] = field(default_factory=list)  # materials that are, and are drawn whole
+    drawn_whole: list[str] = field(default_factory=list)  # materials that nodes cut out
+    uncut: dict[str, str] = field(default_factory=dict)  # materials, and why they are not cut out
+    coarsely_cut: list[str] = field(default_factory=list)  # objects
     unread_images: dict[str, str] = field(default_factory=dict)  # what is wrong, by name
     unusable_lights: dict[str, str] = field(default_factory=dict)  # the same
 
@@ -113,8 +115,9 @@ def read_scene(
     arrays.placed = shown.placed
     arrays.styles = [placed.style for placed in shown.placed]
     arrays.left_out = shown.left_out
-    arrays.partly_read, arrays.cut_out = shown.lightness.partly, shown.lightness.cut_out
-    arrays.unread_images = shown.lightness.unread
+    arrays.partly_read, arrays.unread_images = shown.lightness.partly, shown.lightness.unread
+    arrays.drawn_whole, arrays.uncut = shown.alpha.unfollowed, shown.alpha.uncut
+    arrays.coarsely_cut = shown.alpha.coarse
     if not arrays.placed:
         names = [name for listed in shown.left_out.values() for name in listed]
         raise IllustrateError(nothing_to_draw(scene, selected_only, names))

@@ -39,7 +39,7 @@ def of_guides(scene: Any, arrays: SceneArrays) -> list[str]:
 
 def of_meshes(arrays: SceneArrays, reports: list[dict[str, Any]]) -> list[str]:
     """What the artist should know about the meshes: those mended, and those left out."""
-    warnings = [*_of_repairs(reports), *_of_materials(arrays.partly_read, arrays.cut_out)]
+    warnings = [*_of_repairs(reports), *_of_materials(arrays.partly_read), *_of_alpha(arrays)]
     for name, problem in arrays.unread_images.items():
         warnings.append(
             said('Image "{name}" counts as white: {problem}', name=name, problem=problem)
@@ -66,18 +66,32 @@ def _of_repairs(reports: list[dict[str, Any]]) -> Iterator[str]:
         )
 
 
-def _of_materials(partly_read: list[str], cut_out: list[str]) -> Iterator[str]:
+def _of_materials(partly_read: list[str]) -> Iterator[str]:
     if partly_read:
         yield said(
             "Of {materials} ({names}) the nodes are followed in part: give it a base colour, an "
             "image through a UV map or a viewport colour, or lower Materials",
             **_materials(partly_read),
         )
-    if cut_out:
+
+
+def _of_alpha(arrays: SceneArrays) -> Iterator[str]:
+    """Of materials that are not cut out as nodes say, and of those that are, but coarsely."""
+    if arrays.drawn_whole:
         yield said(
-            "Of {materials} ({names}) nodes say where it is clear, as of leaves: it is drawn "
-            "whole. Cut the mesh to its outline, or have its style for materials ignore it",
-            **_materials(cut_out),
+            "Of {materials} ({names}) nodes say where it is clear, and are not followed: it is "
+            "drawn whole. Link an image's alpha through a UV map, or have its style for materials "
+            "ignore it",
+            **_materials(arrays.drawn_whole),
+        )
+    for name, problem in arrays.uncut.items():
+        yield said('Material "{name}" is drawn whole: {problem}', name=name, problem=problem)
+    if arrays.coarsely_cut:
+        yield said(
+            "Cut by Alpha follows the images on {objects} ({names}) coarsely, there are so many "
+            "outlines: divide it into several, or switch the setting off under Surface and Field",
+            objects=amount(len(arrays.coarsely_cut), "object"),
+            names=quoted(arrays.coarsely_cut),
         )
 
 

@@ -152,6 +152,12 @@ OWN: dict[str, Any] = {
         description="Draw hidden lines with at most so many surfaces in front of them",
     ),
     "crease_angle": crease_angle("Flat-shaded faces that turn more make a hard edge"),
+    "cut_by_alpha": BoolProperty(
+        name="Cut by Alpha",
+        default=True,
+        description="Draw leaves, fences and decals with the outline of what their images show: "
+        "where alpha is below 0.5, or the material's clip threshold, nothing is there",
+    ),
     "guides": PointerProperty(
         type=bpy.types.Collection,
         name="Guides",
@@ -265,10 +271,11 @@ def draw_values(settings: Any, width_px: int) -> dict[str, Any]:
 def live_values(chosen: Any) -> tuple[Any, Any]:
     """What live drawings look at: values that decide about shapes, and about all else."""
     guides = chosen.guides.name if chosen.guides is not None else ""
-    shaping = (prepare_values(chosen), chosen.source, guides, chosen.guide_weight)
+    shaping: tuple[Any, ...] = (prepare_values(chosen), chosen.source, guides, chosen.guide_weight)
     image = chosen.tone_image.name if chosen.tone_image is not None else ""
     look = (draw_values(chosen, 1000), chosen.lighting, chosen.tone_source, image)
-    return (*shaping, chosen.crease_angle, chosen.loose_edges), (*look, chosen.auto_exposure)
+    shaping += (chosen.crease_angle, chosen.loose_edges, chosen.cut_by_alpha)
+    return shaping, (*look, chosen.auto_exposure)
 
 
 def prepare_options(values: dict[str, Any], guides: GuideArrays, guide_weight: float) -> Any:

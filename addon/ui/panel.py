@@ -225,7 +225,13 @@ class ILLUSTRATE_PT_surface(_Fields, bpy.types.Panel):
     bl_idname = "ILLUSTRATE_PT_surface"
     bl_label = "Surface and Field"
     fields = fields_of(
-        "surface", "crease_angle", "scheme", "guides", "guide_weight", "guide_radius"
+        "surface",
+        "crease_angle",
+        "cut_by_alpha",
+        "scheme",
+        "guides",
+        "guide_weight",
+        "guide_radius",
     )
 
     def draw(self, context: Any) -> None:
