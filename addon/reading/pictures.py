@@ -8,7 +8,8 @@ from ..messages import said
 
 LUMINANCE = (0.2126, 0.7152, 0.0722)
 MOST_TEXELS = 8192 * 8192
-WITH_ALPHA = 4  # channels
+RGBA = 4  # channels
+OPAQUE_DEPTHS = (8, 24, 96)  # bits of a pixel: grey, and three colours of bytes or floats
 SIDE = 2048  # larger images are averaged down to about that
 
 
@@ -26,7 +27,8 @@ def read_image(image: Any) -> Any:
 def read_alpha(image: Any) -> Any:
     """(h, w) float32 alpha, rows upwards. Raises ValueError as `read_image` does."""
     pixels = _read_pixels(image)
-    if image.channels != WITH_ALPHA or image.alpha_mode == "NONE":
+    # Blender gives alpha of 1 to files that have none.
+    if image.channels != RGBA or image.depth in OPAQUE_DEPTHS or image.alpha_mode == "NONE":
         raise ValueError(said("it has no alpha"))
     return np.ascontiguousarray(pixels[..., -1])
 

@@ -88,7 +88,7 @@ def _of_alpha(arrays: SceneArrays) -> Iterator[str]:
         yield said('Material "{name}" is drawn whole: {problem}', name=name, problem=problem)
     if arrays.coarsely_cut:
         yield said(
-            "Cut by Alpha follows the images on {objects} ({names}) coarsely, there are so many "
+            "Cut By Alpha follows the images on {objects} ({names}) coarsely, there are so many "
             "outlines: divide it into several, or switch the setting off under Surface and Field",
             objects=amount(len(arrays.coarsely_cut), "object"),
             names=quoted(arrays.coarsely_cut),

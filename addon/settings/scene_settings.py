@@ -153,10 +153,10 @@ OWN: dict[str, Any] = {
     ),
     "crease_angle": crease_angle("Flat-shaded faces that turn more make a hard edge"),
     "cut_by_alpha": BoolProperty(
-        name="Cut by Alpha",
+        name="Cut By Alpha",
         default=True,
         description="Draw leaves, fences and decals with the outline of what their images show: "
-        "where alpha is below 0.5, or the material's clip threshold, nothing is there",
+        "nothing is where alpha is below 0.5, or below the threshold of a clipped material",
     ),
     "guides": PointerProperty(
         type=bpy.types.Collection,

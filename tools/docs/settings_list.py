@@ -161,6 +161,7 @@ SCENE: dict[str, Effect | str] = {
     "crease_angle": Effect(
         "faceted", (("0", {"crease_angle_deg": 1.0}), ("90", {"crease_angle_deg": 90.0}))
     ),
+    "cut_by_alpha": "leaves, fences and decals have the outline of what their images show",
     "guides": "a collection of curves: see the artists' guide, Characters",
     "guide_weight": "how closely hatches follow the guides",
     "paper": "the colour behind the drawing in a viewport on paper",

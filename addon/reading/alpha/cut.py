@@ -1,14 +1,14 @@
 """Meshes cut along the level of alpha: what an image shows of them, with its outline as boundary.
 
 `cut_by_alpha` is a function of arrays alone. A face that the level crosses is sampled on a lattice
-about as fine as texels (patches.py, image.py) and marched (march.py). Its points lie linearly, on
+of cells of CELL texels (patches.py, image.py) and marched (march.py). Its points lie linearly, on
 quads bilinearly, between the corners, and so do all values of corners. Points on edges are named by
 edge and place, so that neighbours share them: nothing cracks, and a face that stays whole becomes a
 polygon of more corners where its neighbour has points on their edge. Faces that are wholly there
 stay as they are otherwise, and those that are not vanish; so do vertices that no face has left.
 
 Bounds: at most MOST_SAMPLES nodes and MOST_CUT crossed cells in a mesh. Where texels would need
-more, cells are 2, 4, 8 .. texels wide.
+more, cells are 2, 4, 8 .. times as wide.
 """
 
 from dataclasses import dataclass, replace
@@ -22,8 +22,10 @@ from .march import Polygons, count_cut, march
 from .patches import Edges, Patches, edges_of, halvings_of, lattice_sizes, patches_of
 from .welding import Corners, following_of, side_points, spread_edges, welded
 
+CELL = 2  # texels, as wide as the finest blur: crossings are linear in it, and exact to a tenth
 MOST_SAMPLES = 2_000_000
 MOST_CUT = 150_000
+FARTHEST_UV = 1e6  # copies of the image away: beyond there is no telling texels apart
 FEW_CELLS = 16  # along a face: the outline is coarse where texels are finer than these
 OF_CORNERS = ("uv", "corner_normals", "reflectance")
 OF_FACES = ("face_materials", "face_textures", "reflectance")
@@ -49,6 +51,7 @@ def cut_by_alpha(mesh: MeshArrays, uv: Any, face_images: Any, images: list[Alpha
     chosen = (face_images >= 0) & (mesh.face_sizes >= 3)
     if not chosen.any():
         return Cut(mesh)
+    uv = np.nan_to_num(uv).clip(-FARTHEST_UV, FARTHEST_UV)
     edges = edges_of(mesh.face_sizes, mesh.corner_vertices, len(mesh.positions))
     patches = patches_of(mesh.face_sizes, mesh.corner_vertices, edges, chosen)
     found = _sample(patches, edges, uv, face_images, images)
@@ -89,14 +92,14 @@ def _sample(
 ) -> _Samples:
     at, of = patches.at_corners(uv), face_images[patches.faces]
     texels = np.array([image.size for image in images])[face_images[edges.faces]]
-    lengths = np.linalg.norm((uv[edges.following] - uv) * texels, axis=1)
+    lengths = np.linalg.norm((uv[edges.following] - uv) * texels, axis=1) / CELL
     halvings = halvings_of(patches, lengths, edges)
     coarser = 0
     while True:
         sizes = lattice_sizes(patches, halvings, coarser)
         is_least = bool((lattice_sizes(patches, halvings, coarser + 1) == sizes).all())
         if is_least or (sizes + 1).prod(axis=1).sum() <= MOST_SAMPLES:
-            groups = list(_groups(sizes, at, of, images, 1 << coarser))
+            groups = list(_groups(sizes, at, of, images, CELL << coarser))
             if is_least or sum(count_cut(values) for _, values in groups) <= MOST_CUT:
                 break
         coarser += 1

@@ -21,7 +21,6 @@ PADDING: dict[str, Any] = {
 }
 FINEST_BLUR = 2  # texels
 LEAST_THRESHOLD = 0.002  # below half a step of a byte all is opaque, and nothing is beyond the top
-FARTHEST_UV = 1e6  # turns of the image beyond which there is no telling texels apart
 
 
 @dataclass
@@ -53,13 +52,12 @@ class AlphaImage:
         return np.array(self.values.shape[::-1], float)
 
     def above(self, uv: Any, cell: int) -> Any:
-        """(...) how far alpha is above the threshold at uv (..., 2), of cells of so many texels.
+        """(...) how far alpha is above the threshold at uv (..., 2), by cells of so many texels.
 
         Not negative where something is. Linear across the border of a clipped image, which is so
         straight however it lies in the cells.
         """
         level = min(max(self.threshold, LEAST_THRESHOLD), 1 - LEAST_THRESHOLD)
-        uv = np.clip(np.nan_to_num(uv), -FARTHEST_UV, FARTHEST_UV)
         found = self._sampled(uv, self._blur(max(cell, FINEST_BLUR))) - level
         if self.wrap == "clip":
             inside = (np.minimum(uv, 1 - uv) * self.size).min(axis=-1)

@@ -131,13 +131,13 @@ def _sides(edges: Edges, quads: Any, others: Any, before: Any) -> tuple[Any, Any
 def halvings_of(patches: Patches, lengths: Any, edges: Edges) -> Any:
     """(p, 2) how often the sides 0 and 1 of patches are halved, before any limit but FINEST.
 
-    lengths: (corners,) texels along the edge from each corner. Opposite sides of patches are
+    lengths: (corners,) cells along the edge from each corner. Opposite sides of patches are
     halved alike, and so are all that lie on one edge.
     """
     wanted = np.zeros(len(edges.vertices), np.int64)
     used = np.concatenate([patches.quads.reshape(-1), patches.others])
-    texels = np.nan_to_num(lengths[used]).clip(1, 2**FINEST)
-    np.maximum.at(wanted, edges.of_corners[used], np.rint(np.log2(texels)).astype(np.int64))
+    cells = np.nan_to_num(lengths[used]).clip(1, 2**FINEST)
+    np.maximum.at(wanted, edges.of_corners[used], np.rint(np.log2(cells)).astype(np.int64))
     sides = edges.of_corners[patches.quads]
     own = edges.of_corners[patches.others]
     while True:
@@ -154,7 +154,7 @@ def halvings_of(patches: Patches, lengths: Any, edges: Edges) -> Any:
 
 
 def lattice_sizes(patches: Patches, halvings: Any, coarser: int) -> Any:
-    """(p, 2) cells along the sides 0 and 1, of cells 2^coarser texels wide."""
+    """(p, 2) cells along the sides 0 and 1, halved so many times less, but once at least."""
     kept = np.maximum(halvings - coarser, COARSEST)
     kept[len(patches.quads) :] -= 1
     return np.int64(1) << kept

@@ -82,11 +82,12 @@ class AlphaReader:
         self, arrays: MeshArrays, uv: Any, face_images: Any, images: list[Any]
     ) -> list[MeshArrays]:
         keys = [image.key if image is not None else "" for image in images]
-        key = digest(arrays.shape, arrays.look, uv, face_images, keys)
+        shape = replace(arrays.shape, name="")  # objects may share it
+        key = digest(shape, arrays.look, uv, face_images, keys)
         parts, is_coarse = CUTS.of(key, lambda: cut_parts(arrays, uv, face_images, images))
         if is_coarse and arrays.name not in self.coarse:
             self.coarse.append(arrays.name)
-        return parts
+        return [replace(part, name=arrays.name) for part in parts]
 
     def _of(self, material: Any) -> tuple[AlphaLook, AlphaImage] | None:
         if not self.is_on or material is None:
