@@ -176,6 +176,14 @@ def test_wraps() -> None:
     assert extended.face_sizes.tolist() == [4]
 
 
+def test_a_stem_at_one_rim_does_not_show_at_the_other() -> None:
+    stem = np.zeros((64, 64))
+    stem[:8, 28:36] = 1
+    made = cut(card(), stem)
+    assert loops(made) == 1 and made.positions[:, 1].max() < 0.2
+    assert loops(cut(card(), stem, flat_uv(card()) * (1, 1.01))) == 2  # another copy begins
+
+
 @pytest.mark.parametrize("wrap", ["repeat", "mirror", "extend", "clip"])
 def test_what_is_opaque_stays_the_very_mesh(wrap: str) -> None:
     of = card()

@@ -91,6 +91,7 @@ def _sample(
     patches: Patches, edges: Edges, uv: Any, face_images: Any, images: list[AlphaImage]
 ) -> _Samples:
     at, of = patches.at_corners(uv), face_images[patches.faces]
+    images = [image.seen_at(at[of == i]) for i, image in enumerate(images)]
     texels = np.array([image.size for image in images])[face_images[edges.faces]]
     lengths = np.linalg.norm((uv[edges.following] - uv) * texels, axis=1) / CELL
     halvings = halvings_of(patches, lengths, edges)
@@ -235,11 +236,19 @@ def _part_corners(patches: Patches, found: _Samples, polygons: Polygons, values:
     keys, x, y = side_points(patches, found.sizes, found.side_hashes, polygons)
     sizes = found.sizes[polygons.patches]
     s, t = x / sizes[:, 0], y / sizes[:, 1]
-    a, b, c, d = np.moveaxis(patches.at_corners(values)[polygons.patches], 1, 0)
-    s, t = s[:, None], t[:, None]
-    between = (a * (1 - s) + b * s) * (1 - t) + (d * (1 - s) + c * s) * t
-    numbers, places = _runs(patches, polygons, s[:, 0], t[:, 0])
+    between = _at_places(patches.at_corners(values), polygons.patches, s[:, None], t[:, None])
+    numbers, places = _runs(patches, polygons, s, t)
     return Corners(polygons.sizes, keys, between, numbers, places)
+
+
+def _at_places(corners: Any, numbers: Any, s: Any, t: Any) -> Any:
+    """(c, k) bilinear between corners (p, 4, k) of numbered patches, at s and t (c, 1)."""
+    a, b, c, d = corners.swapaxes(0, 1)
+    found = a[numbers]
+    for share, slope in ((s, b - a), (t, d - a), (s * t, a - b + c - d)):
+        if slope.any():
+            found += share * slope[numbers]
+    return found
 
 
 def _runs(patches: Patches, polygons: Polygons, s: Any, t: Any) -> tuple[Any, Any]:

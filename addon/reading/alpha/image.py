@@ -5,7 +5,7 @@ is then a smooth curve, no staircase of texels, and what is finer than a cell fa
 becoming dots.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -50,6 +50,18 @@ class AlphaImage:
     def size(self) -> Any:
         """(2,) texels across and upwards."""
         return np.array(self.values.shape[::-1], float)
+
+    @cached_property
+    def _alone(self) -> "AlphaImage":
+        return replace(self, wrap="extend", _blurred={})
+
+    def seen_at(self, uv: Any) -> "AlphaImage":
+        """The image as it is seen at uv (..., 2): alone, where no more than one copy of it is.
+
+        Else the stem at the lower rim of a leaf would show beyond its tip, at the upper rim.
+        """
+        is_alone = self.wrap == "repeat" and uv.size and uv.min() >= 0 and uv.max() <= 1
+        return self._alone if is_alone else self
 
     def above(self, uv: Any, cell: int) -> Any:
         """(...) how far alpha is above the threshold at uv (..., 2), by cells of so many texels.
