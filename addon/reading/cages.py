@@ -101,6 +101,7 @@ def _evaluated_cages(
             stage.collection.objects.link(copy)
         layer = stage.view_layers[0]
         layer.update()
+        _deform_again(list(copies.values()), layer)
         cages = {}
         for thing, copy in copies.items():
             with mesh_of(copy.evaluated_get(layer.depsgraph)) as mesh:
@@ -110,6 +111,15 @@ def _evaluated_cages(
         for copy in copies.values():
             bpy.data.objects.remove(copy)
         bpy.data.batch_remove((stage,))  # `scenes.remove` crashes in a command of 4.3
+
+
+def _deform_again(copies: list[Any], layer: Any) -> None:
+    """Blender deforms by a parent while that is placed: now and then by where it was before."""
+    deformed = [copy for copy in copies if copy.parent_type in DEFORMING_PARENTS]
+    for copy in deformed:
+        copy.update_tag(refresh={"DATA"})
+    if deformed:
+        layer.update()
 
 
 def _read_cage(thing: Any, mesh: Any, lightness: LightnessReader) -> MeshArrays:
