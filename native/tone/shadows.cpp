@@ -1,6 +1,8 @@
 #include "tone/shadows.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 
 #include "tone/area_light.h"
@@ -13,38 +15,59 @@ namespace {
 constexpr double lift = 1e-4;
 constexpr double ray_end = 1 - 1e-6;
 
-constexpr int extent_samples = 4;  // along each side of an area
+constexpr int area_places = 64;  // of an area, that are asked in a half-shadow
 
-// Of how many of the places (i, j), i and j every `step`, of an area the light reaches `origin`;
-// places below the horizon give none and do not count.
-struct Reached {
-  int lit = 0;
+// Places that tell whether an area is hidden in part: whatever is wide enters it across its
+// outline, so that corners and sides come first.
+constexpr std::array<std::array<double, 2>, 8> outline_places{
+    {{0, 0}, {1, 1}, {0, 1}, {1, 0}, {0.5, 0}, {0.5, 1}, {0, 0.5}, {1, 0.5}}};
+constexpr int inner_places = 8;  // the first of area_places
+
+// The k-th place on an area: the additive sequence whose steps are the first two powers of the
+// plastic number's inverse. However many there are, they are even over the area and across it in
+// any direction, so that shadows of edges and rods have no steps.
+Vec3 place_on(const Light& light, int k) {
+  const double u = 0.5 + k * 0.7548776662466927, v = 0.5 + k * 0.5698402909980532;
+  return point_on(light, u - std::floor(u), v - std::floor(v));
+}
+
+// How many places of an area are over the horizon of a point, and how many of them are seen.
+struct Seen {
   int asked = 0;
+  int lit = 0;
+
+  bool is_in_part() const { return lit > 0 && lit < asked; }
 };
 
-Reached reached(const Light& light, const Bvh& casters, const Vec3& origin, const Vec3& normal,
-                int step) {
-  Reached count;
-  for (int i = 0; i < extent_samples; i += step) {
-    for (int j = 0; j < extent_samples; j += step) {
-      const Vec3 ray =
-          point_on(light, (i + 0.5) / extent_samples, (j + 0.5) / extent_samples) - origin;
-      if (ray.dot(normal) <= 0) continue;
-      ++count.asked;
-      count.lit += casters.is_hit(origin, ray, 0, ray_end) ? 0 : 1;
-    }
-  }
-  return count;
-}
+class AreaFromPoint {
+ public:
+  AreaFromPoint(const Light& light, const Bvh& casters, const Vec3& origin, const Vec3& normal)
+      : light_(light), casters_(casters), origin_(origin), normal_(normal) {}
 
-double share_of_area(const Light& light, const Bvh& casters, const Vec3& origin,
-                     const Vec3& normal) {
-  Reached count = reached(light, casters, origin, normal, extent_samples - 1);  // the corners
-  if (count.lit > 0 && count.lit < count.asked) {
-    count = reached(light, casters, origin, normal, 1);
+  double share_seen() const {
+    Seen seen;
+    for (const auto& [u, v] : outline_places) ask(point_on(light_, u, v), seen);
+    for (int k = 0; k < inner_places && !seen.is_in_part(); ++k) ask(place_on(light_, k), seen);
+    if (seen.is_in_part()) {
+      seen = {};
+      for (int k = 0; k < area_places; ++k) ask(place_on(light_, k), seen);
+    }
+    return seen.asked > 0 ? double(seen.lit) / seen.asked : 1;
   }
-  return count.asked > 0 ? double(count.lit) / count.asked : 1;
-}
+
+ private:
+  void ask(const Vec3& place, Seen& seen) const {
+    const Vec3 ray = place - origin_;
+    if (ray.dot(normal_) <= 0) return;
+    ++seen.asked;
+    seen.lit += casters_.is_hit(origin_, ray, 0, ray_end) ? 0 : 1;
+  }
+
+  const Light& light_;
+  const Bvh& casters_;
+  const Vec3& origin_;
+  const Vec3& normal_;
+};
 
 }  // namespace
 
@@ -82,7 +105,7 @@ double share_reaching(const Light& light, const Camera& camera, const Bvh& caste
       break;
   }
   if (light.kind == LightKind::area && light.has_extent()) {
-    return share_of_area(light, casters, origin, normal);
+    return AreaFromPoint(light, casters, origin, normal).share_seen();
   }
   return casters.is_hit(origin, light.vector - origin, 0, ray_end) ? 0 : 1;
 }

@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "core/errors.h"
-#include "core/parallel.h"
 #include "tone/bands.h"
 #include "tone/exposure.h"
+#include "tone/illumination.h"
 #include "tone/levels.h"
 #include "tone/patches.h"
-#include "tone/shadows.h"
 
 namespace illustrate {
 namespace {
@@ -20,123 +19,9 @@ void require(bool good, const char* message) {
 
 bool is_share(const std::optional<double>& share) { return !share || (*share >= 0 && *share <= 1); }
 
-constexpr double least_facing = 0.01;  // of a surface that is seen edge-on
-
 // Whether the object of a triangle is one of a mask of them; an empty mask has none.
 bool is_of(const std::vector<std::uint8_t>& mask, const Surface& surface, int triangle) {
   return !mask.empty() && mask[idx(surface.triangle_objects[idx(triangle)])];
-}
-
-// The light that comes back from the visible cells.
-class Illumination {
- public:
-  Illumination(const Surface& surface, const VisibleImage& visible, const Camera& camera,
-               const std::vector<Light>& lights, const Bvh* casters, const Lightness* lightness,
-               double reflectance, const std::vector<std::uint8_t>& catchers)
-      : surface_(surface),
-        visible_(visible),
-        camera_(camera),
-        lights_(lights.empty() ? std::vector<Light>{Light{}} : lights),
-        casters_(casters),
-        lightness_(lightness && !lightness->is_white() ? lightness : nullptr),
-        reflectance_(reflectance),
-        catchers_(catchers),
-        map_(image_map(camera)) {}
-
-  // Sets the light at the visible ones of the cells [begin, end).
-  void light_cells(std::size_t begin, std::size_t end, std::vector<double>& light) const {
-    Corners corners;
-    for (std::size_t cell = begin; cell < end; ++cell) {
-      const int triangle = visible_.triangle[cell];
-      if (triangle == none) continue;
-      if (triangle != corners.triangle) corners = corners_of(triangle);
-      light[cell] = at(static_cast<std::uint32_t>(cell), corners);
-    }
-  }
-
- private:
-  // Of a triangle that several cells in a row see.
-  struct Corners {
-    int triangle = none;
-    std::array<Vec3, 3> mapped, positions, normals;
-    std::optional<FaceLightness> lightness;  // none: white
-  };
-
-  Corners corners_of(int triangle) const {
-    Corners corners;
-    corners.triangle = triangle;
-    for (int k = 0; k < 3; ++k) {
-      const int vertex = surface_.triangles[triangle][k];
-      corners.positions[k] = surface_.positions[vertex];
-      corners.mapped[k] = apply(map_, corners.positions[k]);
-      corners.normals[k] = surface_.corner_sign(triangle, k) * surface_.normals[vertex];
-    }
-    if (lightness_) corners.lightness = lightness_->of_triangle(triangle);
-    return corners;
-  }
-
-  static Vec3 between(const std::array<Vec3, 3>& corners, const SurfacePoint& on) {
-    return (1 - on.b1 - on.b2) * corners[0] + on.b1 * corners[1] + on.b2 * corners[2];
-  }
-
-  double at(std::uint32_t cell, const Corners& corners) const {
-    const auto width = static_cast<std::uint32_t>(visible_.width);
-    const std::uint32_t row = cell / width, column = cell % width;
-    const Vec2 centre = Vec2(column + 0.5, row + 0.5) * visible_.cell_px;
-    const SurfacePoint on = surface_point_under(corners.mapped, corners.triangle, centre);
-    const Vec3 position = between(corners.positions, on), mean = between(corners.normals, on);
-    const double length = mean.norm();
-    Vec3 normal = length > 0 ? Vec3(mean / length) : corners.normals[0];
-    if (normal.dot(camera_.to_eye(position)) < 0) normal = -normal;
-    double sum = 0, all = 0;
-    for (const Light& light : lights_) {
-      const double share = received(light, camera_, position, normal);
-      if (!(share > 0)) continue;
-      all += share;
-      sum += share * reaching(light, on, normal);
-    }
-    if (is_of(catchers_, surface_, corners.triangle)) return all > 0 ? sum / all : 1;
-    return corners.lightness ? sum * thrown_back(*corners.lightness, position, normal) : sum;
-  }
-
-  // A texture is seen as far as a cell reaches on the surface.
-  double thrown_back(const FaceLightness& lightness, const Vec3& position,
-                     const Vec3& normal) const {
-    const Vec3 to_eye = camera_.to_eye(position).normalized();
-    const double facing = std::max(normal.dot(to_eye), least_facing);
-    const double size = visible_.cell_px * camera_.pixel_size(position) / std::sqrt(facing);
-    return 1 - reflectance_ * (1 - lightness.at(position, size));
-  }
-
-  double reaching(const Light& light, const SurfacePoint& on, const Vec3& normal) const {
-    if (!casters_ || !light.casts_shadows) return 1;
-    return share_reaching(light, camera_, *casters_, shadow_origin(surface_, on, normal), normal);
-  }
-
-  const Surface& surface_;
-  const VisibleImage& visible_;
-  const Camera& camera_;
-  const std::vector<Light> lights_;
-  const Bvh* casters_;
-  const Lightness* lightness_;
-  double reflectance_;
-  const std::vector<std::uint8_t>& catchers_;
-  const ImageMap map_;
-};
-
-// The same, of the visible cells [begin, end), as an image has it.
-void copy_light(const Texture& image, const VisibleImage& visible, const Camera& camera,
-                std::size_t begin, std::size_t end, std::vector<double>& light) {
-  const Vec2 frame(camera.width_px(), camera.height_px());
-  const Vec2 cell_share = visible.cell_px * frame.cwiseInverse();
-  const double texels = image.size() * std::sqrt(cell_share.x() * cell_share.y());
-  for (std::size_t cell = begin; cell < end; ++cell) {
-    if (visible.triangle[cell] == none) continue;
-    const std::size_t row = cell / idx(visible.width), column = cell % idx(visible.width);
-    const Vec2 middle(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
-    const Vec2 place = middle.cwiseProduct(cell_share);
-    light[cell] = image.mean_at(Vec2(place.x(), 1 - place.y()), texels);
-  }
 }
 
 Tone level_of(double light, const Thresholds& thresholds) {
@@ -257,20 +142,14 @@ ToneMap tone_regions(const Surface& surface, const VisibleImage& visible,
   for (std::size_t i = 0; i < lights.size(); ++i) validate(lights[i], i);
   require(casters || !options.cast_shadows, "cast_shadows needs what casts them");
   progress.report(0);
-  const Illumination illumination(surface, visible, camera, lights,
-                                  options.cast_shadows ? casters : nullptr, lightness,
-                                  options.reflectance, catchers);
-  const std::vector<std::uint8_t> uncounted = either(unhatched, catchers);
-  std::vector<double> light(visible.triangle.size(), 0);
-  const auto light_cells = [&](std::size_t begin, std::size_t end) {
-    if (options.image) {
-      copy_light(*options.image, visible, camera, begin, end, light);
-    } else {
-      illumination.light_cells(begin, end, light);
-    }
-  };
-  parallel_for(light.size(), options.threads, progress.part(0, 0.7), light_cells);
+  const LitScene scene{surface, options.cast_shadows ? casters : nullptr, lightness,
+                       options.reflectance, catchers};
+  const Progress lighting = progress.part(0, 0.7);
+  std::vector<double> light =
+      options.image ? light_of_image(*options.image, visible, camera, options.threads, lighting)
+                    : light_of_cells(scene, visible, camera, lights, options.threads, lighting);
   progress.report(0.7);
+  const std::vector<std::uint8_t> uncounted = either(unhatched, catchers);
   const double exposure = expose(surface, visible, options, uncounted, light);
   // The share of light that reaches a catcher is no light that could be exposed.
   for_cells_of(catchers, surface, visible, [&](std::size_t cell) { light[cell] /= exposure; });
