@@ -33,11 +33,12 @@ inline std::shared_ptr<const Prepared> prepared(const std::vector<PolygonMesh>& 
 }
 
 // All lines, however short, without hatches.
-inline Drawing drawn(const std::vector<PolygonMesh>& meshes, const Camera& camera) {
+inline Drawing drawn(const std::vector<PolygonMesh>& meshes, const Camera& camera,
+                     int triangle_budget = 5000) {
   DrawOptions options;
   options.hatching = false;
   options.stroke.speck_px = 0;
-  return draw(*prepared(meshes), camera, options, {}).drawing;
+  return draw(*prepared(meshes, triangle_budget), camera, options, {}).drawing;
 }
 
 }  // namespace illustrate::blocks

@@ -19,6 +19,7 @@ constexpr double blind_diagonals = 0.01, blind_object = 0.05;
 // Of the distance within which hits may be the curve's own surface: those nearer than this share
 // are it, before or behind the curve as rounding has it.
 constexpr double rounding = 1e-6;
+constexpr int most_steps = 64;  // from the triangle that a ray met to where the line of sight does
 
 }  // namespace
 
@@ -50,31 +51,47 @@ double LayerRays::blind_distance(const Strand& strand, int triangle, const Vec3&
 // pass the face's rim.
 LayerRays::Side LayerRays::side_of_touch(int triangle, const Touching& curve) const {
   if (insets_.moves.empty() || curve.is_of_two) return Side::open;
-  const Triangle& t = surface_.triangles[idx(triangle)];
-  Corners here, moved;
-  for (std::size_t k = 0; k < 3; ++k) {
-    here[k] = surface_.positions[idx(t[k])];
-    moved[k] = here[k] + insets_.moves[idx(t[k])];
-  }
+  const int vertex = surface_.triangles[idx(triangle)][0];
+  const Corners moved = moved_corners(triangle);
   const Vec3 normal = unit_or_zero((moved[1] - moved[0]).cross(moved[2] - moved[0]));
-  const double inset = insets_.moves[idx(t[0])].norm();
+  const double inset = insets_.moves[idx(vertex)].norm();
   const double apart = normal.dot(curve.decided - moved[0]);
-  if (std::abs(normal.dot(curve.position - here[0])) > inset || std::abs(apart) < inset / 2)
+  if (std::abs(normal.dot(curve.position - surface_.positions[idx(vertex)])) > inset ||
+      std::abs(apart) < inset / 2)
     return Side::open;
   const Vec3 to_eye = camera_.to_eye(curve.decided);
   const double slope = normal.dot(to_eye);
   const Vec3 met = curve.decided - apart / slope * to_eye;
-  if (!met.allFinite() || is_beyond_rim(triangle, moved, normal, met)) return Side::open;
+  if (!met.allFinite() || is_beyond_rim(triangle, normal, met)) return Side::open;
   return (apart > 0) == (slope > 0) ? Side::behind : Side::before;
 }
 
-bool LayerRays::is_beyond_rim(int triangle, const Corners& corners, const Vec3& normal,
-                              const Vec3& p) const {
-  for (int k = 0; k < 3; ++k) {
-    const bool is_rim = parts_surface(surface_.edge_kinds[idx(triangle)][idx(k)]);
-    const Vec3& from = corners[idx(k)];
-    if (is_rim && normal.dot((corners[idx(next_corner(k))] - from).cross(p - from)) < 0)
-      return true;
+LayerRays::Corners LayerRays::moved_corners(int triangle) const {
+  Corners moved;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t vertex = idx(surface_.triangles[idx(triangle)][k]);
+    moved[k] = surface_.positions[vertex] + insets_.moves[vertex];
+  }
+  return moved;
+}
+
+// Goes from triangle to triangle towards the place, which is a few of them away at most: the ray
+// that met the first one passed beside it.
+bool LayerRays::is_beyond_rim(int triangle, const Vec3& normal, const Vec3& p) const {
+  for (int step = 0; step < most_steps; ++step) {
+    const Corners corners = moved_corners(triangle);
+    bool is_past_rim = false;
+    int next = triangle;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& from = corners[k];
+      const Vec3& to = corners[idx(next_corner(static_cast<int>(k)))];
+      if (normal.dot((to - from).cross(p - from)) >= 0) continue;
+      const bool is_rim = parts_surface(surface_.edge_kinds[idx(triangle)][k]);
+      is_past_rim = is_past_rim || is_rim;
+      if (!is_rim) next = surface_.neighbours[idx(triangle)][k];
+    }
+    if (next == triangle || next == none) return is_past_rim;
+    triangle = next;
   }
   return false;
 }

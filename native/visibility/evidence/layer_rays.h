@@ -50,7 +50,8 @@ class LayerRays {
   bool lies_apart(int triangle, const Touching& curve) const;
   Side side_of_touch(int triangle, const Touching& curve) const;
   using Corners = std::array<Vec3, 3>;
-  bool is_beyond_rim(int triangle, const Corners& corners, const Vec3& normal, const Vec3& p) const;
+  Corners moved_corners(int triangle) const;
+  bool is_beyond_rim(int triangle, const Vec3& normal, const Vec3& p) const;
   Vec3 beside(const Vec3& p, const Vec2& along_px, double aside_px) const;
   double blind_distance(const Strand& strand, int triangle, const Vec3& p) const;
 
