@@ -44,7 +44,8 @@ def to_svg(
     """SVG text of a drawing made for an image of width_px by height_px.
 
     The page is width_mm wide, its height follows; user units are pixels of the image. style
-    'centerline': one path per stroke along its middle, as wide as the stroke's mean width;
+    'centerline': one path per stroke along its middle, as wide as the stroke is on average, so that
+    it has as much ink;
     'tapered': the filled outline of each stroke, as wide as the stroke is at every point.
     made_by: what the file is to say of its making, of JSON's types; it is in its metadata.
     tracks: paths get the attributes data-id and data-start: a stroke's number through the frames
@@ -100,7 +101,7 @@ def _paths(drawing: DrawingArrays, group: LineGroup, style: str, tracks: bool) -
         if style == "centerline":
             end = "Z" if closed else ""
             yield (
-                f'<path {told}stroke-width="{number(widths[span].mean())}" '
+                f'<path {told}stroke-width="{number(_mean(widths[span], points, closed))}" '
                 f'd="M{polyline(points)}{end}"/>'
             )
         else:
@@ -117,6 +118,16 @@ def _region(region: Any) -> str:
 def _track(drawing: DrawingArrays, stroke: int) -> str:
     start = number(drawing.stroke_starts[stroke])
     return f'data-id="{int(drawing.stroke_ids[stroke])}" data-start="{start}" '
+
+
+def _mean(widths: NDArray[np.float64], points: NDArray[np.float64], closed: bool) -> float:
+    """The width at which the stroke has as much ink: the mean over its length."""
+    ends = np.append(np.arange(len(points)), 0) if closed else np.arange(len(points))
+    lengths = np.hypot(*np.diff(points[ends], axis=0).T)
+    if not lengths.sum() > 0:
+        return float(widths.mean())
+    between = (widths[ends[1:]] + widths[ends[:-1]]) / 2
+    return float(np.average(between, weights=lengths))
 
 
 def _outline(points: NDArray[np.float64], radii: NDArray[np.float64], closed: bool) -> str:

@@ -81,8 +81,21 @@ def test_every_kind_but_the_seam_has_a_group() -> None:
 
 def test_centre_lines_are_as_wide_as_their_strokes_on_average() -> None:
     path = path_of([LINE])
-    assert path.attrib == {"stroke-width": "2", "d": "M10,20 30,20 30,45.5"}
+    assert path.attrib == {"stroke-width": "2.06", "d": "M10,20 30,20 30,45.5"}
     assert path_of([LOOP]).attrib["d"] == "M0,0 10,0 0,10Z"
+
+
+def test_centre_lines_have_the_ink_of_their_strokes() -> None:
+    """However unevenly the points lie along them: most of these are in a thin tail."""
+    points = [(0.0, 0.0), (90.0, 0.0), *((90.0 + k, 0.0) for k in range(1, 11))]
+    widths = [4.0, 4.0, *np.linspace(3.6, 0, 10)]
+    path = path_of([(ill.Kind.HATCH, points, widths, False, 0)])
+    assert float(path.attrib["stroke-width"]) == pytest.approx((90 * 4 + 10 * 2) / 100)
+    ring = [(0.0, 0.0), (30.0, 0.0), (30.0, 10.0), (0.0, 10.0)]
+    path = path_of([(ill.Kind.HATCH, ring, [1.0, 1.0, 2.0, 2.0], True, 0)])
+    assert float(path.attrib["stroke-width"]) == pytest.approx((30 + 15 + 60 + 15) / 80)
+    dot = path_of([(ill.Kind.HATCH, [(5.0, 5.0)], [3.0], False, 0)])
+    assert dot.attrib["stroke-width"] == "3"
 
 
 def test_tapered_outline_of_a_straight_stroke() -> None:
