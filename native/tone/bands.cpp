@@ -7,6 +7,7 @@
 #include "contour/contour_functions.h"
 #include "surface/parts.h"
 #include "tone/fold_extents.h"
+#include "tone/fold_sides.h"
 #include "tone/step_along.h"
 
 namespace illustrate {
@@ -38,6 +39,7 @@ struct FoldSample {
   double along;                     // px along the curve
   int triangle;                     // on the fold
   double undercut_px = 0;           // how wide the undercut is
+  double mach_band_px = 0;          // and the Mach band
   Vec3 face_normal = Vec3::Zero();  // of the near face of an edge; zero: not known
 };
 
@@ -53,13 +55,14 @@ class BandMarker {
  public:
   BandMarker(const Surface& surface, const VisibleImage& visible, const LabelledGraph& graph,
              const Camera& camera, const std::vector<Light>& lights, const ToneOptions& options,
-             std::vector<Band>& band)
+             const std::vector<float>& brightness, std::vector<Band>& band)
       : surface_(surface),
         visible_(visible),
         graph_(graph),
         camera_(camera),
         lights_(lights),
         options_(options),
+        brightness_(brightness),
         band_(band),
         map_(image_map(camera)),
         is_anywhere_(!options.undercuts || options.undercut_contact == 0),
@@ -78,6 +81,7 @@ class BandMarker {
       const double gap = meets ? depth_at(sample, 2) - sample.depth : gap_beyond(sample);
       if (!std::isfinite(gap)) continue;
       sample.undercut_px = undercut_width(arc, sample, meets ? 0 : gap);
+      sample.mach_band_px = mach_band_width(sample);
       if (data.kind == Kind::crease || data.kind == Kind::boundary) {
         sample.face_normal = near_face_normal(sample);
       }
@@ -168,6 +172,13 @@ class BandMarker {
     return std::min(options_.undercut_px * closeness(sample, gap), fade);
   }
 
+  double mach_band_width(const FoldSample& sample) const {
+    const double px = options_.mach_band_px, step = (behind + recession) * sample.cell;
+    const FoldSides sides = fold_sides(surface_, visible_, brightness_, sample.image, sample.beyond,
+                                       wide_part * px, step);
+    return px * kept_mach_band(sides, px);
+  }
+
   // 1 where what lies beyond a fold is so near that its undercut is whole, 0 where it has none.
   double closeness(const FoldSample& sample, double gap) const {
     const double contact = options_.undercut_contact;
@@ -204,7 +215,7 @@ class BandMarker {
   }
 
   void mark_round(const FoldSample& sample, double least_depth) {
-    const double reach = std::max(options_.mach_band_px, sample.undercut_px);
+    const double reach = std::max(sample.mach_band_px, sample.undercut_px);
     each_cell_round(sample, reach, [&](const Vec2& centre, int cell) {
       mark_cell(sample, least_depth, centre, cell);
     });
@@ -235,7 +246,7 @@ class BandMarker {
     const bool is_fold = !is_beyond && deeper < behind + recession * distance / visible_.cell_px;
     const bool is_undercut = is_beyond && deeper > least_depth;
     Band mark = Band::nothing;
-    if (is_fold && distance <= options_.mach_band_px) mark = Band::mach_band;
+    if (is_fold && distance <= sample.mach_band_px) mark = Band::mach_band;
     if (is_undercut && distance <= sample.undercut_px && !is_of_face(sample, centre, cell)) {
       mark = Band::undercut;
     }
@@ -250,6 +261,7 @@ class BandMarker {
   const Camera& camera_;
   const std::vector<Light>& lights_;
   const ToneOptions& options_;
+  const std::vector<float>& brightness_;
   std::vector<Band>& band_;
   ImageMap map_;
   bool is_anywhere_;    // undercuts are the same beyond all folds
@@ -262,8 +274,8 @@ class BandMarker {
 
 void mark_bands(const Surface& surface, const VisibleImage& visible, const LabelledGraph& graph,
                 const Camera& camera, const std::vector<Light>& lights, const ToneOptions& options,
-                std::vector<Band>& band) {
-  BandMarker marker(surface, visible, graph, camera, lights, options, band);
+                const std::vector<float>& brightness, std::vector<Band>& band) {
+  BandMarker marker(surface, visible, graph, camera, lights, options, brightness, band);
   const int count = static_cast<int>(graph.arcs.size());
   for (int arc = 0; arc < count; ++arc) marker.mark(arc);
   for (int arc = 0; arc < count; ++arc) marker.clear_beside_crease(arc);

@@ -23,9 +23,12 @@ namespace illustrate {
 // A visible self-intersection hides nothing: two sheets meet there. Over the whole arc the sheet
 // that is turned farther from the viewer takes the undercut, the other one the Mach band.
 //
-// band: (height * width), set to Band::nothing by the caller.
+// Narrow parts that are darker than what lies beyond have no Mach band (tone/fold_sides.h).
+//
+// brightness: (height * width), as in ToneMap. band: (height * width), set to Band::nothing by the
+// caller.
 void mark_bands(const Surface& surface, const VisibleImage& visible, const LabelledGraph& graph,
                 const Camera& camera, const std::vector<Light>& lights, const ToneOptions& options,
-                std::vector<Band>& band);
+                const std::vector<float>& brightness, std::vector<Band>& band);
 
 }  // namespace illustrate

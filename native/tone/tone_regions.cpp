@@ -161,7 +161,7 @@ ToneMap tone_regions(const Surface& surface, const VisibleImage& visible,
   tone.exposure = exposure;
   settle_patches(surface, visible, options.patch_px, tone);
   if (options.mach_bands || options.undercuts) {
-    mark_bands(surface, visible, graph, camera, lights, options, tone.band);
+    mark_bands(surface, visible, graph, camera, lights, options, tone.brightness, tone.band);
     for_cells_of(catchers, surface, visible,
                  [&](std::size_t cell) { tone.band[cell] = Band::nothing; });
     drop_small_undercuts(surface, visible, options.patch_px, tone);

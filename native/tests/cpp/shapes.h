@@ -287,6 +287,7 @@ inline void link_neighbours(Surface& surface) {
 inline void complete(Surface& surface) {
   const auto n = surface.positions.size(), t = surface.triangles.size();
   surface.objects.assign(n, 0);
+  surface.triangle_planes.assign(t, none);
   surface.places.resize(n);
   for (std::size_t i = 0; i < n; ++i) surface.places[i] = static_cast<int>(i);
   surface.flips.assign(t, 0);
@@ -385,6 +386,7 @@ inline Surface joined(Surface a, Surface b) {
   append(a.neighbours, b.neighbours);
   append(a.edge_kinds, b.edge_kinds);
   append(a.triangle_objects, b.triangle_objects);
+  append(a.triangle_planes, b.triangle_planes);
   append(a.base_faces, b.base_faces);
   append(a.base_uv, b.base_uv);
   append(a.object_is_smooth, b.object_is_smooth);

@@ -249,6 +249,26 @@ def test_a_texture_is_seen_where_its_uv_lie() -> None:
         tone_of_square([FACING], **{**mesh, "face_textures": [1]})
 
 
+@pytest.mark.parametrize(
+    ("shade", "width", "has_band"),
+    [(0.05, 0.3, False), (1.0, 0.3, True), (0.05, 1.6, True), (0.4, 0.3, False)],
+)
+def test_narrow_dark_parts_have_no_mach_bands(shade: float, width: float, has_band: bool) -> None:
+    """At the long sides of a strip before the square."""
+    strip = [[x * width / 2, y * 0.8, 0.1] for x, y, _ in SQUARE]
+    meshes = [
+        ill.PolygonMesh(SQUARE, [4], range(4), scheme="none"),
+        ill.PolygonMesh(strip, [4], range(4), scheme="none", reflectance=[shade]),
+    ]
+    prepared = ill.prepare(meshes, ill.PrepareOptions(field=False))
+    options = ill.DrawOptions(mach_band_px=4)
+    tone = ill.draw(prepared, FRONT, options, lights=[FACING]).tone
+    size = tone.band.shape[0]
+    side = tone.band[size // 3 : 2 * size // 3, int(size * (0.5 - 0.2 * width)) + 2]
+    assert (side == 1).all() == has_band
+    assert (side == 1).any() == has_band
+
+
 def test_a_recoloured_mesh_keeps_all_that_was_prepared() -> None:
     options = ill.PrepareOptions(field=False)
 
