@@ -62,16 +62,29 @@ TEST(SettlePatches, SmallOnesJoinTheToneThatSurroundsThem) {
   EXPECT_EQ(Picture(rows).settle(0).rows(), rows);
 }
 
+// With more midtones on the right: so that there is room for a few patches.
+Rows widened(Rows rows, std::size_t columns) {
+  for (std::string& row : rows) row += std::string(columns, 'm');
+  return rows;
+}
+
 TEST(SettlePatches, HighlightsMayBeSmaller) {
-  const Rows rows{"mmmmm", "mllsm", "mllsm", "mmmmm"};
-  EXPECT_EQ(Picture(rows).settle(3).rows(), (Rows{"mmmmm", "mllmm", "mllmm", "mmmmm"}));
-  EXPECT_EQ(Picture(rows).settle(4).rows(), (Rows{"mmmmm", "mmmmm", "mmmmm", "mmmmm"}));
+  const Rows rows = widened({"mmmmm", "mllsm", "mllsm", "mmmmm"}, 12);
+  EXPECT_EQ(Picture(rows).settle(3).rows(), widened({"mmmmm", "mllmm", "mllmm", "mmmmm"}, 12));
+  EXPECT_EQ(Picture(rows).settle(4).rows(), widened({"mmmmm", "mmmmm", "mmmmm", "mmmmm"}, 12));
 }
 
 TEST(SettlePatches, ObjectsAreOnTheirOwn) {
-  const Rows rows{"mmmm..", "mMSmmm", "mMMmmm", "mmmm.s"};
-  EXPECT_EQ(Picture(rows).settle(2).rows(), (Rows{"mmmm..", "mMMmmm", "mMMmmm", "mmmm.m"}));
-  EXPECT_EQ(Picture({"s.SS", "s.SS"}).settle(3).rows(), (Rows{"s.SS", "s.SS"}));
+  const Rows rows{"mmmmMMMMM..", "mmsmMSMMMmm", "mmmmMMMMMms", "mmmm......m"};
+  EXPECT_EQ(Picture(rows).settle(1.9).rows(),
+            (Rows{"mmmmMMMMM..", "mmmmMMMMMmm", "mmmmMMMMMmm", "mmmm......m"}));
+  EXPECT_EQ(Picture({"s.SSSSSS", "s.SSSSSS"}).settle(1.5).rows(), (Rows{"s.SSSSSS", "s.SSSSSS"}));
+}
+
+TEST(SettlePatches, SmallObjectsKeepTheirLightAndShade) {
+  const Rows rows{"mmmmmmmmm", "msmmMMMMM", "mmmmMMSMM"};
+  EXPECT_EQ(Picture(rows).settle(2).rows(), (Rows{"mmmmmmmmm", "mmmmMMMMM", "mmmmMMSMM"}))
+      << "of the one 17 cells are seen, of the other 10";
 }
 
 TEST(SettlePatches, EdgesAreEvenedOut) {
@@ -97,11 +110,11 @@ TEST(SettlePatches, StraightEdgesStayWhereTheyAre) {
 }
 
 TEST(SettlePatches, ExtraLevelsGoWithTheirShadow) {
-  Picture picture({"mmmm", "msmm", "mmmm"});
-  picture.tone.extra.assign(12, 0);
-  picture.tone.extra[5] = 2;
+  Picture picture({"mmmmmm", "msmmmm", "mmmmmm"});
+  picture.tone.extra.assign(18, 0);
+  picture.tone.extra[7] = 2;
   picture.settle(2);
-  EXPECT_EQ(picture.tone.extra, std::vector<std::uint8_t>(12, 0));
+  EXPECT_EQ(picture.tone.extra, std::vector<std::uint8_t>(18, 0));
 }
 
 TEST(SettlePatches, SmallUndercutsGoAndLargeOnesStay) {
