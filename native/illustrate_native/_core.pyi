@@ -454,6 +454,7 @@ class DrawOptions:
     spacing_px: float
     """Between hatches."""
     undercut_spacing_px: float
+    least_spacing_px: float
     """Between hatches inside undercuts."""
     test_factor: float
     """A hatch ends this share of the spacing away from a parallel one.

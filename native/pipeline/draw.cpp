@@ -10,6 +10,7 @@
 #include "hatch/crumbs.h"
 #include "hatch/even_hatches.h"
 #include "hatch/reduce_hatches.h"
+#include "hatch/small_objects.h"
 #include "occlusion/visible_image.h"
 #include "pipeline/casters.h"
 #include "pipeline/hatch_passes.h"
@@ -161,7 +162,9 @@ class View {
       blank_unhatched(visible, materials_, tone);
       return tone;
     });
-    const std::vector<double> spacing_scale = spacing_scales(options_.styles);
+    const SmallObjects small(surface, camera_);
+    const std::vector<double> spacing_scale =
+        small.finer(spacing_scales(options_.styles), options_.hatch);
     const CriticalCurves curves = timed(result_.timings["hatch"], [&] {
       return CriticalCurves(result_.graph, camera_.width_px(), camera_.height_px());
     });
@@ -180,7 +183,7 @@ class View {
     if (last_drawn_) {
       whole.last = &last.emplace(*last_drawn_, camera_, options_.hatch.spacing_px, whole.resting);
     }
-    hatch_in_passes(whole, progress.part(0.3, 1));
+    hatch_in_passes(whole, small, progress.part(0.3, 1));
   }
 
   DrawResult strokes(const std::vector<Light>& lights, const Progress& progress) && {
@@ -225,8 +228,13 @@ class View {
   }
 
   // Once, or for each group of faces that is hatched by itself.
-  void hatch_in_passes(const HatchScene& whole, const Progress& progress) {
-    const std::vector<HatchPass> passes = hatch_passes(whole, materials_);
+  void hatch_in_passes(const HatchScene& whole, const SmallObjects& small,
+                       const Progress& progress) {
+    const std::vector<HatchPass> passes = hatch_passes(whole, materials_, [&](double group_scale) {
+      std::vector<double> scales = spacing_scales(options_.styles);
+      for (double& scale : scales) scale *= group_scale;
+      return small.finer(std::move(scales), options_.hatch);
+    });
     std::vector<HatchScene> scenes;
     for (const HatchPass& pass : passes) scenes.push_back(scene_of(pass, whole));
     if (passes.empty()) scenes.push_back(whole);

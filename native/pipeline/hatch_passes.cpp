@@ -1,6 +1,7 @@
 #include "pipeline/hatch_passes.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace illustrate {
 namespace {
@@ -13,11 +14,11 @@ std::vector<std::uint8_t> seen_groups(const VisibleImage& visible, const Materia
   return seen;
 }
 
-HatchPass pass_of(int group, const HatchScene& whole, const MaterialMarks& marks) {
-  HatchPass pass{tones_of_group(whole.visible, marks, group, whole.tone), whole.spacing_scale,
+HatchPass pass_of(int group, const HatchScene& whole, const MaterialMarks& marks,
+                  std::vector<double> spacing_scale) {
+  HatchPass pass{tones_of_group(whole.visible, marks, group, whole.tone), std::move(spacing_scale),
                  Mask(whole.unhatched.size(), 1),
                  std::vector<std::uint8_t>(marks.groups.size(), 0)};
-  for (double& scale : pass.spacing_scale) scale *= marks.group_spacings[idx(group)];
   for (std::size_t t = 0; t < marks.groups.size(); ++t) {
     if (marks.groups[t] != group) continue;
     pass.own[t] = 1;
@@ -29,12 +30,17 @@ HatchPass pass_of(int group, const HatchScene& whole, const MaterialMarks& marks
 
 }  // namespace
 
-std::vector<HatchPass> hatch_passes(const HatchScene& whole, const MaterialMarks& marks) {
+std::vector<HatchPass> hatch_passes(
+    const HatchScene& whole, const MaterialMarks& marks,
+    const std::function<std::vector<double>(double)>& spacing_scale) {
   std::vector<HatchPass> passes;
   if (marks.groups.empty()) return passes;
   const std::vector<std::uint8_t> seen = seen_groups(whole.visible, marks);
   for (std::size_t group = 0; group < seen.size(); ++group) {
-    if (seen[group]) passes.push_back(pass_of(static_cast<int>(group), whole, marks));
+    if (seen[group]) {
+      passes.push_back(pass_of(static_cast<int>(group), whole, marks,
+                               spacing_scale(marks.group_spacings[group])));
+    }
   }
   return passes;
 }

@@ -2,6 +2,7 @@
 // hatched in passes, each of which sees nothing but the tones of its own group of faces.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "hatch/even_hatches.h"
@@ -18,8 +19,11 @@ struct HatchPass {
   std::vector<std::uint8_t> own;      // (t) 1: of its group
 };
 
-// One for each group that is seen; none where all is hatched alike.
-std::vector<HatchPass> hatch_passes(const HatchScene& whole, const MaterialMarks& marks);
+// One for each group that is seen; none where all is hatched alike. spacing_scale: (objects) those
+// of a group whose faces scale the spacing by a factor.
+std::vector<HatchPass> hatch_passes(
+    const HatchScene& whole, const MaterialMarks& marks,
+    const std::function<std::vector<double>(double factor)>& spacing_scale);
 
 // `whole` with what the pass has of its own; refers to both.
 HatchScene scene_of(const HatchPass& pass, const HatchScene& whole);

@@ -109,6 +109,7 @@ NATIVE: dict[str, Effect | str] = {
     "hatch_width_px": drawn("ring", "hatch_width_px", 0.5, 1.0, 2.0),
     "hatch_width_by_light": drawn("ring", "hatch_width_by_light", 0.0, 0.9, hatch_width_px=1.6),
     "undercut_spacing_px": drawn("ring", "undercut_spacing_px", 3.0, 5.0, 8.0),
+    "least_spacing_px": drawn("ring", "least_spacing_px", 6.0, 12.0, 24.0, spacing_px=24.0),
     "test_factor": drawn("ring", "test_factor", 0.3, 0.9, hatch_seeding="critical-curves"),
     "min_length_px": drawn("ring", "min_length_px", 0.0, 40.0, hatch_seeding="critical-curves"),
     "max_length_px": drawn("ring", "max_length_px", 2500.0, 30.0),

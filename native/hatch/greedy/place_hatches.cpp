@@ -263,6 +263,7 @@ void validate(const HatchOptions& options) {
   require(between(options.spacing_px, 1, 1e4), "spacing_px must be in [1, 10000]");
   require(between(options.undercut_spacing_px, 1, 1e4),
           "undercut_spacing_px must be in [1, 10000]");
+  require(between(options.least_spacing_px, 1, 1e4), "least_spacing_px must be in [1, 10000]");
   require(between(options.test_factor, 0.1, 1), "test_factor must be in [0.1, 1]");
   require(between(options.step_px, 0.25, 20), "step_px must be in [0.25, 20]");
   require(between(options.max_turn_deg, 1, 360), "max_turn_deg must be in [1, 360]");

@@ -54,7 +54,6 @@ std::uint64_t view_number(const HatchScene& scene, const HatchOptions& options) 
                              options.max_turn_deg, options.max_length_px, options.min_length_px}) {
     mixed.add(value);
   }
-  for (const double scale : scene.spacing_scale) mixed.add(scale);
   for (const std::uint8_t flag : scene.unhatched) mixed.add(std::uint64_t{flag});
   return mixed.number();
 }
@@ -64,6 +63,7 @@ std::uint64_t vertex_number(const HatchScene& scene, std::size_t v) {
   mixed.add(scene.surface.positions[v]).add(scene.surface.normals[v]);
   mixed.add((direction_steps * scene.field.directions[v]).array().round().matrix());
   if (!scene.families.empty()) mixed.add(double(scene.families[v]));
+  if (!scene.spacing_scale.empty()) mixed.add(scene.spacing_scale[idx(scene.surface.objects[v])]);
   return mixed.number();
 }
 
