@@ -70,10 +70,11 @@ FoldSides fold_sides(const Surface& surface, const VisibleImage& visible,
 }
 
 double kept_mach_band(const FoldSides& sides, double band_px) {
+  if (!(band_px > 0 && sides.light_beyond > 0)) return 1;
   const double wide = rise(sides.width_px, narrow_part * band_px, wide_part * band_px);
   const double light =
       rise(sides.light, dark_share * sides.light_beyond, light_share * sides.light_beyond);
-  return sides.light_beyond > 0 ? std::max(wide, light) : 1;
+  return std::max(wide, light);
 }
 
 }  // namespace illustrate

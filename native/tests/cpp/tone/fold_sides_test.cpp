@@ -72,6 +72,7 @@ TEST(MachBands, AreKeptByWhatIsWideOrLight) {
   EXPECT_NEAR(kept_mach_band({33, 0.1, 0.8}, band), 0.5, 1e-12) << "half way from 3 bands to 8";
   EXPECT_NEAR(kept_mach_band({17, 0.5, 0.8}, band), 0.5, 1e-12) << "half way from 1/2 to 3/4";
   EXPECT_EQ(kept_mach_band({17, 0, 0}, band), 1) << "nothing to be told from";
+  EXPECT_EQ(kept_mach_band({0, 0.1, 0.8}, 0), 1) << "no band at all";
 }
 
 }  // namespace
