@@ -207,8 +207,8 @@ void bind_hatch_options(Class& bound) {
   OPTION("spacing_px", values.hatch.spacing_px, "Between hatches");
   OPTION("undercut_spacing_px", values.hatch.undercut_spacing_px, "Between hatches in undercuts");
   OPTION("least_spacing_px", values.hatch.least_spacing_px,
-         "Objects smaller than sixteen spacings are hatched finer, down to this; as large as "
-         "spacing_px: no finer");
+         "Objects smaller than sixteen spacings are hatched finer, until their spacing is this, "
+         "undercuts in proportion; as large as spacing_px: no finer");
   OPTION("test_factor", values.hatch.test_factor, "A hatch ends this share of the spacing away");
   OPTION("step_px", values.hatch.step_px, "Length of a tracing step of the paper's seeding");
   OPTION("max_turn_deg", values.hatch.max_turn_deg, "How far a hatch may turn in the world");

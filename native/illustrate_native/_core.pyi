@@ -454,8 +454,12 @@ class DrawOptions:
     spacing_px: float
     """Between hatches."""
     undercut_spacing_px: float
-    least_spacing_px: float
     """Between hatches inside undercuts."""
+    least_spacing_px: float
+    """Objects smaller than sixteen spacings are hatched finer, until their spacing is this.
+
+    Undercuts in proportion. As large as spacing_px: no finer.
+    """
     test_factor: float
     """A hatch ends this share of the spacing away from a parallel one.
 

@@ -31,41 +31,64 @@ class Mean {
   int count_ = 0;
 };
 
-bool are_other_faces(const Surface& surface, int a, int b) {
-  const int one = surface.triangle_planes[idx(a)], other = surface.triangle_planes[idx(b)];
-  return one != none && other != none && one != other;
-}
+// The cells across a fold, positive beyond it.
+struct Across {
+  const Surface& surface;
+  const VisibleImage& visible;
+  const std::vector<float>& brightness;
+  const Vec2 at, beyond;
+
+  int cell(double cells) const { return visible.cell_of(at + cells * visible.cell_px * beyond); }
+  int triangle(int cell) const { return visible.triangle[idx(cell)]; }
+
+  bool is_same_part(int a, int b, double most_step) const {
+    if (triangle(b) == none) return false;
+    if (surface.triangle_objects[idx(triangle(a))] != surface.triangle_objects[idx(triangle(b))])
+      return false;
+    const int plane = surface.triangle_planes[idx(triangle(a))];
+    const int other = surface.triangle_planes[idx(triangle(b))];
+    return (plane == none || other == none || plane == other) &&
+           visible.depth[idx(b)] - visible.depth[idx(a)] <= most_step;
+  }
+
+  // What leaves the frame goes on. Sets the mean light of the part.
+  double part_width(double most_px, double most_step, double& light) const {
+    Mean mean;
+    double width = 0;
+    int before = none;
+    for (double cells = 1; cells * visible.cell_px <= most_px; ++cells) {
+      const int here = cell(-cells);
+      if (here == none) width = most_px;
+      const bool goes_on = here != none && (before == none ? triangle(here) != none
+                                                           : is_same_part(before, here, most_step));
+      if (!goes_on) break;
+      mean.add(brightness[idx(here)]);
+      width = cells * visible.cell_px;
+      before = here;
+    }
+    light = mean.value();
+    return width;
+  }
+
+  double light_beyond() const {
+    Mean mean;
+    for (double cells = first_beyond; cells <= last_beyond; ++cells) {
+      const int here = cell(cells);
+      if (here != none && triangle(here) != none) mean.add(brightness[idx(here)]);
+    }
+    return mean.value();
+  }
+};
 
 }  // namespace
 
 FoldSides fold_sides(const Surface& surface, const VisibleImage& visible,
                      const std::vector<float>& brightness, const Vec2& at, const Vec2& beyond,
                      double most_px, double most_step) {
-  const auto cell_at = [&](double cells) {
-    const int cell = visible.cell_of(at + cells * visible.cell_px * beyond);
-    return cell == none || visible.triangle[idx(cell)] == none ? none : cell;
-  };
-  Mean part, other;
+  const Across across{surface, visible, brightness, at, beyond};
   FoldSides sides;
-  int before = none;
-  for (double cells = 1; cells * visible.cell_px <= most_px; ++cells) {
-    const int cell = cell_at(-cells);
-    if (cell == none) break;
-    const bool goes_on =
-        before == none ||
-        (std::abs(visible.depth[idx(cell)] - visible.depth[idx(before)]) <= most_step &&
-         !are_other_faces(surface, visible.triangle[idx(before)], visible.triangle[idx(cell)]));
-    if (!goes_on) break;
-    part.add(brightness[idx(cell)]);
-    sides.width_px = cells * visible.cell_px;
-    before = cell;
-  }
-  for (double cells = first_beyond; cells <= last_beyond; ++cells) {
-    const int cell = cell_at(cells);
-    if (cell != none) other.add(brightness[idx(cell)]);
-  }
-  sides.light = part.value();
-  sides.light_beyond = other.value();
+  sides.width_px = across.part_width(most_px, most_step, sides.light);
+  sides.light_beyond = across.light_beyond();
   return sides;
 }
 

@@ -15,9 +15,9 @@ struct FoldSides {
   double light_beyond = 0;  // and of what is next beyond the fold
 };
 
-// The part goes on as long as depths do and no other flat face begins, up to `most_px`.
-// brightness: (cells). at: a place on the fold, px; beyond: unit, away from the part. most_step:
-// how much the depths of neighbouring cells of one part may differ.
+// The part goes on, up to `most_px`, until another object or flat face begins or a cell is deeper
+// than the one before by more than most_step; beyond the frame, too.
+// brightness: (cells). at: a place on the fold, px; beyond: unit, away from the part.
 FoldSides fold_sides(const Surface& surface, const VisibleImage& visible,
                      const std::vector<float>& brightness, const Vec2& at, const Vec2& beyond,
                      double most_px, double most_step);

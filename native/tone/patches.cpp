@@ -13,8 +13,9 @@ constexpr double window_share = 0.25;        // of a patch's side, that edges ar
 constexpr double least_highlight = 1.0 / 3;  // of the area of a patch: light is spared in dots
 constexpr double least_undercut = 1.0 / 3;   // the same of undercuts, which are narrow and dense
 constexpr int most_rounds = 3;
-constexpr double least_object = 4;  // in areas of a patch; of a smaller one nothing is joined
-constexpr double most_work = 16;    // areas of the image that the boxes of all objects may cover
+// In areas of a patch: of a smaller object nothing is joined, of a larger one all that is small.
+constexpr double small_object = 2, large_object = 6;
+constexpr double most_work = 16;  // areas of the image that the boxes of all objects may cover
 constexpr int tones = 3;
 
 struct Box {
@@ -77,8 +78,9 @@ class Patches {
     }
   }
 
-  // Of objects of at least so many cells. Whether anything changed.
-  bool join_small(double least_cells, double least_object_cells) {
+  // share: of least_cells that counts on an object of so many cells. Whether anything changed.
+  template <class Share>
+  bool join_small(double least_cells, const Share& share) {
     find_patches();
     std::vector<std::array<int, tones>> borders(area_.size(), {0, 0, 0});
     visit_neighbours([&](std::size_t a, std::size_t b) {
@@ -90,11 +92,10 @@ class Patches {
     bool changed = false;
     std::vector<Tone> wanted = tone_;
     for (std::size_t p = 0; p < area_.size(); ++p) {
-      const double least =
-          tone_[p] == Tone::highlight ? least_highlight * least_cells : least_cells;
+      const double on_object = least_cells * share(object_area_[idx(patch_object_[p])]);
+      const double least = tone_[p] == Tone::highlight ? least_highlight * on_object : on_object;
       const auto most = std::max_element(borders[p].begin(), borders[p].end());
-      if (area_[p] >= least || *most == 0 || object_area_[idx(of_[p])] < least_object_cells)
-        continue;
+      if (area_[p] >= least || *most == 0) continue;
       wanted[p] = static_cast<Tone>(most - borders[p].begin());
       changed = true;
     }
@@ -175,7 +176,7 @@ class Patches {
     patch_.assign(level_.size(), none);
     area_.clear();
     tone_.clear();
-    of_.clear();
+    patch_object_.clear();
     for (std::size_t cell = 0; cell < level_.size(); ++cell) {
       if (object_[cell] == none) continue;
       const auto first = idx(joined.root(static_cast<int>(cell)));
@@ -183,7 +184,7 @@ class Patches {
         patch_[cell] = static_cast<int>(area_.size());
         area_.push_back(0);
         tone_.push_back(level_[cell]);
-        of_.push_back(object_[cell]);
+        patch_object_.push_back(object_[cell]);
       }
       patch_[cell] = patch_[first];
       ++area_[idx(patch_[cell])];
@@ -192,12 +193,12 @@ class Patches {
 
   const int width_, height_;
   std::vector<Tone>& level_;
-  std::vector<int> object_;       // (cells) none where nothing is seen
-  std::vector<int> object_area_;  // (objects) cells
-  std::vector<int> patch_;        // (cells)
-  std::vector<int> area_;         // (patches) cells
-  std::vector<Tone> tone_;        // (patches)
-  std::vector<int> of_;           // (patches) object
+  std::vector<int> object_;        // (cells) none where nothing is seen
+  std::vector<int> object_area_;   // (objects) cells
+  std::vector<int> patch_;         // (cells)
+  std::vector<int> area_;          // (patches) cells
+  std::vector<Tone> tone_;         // (patches)
+  std::vector<int> patch_object_;  // (patches)
 };
 
 }  // namespace
@@ -210,9 +211,10 @@ void settle_patches(const Surface& surface, const VisibleImage& visible, double 
   const int reach = static_cast<int>(std::min(side * window_share / 2, 500.0));
   if (reach > 0) patches.even_out(reach);
   const double least = side * side;
-  for (int round = 0; round < most_rounds && patches.join_small(least, least_object * least);
-       ++round)
-    continue;
+  const auto share = [&](double cells) {
+    return std::clamp((cells / least - small_object) / (large_object - small_object), 0.0, 1.0);
+  };
+  for (int round = 0; round < most_rounds && patches.join_small(least, share); ++round) continue;
   for (std::size_t cell = 0; cell < tone.extra.size(); ++cell) {
     if (tone.level[cell] != Tone::shadow) tone.extra[cell] = 0;
   }
@@ -226,7 +228,9 @@ void drop_small_undercuts(const Surface& surface, const VisibleImage& visible, d
   for (std::size_t cell = 0; cell < tone.band.size(); ++cell) {
     marked.level[cell] = tone.band[cell] == Band::undercut ? Tone::shadow : Tone::highlight;
   }
-  Patches(surface, visible, marked).join_small(least_undercut * side * side, 0);
+  Patches(surface, visible, marked).join_small(least_undercut * side * side, [](double) {
+    return 1.0;
+  });
   for (std::size_t cell = 0; cell < tone.band.size(); ++cell) {
     if (tone.band[cell] == Band::undercut && marked.level[cell] != Tone::shadow)
       tone.band[cell] = Band::nothing;

@@ -10,9 +10,9 @@ namespace illustrate {
 // edges are as smooth. Then connected cells of one tone that cover less than a square of `patch_px`
 // take the tone of larger ones that they share most of their border with, highlights if they cover
 // less than a third of that. What no other tone of the object borders on stays, and all
-// of an object of which less is seen than four such squares: joined, most small objects would be as
-// dark as their darkest part, which is the largest. Extra levels go where shadow does. 0: all
-// stays.
+// of an object of which less is seen than two such squares, but for smaller and smaller patches up
+// to six: joined, most small objects would be as dark as their darkest part, which is the largest.
+// Extra levels go where shadow does. 0: all stays.
 void settle_patches(const Surface& surface, const VisibleImage& visible, double patch_px,
                     ToneMap& tone);
 

@@ -12,8 +12,8 @@ namespace illustrate {
 Vec3 shadow_origin(const Surface& surface, const SurfacePoint& at, const Vec3& normal);
 
 // The share of a light that reaches `origin`, in [0, 1]: all or nothing, but for areas with an
-// extent, of which sixteen places are asked, or eighty where some of them are hidden. Headlights
-// reach all that is seen.
+// extent, told by sixty-four places where some but not all of sixteen others are hidden.
+// Headlights reach all that is seen.
 double share_reaching(const Light& light, const Camera& camera, const Bvh& casters,
                       const Vec3& origin, const Vec3& normal);
 

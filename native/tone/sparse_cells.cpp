@@ -10,6 +10,7 @@ namespace illustrate {
 namespace {
 
 constexpr int largest_square = 4;            // cells along a side
+constexpr double round_share = 0.3;          // of the work, of each size of squares
 constexpr double most_difference = 1.0 / 8;  // between the corners of a square that is not divided
 
 // A square of cells and, as its far corners, the first cells of the next ones; cut off at the
@@ -32,13 +33,12 @@ class SparseCells {
 
   std::vector<float> run(const Progress& progress) {
     std::vector<int> squares = all_squares();
-    const double first = 0.5;  // of the work: most of what is asked is asked in the first round
+    double done = 0;
     for (size_ = largest_square; size_ > 1; size_ /= 2) {
-      const bool is_first = size_ == largest_square;
-      squares =
-          divide(std::move(squares), progress.part(is_first ? 0 : first, is_first ? first : 1));
+      squares = divide(std::move(squares), progress.part(done, done + round_share));
+      done += round_share;
     }
-    ask(std::move(squares), {});  // squares of one cell are their corner
+    ask(std::move(squares), progress.part(done, 1));  // squares of one cell are their corner
     return std::move(values_);
   }
 
@@ -75,7 +75,7 @@ class SparseCells {
       for (const int s : squares) {
         for (const int corner : corners(square(s))) asked.push_back(corner);
       }
-      ask(std::move(asked), divided.empty() ? progress : Progress());
+      ask(std::move(asked), divided.empty() ? progress : progress.part(1, 1));
       const std::vector<int> uneven = fill_even(squares);
       divided.insert(divided.end(), uneven.begin(), uneven.end());
       squares = new_neighbours(uneven, is_met);

@@ -13,9 +13,10 @@ namespace illustrate {
 
 // value(cell) at every visible cell, 0 at the others: exact at the corners of squares of four
 // cells, linear between them. Squares are divided, down to single cells, where their corners differ
-// by over an eighth, where they show several objects or nothing, or where a surface hides itself;
-// and so are the neighbours of all that is divided, so that narrow things are followed from where
-// they were found. What is narrower than two cells, or than four and found nowhere, may be lost.
+// by over an eighth, where they show several objects or nothing, or where a surface hides itself.
+// Of squares of two cells beside divided ones the corners are asked, too, so that narrow things are
+// followed from where they were found. What is narrower than two cells, or than four and found
+// nowhere, may be lost.
 //
 // value: in [0, 1], along a surface continuous but for jumps; called from several threads. The
 // result does not depend on their number.

@@ -11,6 +11,7 @@ from shapes import Shape, cube, drape, klein_bottle, look_at, torus
 OPTIONS = ill.PrepareOptions(level=2)
 LENGTHS = [
     *("spacing_px", "undercut_spacing_px", "mach_band_px", "undercut_px", "min_length_px"),
+    "least_spacing_px",
     *("max_length_px", "step_px", "simplify_px", "taper_px", "speck_px"),
     *("line_width_px", "feature_width_px", "hatch_width_px"),
 ]

@@ -130,7 +130,9 @@ TEST(Families, OfOneSheetAreThoseOfBoth) {
     other.curvature[v].k2 *= -1;
     for (std::size_t t = 0; t < other.triangles.size(); ++t) {
       for (int k = 0; k < 3; ++k) {
-        if (index_of(other.triangles[t][k]) == v) other.flips[t] ^= 1 << k;
+        if (index_of(other.triangles[t][k]) == v) {
+          other.flips[t] = static_cast<std::uint8_t>(other.flips[t] ^ 1 << k);
+        }
       }
     }
   }

@@ -36,6 +36,27 @@ TEST(FoldSides, APartIsAsWideAsItIsSeen) {
   EXPECT_EQ(seen_across(80, 1, 1, 48).width_px, 48);
 }
 
+// Next to its outline a ball recedes by many cells from one cell to the next.
+TEST(FoldSides, ABallIsAsWideAsItsDiameter) {
+  for (const double radius : {20.0, 60.0}) {
+    const Surface surface = shapes::sphere_surface(radius * px, 5);
+    const Camera camera = cameras::orthographic(Vec3::UnitZ(), 1, 200);
+    const VisibleImage visible = render_visible(surface, camera, 1, {}, 1);
+    const std::vector<float> brightness(visible.triangle.size(), 1);
+    const Vec2 outline = camera.project(Vec3(radius * px, 0, 0)).xy;
+    const auto width = [&](double most_px) {
+      return fold_sides(surface, visible, brightness, outline, Vec2::UnitX(), most_px, 6 * px)
+          .width_px;
+    };
+    EXPECT_EQ(width(1.5 * radius), 1.5 * radius);
+    EXPECT_NEAR(width(1000), 2 * radius, 3);
+  }
+}
+
+TEST(FoldSides, WhatLeavesTheFrameGoesOn) {
+  EXPECT_EQ(seen_across(150, 1, 1, 120).width_px, 120) << "100 px of it are in the frame";
+}
+
 TEST(FoldSides, LightIsThatOfEachSide) {
   const FoldSides sides = seen_across(20, 0.25F, 0.75F);
   EXPECT_EQ(sides.light, 0.25);

@@ -69,9 +69,9 @@ Rows widened(Rows rows, std::size_t columns) {
 }
 
 TEST(SettlePatches, HighlightsMayBeSmaller) {
-  const Rows rows = widened({"mmmmm", "mllsm", "mllsm", "mmmmm"}, 12);
-  EXPECT_EQ(Picture(rows).settle(3).rows(), widened({"mmmmm", "mllmm", "mllmm", "mmmmm"}, 12));
-  EXPECT_EQ(Picture(rows).settle(4).rows(), widened({"mmmmm", "mmmmm", "mmmmm", "mmmmm"}, 12));
+  const Rows rows = widened({"mmmmm", "mllsm", "mllsm", "mmmmm"}, 20);
+  EXPECT_EQ(Picture(rows).settle(3).rows(), widened({"mmmmm", "mllmm", "mllmm", "mmmmm"}, 20));
+  EXPECT_EQ(Picture(rows).settle(4).rows(), widened({"mmmmm", "mmmmm", "mmmmm", "mmmmm"}, 20));
 }
 
 TEST(SettlePatches, ObjectsAreOnTheirOwn) {
@@ -82,9 +82,10 @@ TEST(SettlePatches, ObjectsAreOnTheirOwn) {
 }
 
 TEST(SettlePatches, SmallObjectsKeepTheirLightAndShade) {
-  const Rows rows{"mmmmmmmmm", "msmmMMMMM", "mmmmMMSMM"};
-  EXPECT_EQ(Picture(rows).settle(2).rows(), (Rows{"mmmmmmmmm", "mmmmMMMMM", "mmmmMMSMM"}))
-      << "of the one 17 cells are seen, of the other 10";
+  const Rows rows{"mmmmmmmmmm", "msmmmmmmmm", "mmmmmmMMMM", "mmmmmmMSMM"};
+  EXPECT_EQ(Picture(rows).settle(2).rows(),
+            (Rows{"mmmmmmmmmm", "mmmmmmmmmm", "mmmmmmMMMM", "mmmmmmMSMM"}))
+      << "of the one 32 cells are seen, of the other 8";
 }
 
 TEST(SettlePatches, EdgesAreEvenedOut) {
