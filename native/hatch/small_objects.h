@@ -14,8 +14,8 @@ class SmallObjects {
 
   // scales: of spacing_px, by object; empty: 1. The same, but on objects smaller than sixteen of
   // their spacings smaller with them, until the spacing is least_spacing_px; that of undercuts
-  // shrinks in proportion. So an object that goes
-  // away keeps its hatches for a while, and none comes or goes at once.
+  // shrinks in proportion. So an object that goes away keeps its hatches for a while, and none
+  // comes or goes at once.
   std::vector<double> finer(std::vector<double> scales, const HatchOptions& options) const;
 
  private:

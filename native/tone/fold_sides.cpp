@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/rise.h"
+
 namespace illustrate {
 namespace {
 
@@ -12,11 +14,6 @@ constexpr double first_beyond = 2, last_beyond = 8;  // cells beyond a fold whos
 constexpr double narrow_part = 3;
 // And those with so small a share of the light beyond as dark, up to that as light.
 constexpr double dark_share = 0.5, light_share = 0.75;
-
-// From 0 to 1 between two values.
-double rise(double value, double from, double to) {
-  return std::clamp((value - from) / (to - from), 0.0, 1.0);
-}
 
 class Mean {
  public:

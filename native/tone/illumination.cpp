@@ -14,6 +14,12 @@ namespace {
 
 constexpr double least_facing = 0.01;  // of a surface that is seen edge-on
 
+// In cells of the image.
+Vec2 middle_of(std::size_t cell, const VisibleImage& visible) {
+  const std::size_t row = cell / idx(visible.width), column = cell % idx(visible.width);
+  return {static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5};
+}
+
 class Illumination {
  public:
   Illumination(const LitScene& scene, const VisibleImage& visible, const Camera& camera,
@@ -94,10 +100,9 @@ class Illumination {
   }
 
   Place place_at(std::size_t cell, const Corners& corners) const {
-    const std::size_t row = cell / idx(visible_.width), column = cell % idx(visible_.width);
-    const Vec2 middle(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
+    const Vec2 image = middle_of(cell, visible_) * visible_.cell_px;
     Place place;
-    place.on = surface_point_under(corners.mapped, corners.triangle, middle * visible_.cell_px);
+    place.on = surface_point_under(corners.mapped, corners.triangle, image);
     place.position = between(corners.positions, place.on);
     const Vec3 mean = between(corners.normals, place.on);
     const double length = mean.norm();
@@ -154,9 +159,7 @@ void copy_light(const Texture& image, const VisibleImage& visible, const Camera&
   const double texels = image.size() * std::sqrt(cell_share.x() * cell_share.y());
   for (std::size_t cell = begin; cell < end; ++cell) {
     if (visible.triangle[cell] == none) continue;
-    const std::size_t row = cell / idx(visible.width), column = cell % idx(visible.width);
-    const Vec2 middle(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
-    const Vec2 place = middle.cwiseProduct(cell_share);
+    const Vec2 place = middle_of(cell, visible).cwiseProduct(cell_share);
     light[cell] = image.mean_at(Vec2(place.x(), 1 - place.y()), texels);
   }
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/disjoint_sets.h"
+#include "core/rise.h"
 
 namespace illustrate {
 namespace {
@@ -78,9 +79,9 @@ class Patches {
     }
   }
 
-  // share: of least_cells that counts on an object of so many cells. Whether anything changed.
-  template <class Share>
-  bool join_small(double least_cells, const Share& share) {
+  // least_cells(cells): of a patch that stays, on an object of so many. Whether anything changed.
+  template <class Least>
+  bool join_small(const Least& least_cells) {
     find_patches();
     std::vector<std::array<int, tones>> borders(area_.size(), {0, 0, 0});
     visit_neighbours([&](std::size_t a, std::size_t b) {
@@ -92,7 +93,7 @@ class Patches {
     bool changed = false;
     std::vector<Tone> wanted = tone_;
     for (std::size_t p = 0; p < area_.size(); ++p) {
-      const double on_object = least_cells * share(object_area_[idx(patch_object_[p])]);
+      const double on_object = least_cells(object_area_[idx(patch_object_[p])]);
       const double least = tone_[p] == Tone::highlight ? least_highlight * on_object : on_object;
       const auto most = std::max_element(borders[p].begin(), borders[p].end());
       if (area_[p] >= least || *most == 0) continue;
@@ -210,11 +211,10 @@ void settle_patches(const Surface& surface, const VisibleImage& visible, double 
   Patches patches(surface, visible, tone);
   const int reach = static_cast<int>(std::min(side * window_share / 2, 500.0));
   if (reach > 0) patches.even_out(reach);
-  const double least = side * side;
-  const auto share = [&](double cells) {
-    return std::clamp((cells / least - small_object) / (large_object - small_object), 0.0, 1.0);
+  const auto least_cells = [least = side * side](double cells) {
+    return least * rise(cells / least, small_object, large_object);
   };
-  for (int round = 0; round < most_rounds && patches.join_small(least, share); ++round) continue;
+  for (int round = 0; round < most_rounds && patches.join_small(least_cells); ++round) continue;
   for (std::size_t cell = 0; cell < tone.extra.size(); ++cell) {
     if (tone.level[cell] != Tone::shadow) tone.extra[cell] = 0;
   }
@@ -228,9 +228,8 @@ void drop_small_undercuts(const Surface& surface, const VisibleImage& visible, d
   for (std::size_t cell = 0; cell < tone.band.size(); ++cell) {
     marked.level[cell] = tone.band[cell] == Band::undercut ? Tone::shadow : Tone::highlight;
   }
-  Patches(surface, visible, marked).join_small(least_undercut * side * side, [](double) {
-    return 1.0;
-  });
+  const auto least_cells = [&](double) { return least_undercut * side * side; };
+  Patches(surface, visible, marked).join_small(least_cells);
   for (std::size_t cell = 0; cell < tone.band.size(); ++cell) {
     if (tone.band[cell] == Band::undercut && marked.level[cell] != Tone::shadow)
       tone.band[cell] = Band::nothing;
