@@ -146,7 +146,7 @@ HATCHING = (
     paper("undercut_spacing_px", "hatching", "Undercuts", 5.0,
            "Distance between neighbouring hatches in undercuts", 1.0, 10_000.0, 40.0),
     paper("least_spacing_px", "hatching", "Finest", 4.0,
-           "Objects smaller than sixteen spacings are hatched finer, down to this distance between "
+           "Parts smaller than sixteen spacings are hatched finer, down to this distance between "
            "hatches", 1.0, 10_000.0, 40.0),
     real("test_factor", "hatching", "Nearest", 0.6,
           "A hatch ends where it comes nearer to another than this share of the spacing",

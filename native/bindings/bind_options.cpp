@@ -207,7 +207,7 @@ void bind_hatch_options(Class& bound) {
   OPTION("spacing_px", values.hatch.spacing_px, "Between hatches");
   OPTION("undercut_spacing_px", values.hatch.undercut_spacing_px, "Between hatches in undercuts");
   OPTION("least_spacing_px", values.hatch.least_spacing_px,
-         "Objects smaller than sixteen spacings are hatched finer, until their spacing is this, "
+         "Parts smaller than sixteen spacings are hatched finer, until their spacing is this, "
          "undercuts in proportion; as large as spacing_px: no finer");
   OPTION("test_factor", values.hatch.test_factor, "A hatch ends this share of the spacing away");
   OPTION("step_px", values.hatch.step_px, "Length of a tracing step of the paper's seeding");

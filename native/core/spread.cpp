@@ -28,6 +28,11 @@ double Spread::diagonal() const {
   return std::sqrt(12 * std::max(variance, 0.0)) / per_unit_;
 }
 
+Vec3 Spread::middle() const {
+  if (!(area_ > 0)) return origin_;
+  return origin_ + sum_ / (area_ * per_unit_);
+}
+
 double rounding_size(double size, double distance) {
   constexpr double far_off = 128;
   const double octaves = distance / (far_off * size);

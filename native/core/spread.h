@@ -14,6 +14,7 @@ class Spread {
   // The diagonal of a box in which points spread evenly vary as much as on the triangles: of balls,
   // rods and plates that of the box round them, of a cube a quarter more. 0 without area.
   double diagonal() const;
+  Vec3 middle() const;  // of the area; without any, the first corner
 
  private:
   // Squares of squares are summed: what may be very large or very small is measured in a unit near

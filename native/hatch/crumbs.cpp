@@ -52,7 +52,7 @@ class Sweeper {
  private:
   double spacing(int hatch) const {
     const bool is_dense = hatches_.kinds[idx(hatch)] == Kind::undercut;
-    return scene_.spacing_on(hatches_.objects[idx(hatch)],
+    return scene_.spacing_on(curve(hatch)[0].on.triangle,
                              is_dense ? options_.undercut_spacing_px : options_.spacing_px);
   }
 
@@ -168,7 +168,7 @@ class Sweeper {
   template <class Visit>
   void visit_near(int hatch, const Visit& visit) const {
     const double reach =
-        speck_reach * scene_.spacing_on(hatches_.objects[idx(hatch)], options_.spacing_px);
+        speck_reach * scene_.spacing_on(curve(hatch)[0].on.triangle, options_.spacing_px);
     for (const HatchPoint& point : curve(hatch)) {
       grid_.any_within(point.image, reach, [&](const HatchNode& node) {
         if (node.point != hatch && is_kept_[idx(node.point)] &&

@@ -23,22 +23,35 @@
 namespace illustrate {
 namespace {
 
+// The curves of an object, on each part of it down to the radius that its spacing asks for.
+Ragged<SurfacePoint> wanted_curves(const HatchView& view, const CurvesOfObject& object,
+                                   double plain_spacing) {
+  const Ragged<SurfacePoint> all = object.curves();
+  Ragged<SurfacePoint> wanted;
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    const double scale = view.scale_on(all[c][0].triangle);
+    if (object.is_needed(c, even_rules.finest_radius * scale * plain_spacing)) wanted.add(all[c]);
+  }
+  return wanted;
+}
+
 // Of each object, one after another: none hinders another.
-void place_surface_curves(StreamlineSet& set, const HatchView& view, const CurvesOfObjects& curves,
+void place_surface_curves(StreamlineSet& set, const HatchView& view, const HatchGroup& group,
                           const Progress& progress) {
+  const CurvesOfObjects& curves = group.curves;
   const auto count = static_cast<double>(curves.size());
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const auto done = static_cast<double>(i);
     if (!curves[i]) continue;
-    place_curves(set, view, curves[i].curves(), {},
+    place_curves(set, view, wanted_curves(view, curves[i], group.hatched.spacings[i]), {},
                  progress.part(done / count, (done + 1) / count));
   }
 }
 
 // A drawing that stands alone.
-void place_anew(StreamlineSet& set, const HatchView& view, const CurvesOfObjects& curves,
+void place_anew(StreamlineSet& set, const HatchView& view, const HatchGroup& group,
                 const std::vector<StreamlineNode>& seeds, int threads, const Progress& progress) {
-  place_surface_curves(set, view, curves, progress.part(0, 0.3));
+  place_surface_curves(set, view, group, progress.part(0, 0.3));
   fill_streamlines(set, view, seeds, even_rules.wide_gaps(), progress.part(0.3, 0.4));
   merge_streamlines(set, view);
   relax_streamlines(set, view, even_rules.first_sweeps, threads, progress.part(0.4, 0.7));
@@ -55,11 +68,10 @@ void place_anew(StreamlineSet& set, const HatchView& view, const CurvesOfObjects
 }
 
 // A drawing that follows another: what was even moves little. Objects that have curves are new.
-void place_after(StreamlineSet& set, const HatchView& view, const Ragged<SurfacePoint>& first,
-                 const CurvesOfObjects& curves, const std::vector<StreamlineNode>& seeds,
-                 int threads, const Progress& progress) {
-  place_curves(set, view, first, even_rules.kept(), progress.part(0, 0.2));
-  place_surface_curves(set, view, curves, progress.part(0.2, 0.3));
+void place_after(StreamlineSet& set, const HatchView& view, const HatchGroup& group,
+                 const std::vector<StreamlineNode>& seeds, int threads, const Progress& progress) {
+  place_curves(set, view, group.first, even_rules.kept(), progress.part(0, 0.2));
+  place_surface_curves(set, view, group, progress.part(0.2, 0.3));
   extend_streamlines(set, view, even_rules.extend_test);
   merge_streamlines(set, view);
   fill_streamlines(set, view, seeds, even_rules.new_gaps(), progress.part(0.3, 0.4));
@@ -137,9 +149,9 @@ class GroupHatcher {
     StreamlineSet set(view_);
     const Progress placing = progress.part(0.1, 0.7);
     if (follows_) {
-      place_after(set, view_, group.first, group.curves, seeds, threads, placing);
+      place_after(set, view_, group, seeds, threads, placing);
     } else {
-      place_anew(set, view_, group.curves, seeds, threads, placing);
+      place_anew(set, view_, group, seeds, threads, placing);
     }
     finish_ends(set, view_, seeds, group.hatched.strips, threads, progress.part(0.7, 0.9));
     progress.report(0.9);
@@ -162,7 +174,7 @@ class GroupHatcher {
 }  // namespace
 
 std::vector<double> wanted_radii(const HatchScene& scene, const HatchOptions& options) {
-  std::vector<double> radii = mean_spacings(scene, options.spacing_px);
+  std::vector<double> radii = object_spacings(scene, options.spacing_px).least;
   for (double& radius : radii) {
     radius =
         radius > 0 ? even_rules.finest_radius * radius : std::numeric_limits<double>::infinity();

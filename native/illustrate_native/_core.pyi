@@ -456,7 +456,7 @@ class DrawOptions:
     undercut_spacing_px: float
     """Between hatches inside undercuts."""
     least_spacing_px: float
-    """Objects smaller than sixteen spacings are hatched finer, until their spacing is this.
+    """Parts smaller than sixteen spacings are hatched finer, until their spacing is this.
 
     Undercuts in proportion. As large as spacing_px: no finer.
     """

@@ -10,7 +10,7 @@
 #include "hatch/crumbs.h"
 #include "hatch/even_hatches.h"
 #include "hatch/reduce_hatches.h"
-#include "hatch/small_objects.h"
+#include "hatch/small_parts.h"
 #include "occlusion/visible_image.h"
 #include "pipeline/casters.h"
 #include "pipeline/hatch_passes.h"
@@ -162,8 +162,8 @@ class View {
       blank_unhatched(visible, materials_, tone);
       return tone;
     });
-    const SmallObjects small(surface, camera_);
-    const std::vector<double> spacing_scale =
+    const SmallParts small(surface, scene_.parts(), camera_);
+    const std::vector<float> spacing_scale =
         small.finer(spacing_scales(options_.styles), options_.hatch);
     const CriticalCurves curves = timed(result_.timings["hatch"], [&] {
       return CriticalCurves(result_.graph, camera_.width_px(), camera_.height_px());
@@ -228,12 +228,11 @@ class View {
   }
 
   // Once, or for each group of faces that is hatched by itself.
-  void hatch_in_passes(const HatchScene& whole, const SmallObjects& small,
-                       const Progress& progress) {
+  void hatch_in_passes(const HatchScene& whole, const SmallParts& small, const Progress& progress) {
     const std::vector<HatchPass> passes = hatch_passes(whole, materials_, [&](double group_scale) {
       std::vector<double> scales = spacing_scales(options_.styles);
       for (double& scale : scales) scale *= group_scale;
-      return small.finer(std::move(scales), options_.hatch);
+      return small.finer(scales, options_.hatch);
     });
     std::vector<HatchScene> scenes;
     for (const HatchPass& pass : passes) scenes.push_back(scene_of(pass, whole));

@@ -15,7 +15,7 @@ std::vector<std::uint8_t> seen_groups(const VisibleImage& visible, const Materia
 }
 
 HatchPass pass_of(int group, const HatchScene& whole, const MaterialMarks& marks,
-                  std::vector<double> spacing_scale) {
+                  std::vector<float> spacing_scale) {
   HatchPass pass{tones_of_group(whole.visible, marks, group, whole.tone), std::move(spacing_scale),
                  Mask(whole.unhatched.size(), 1),
                  std::vector<std::uint8_t>(marks.groups.size(), 0)};
@@ -32,7 +32,7 @@ HatchPass pass_of(int group, const HatchScene& whole, const MaterialMarks& marks
 
 std::vector<HatchPass> hatch_passes(
     const HatchScene& whole, const MaterialMarks& marks,
-    const std::function<std::vector<double>(double)>& spacing_scale) {
+    const std::function<std::vector<float>(double)>& spacing_scale) {
   std::vector<HatchPass> passes;
   if (marks.groups.empty()) return passes;
   const std::vector<std::uint8_t> seen = seen_groups(whole.visible, marks);

@@ -14,16 +14,16 @@ namespace illustrate {
 // What differs between the passes.
 struct HatchPass {
   ToneMap tone;
-  std::vector<double> spacing_scale;  // (objects)
-  Mask unhatched;                     // (objects)
-  std::vector<std::uint8_t> own;      // (t) 1: of its group
+  std::vector<float> spacing_scale;  // (t)
+  Mask unhatched;                    // (objects)
+  std::vector<std::uint8_t> own;     // (t) 1: of its group
 };
 
-// One for each group that is seen; none where all is hatched alike. spacing_scale: (objects) those
-// of a group whose faces scale the spacing by a factor.
+// One for each group that is seen; none where all is hatched alike. spacing_scale: (t) those of a
+// group whose faces scale the spacing by a factor.
 std::vector<HatchPass> hatch_passes(
     const HatchScene& whole, const MaterialMarks& marks,
-    const std::function<std::vector<double>(double factor)>& spacing_scale);
+    const std::function<std::vector<float>(double factor)>& spacing_scale);
 
 // `whole` with what the pass has of its own; refers to both.
 HatchScene scene_of(const HatchPass& pass, const HatchScene& whole);

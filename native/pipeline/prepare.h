@@ -15,6 +15,7 @@
 #include "surface/instances.h"
 #include "surface/jets/curvature_derivative.h"
 #include "surface/limit/limit_surface.h"
+#include "surface/parts.h"
 
 namespace illustrate {
 
@@ -58,6 +59,9 @@ class Prepared {
                                const std::vector<std::uint8_t>& seeds_only = {},
                                const Progress& progress = {}) const;
   const CurvatureDerivative& curvature_derivative(const Progress& progress = {}) const;
+  const SurfaceParts& parts() const {
+    return geometry_->parts.get([&] { return surface_parts(surface()); });
+  }
 
   const std::vector<MeshReport>& mesh_reports() const { return geometry_->mesh_reports; }
   Counts report() const;    // summed over all meshes
@@ -84,6 +88,7 @@ class Prepared {
     std::optional<const LimitSurface> limit_surface;
     std::vector<FeatureEdge> features;
     Lazy<Search> search;
+    Lazy<SurfaceParts> parts;
   };
 
   void make_geometry(const std::vector<MeshPointer>& meshes, const Progress& progress);

@@ -110,7 +110,9 @@ SeenScene::SeenScene(const Prepared& prepared, const std::vector<ObjectStyle>& s
 
 // Of an object that is seen.
 SurfaceCurves SeenScene::renumbered(const CurvesOfObject& whole) const {
-  SurfaceCurves part{whole.curves(), whole.scale * whole.shared->step, whole.seeds(), whole.area()};
+  SurfaceCurves part{whole.curves(), whole.scale * whole.shared->step, whole.seeds(), whole.area(),
+                     whole.shared->needed_below};
+  for (double& radius : part.needed_below) radius *= whole.scale;
   for (SurfacePoint& on : part.curves.values) on.triangle = part_->numbers[idx(on.triangle)];
   for (SurfacePoint& on : part.seeds) on.triangle = part_->numbers[idx(on.triangle)];
   return part;

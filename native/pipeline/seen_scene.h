@@ -31,6 +31,11 @@ class SeenScene {
     return prepared_.curvature_derivative(progress);
   }
 
+  const SurfaceParts& parts() const {
+    if (!part_) return prepared_.parts();
+    return part_->parts.get([&] { return surface_parts(part_->surface); });
+  }
+
   const Families& families(const Progress& progress) const { return prepared_.families(progress); }
   const Families& diagonal_families(const Progress& progress) const {
     return prepared_.diagonal_families(progress);
@@ -57,6 +62,7 @@ class SeenScene {
     std::vector<int> numbers;  // (triangles of the whole surface) here, none for ignored ones
     Bvh bvh;
     Lazy<DualSurface> dual_surface;
+    Lazy<SurfaceParts> parts;
     std::vector<FeatureEdge> features;
     IntersectionCurves intersections;
     Lazy<std::vector<SurfaceCurves>> hatch_curves;  // (objects)

@@ -5,8 +5,8 @@
 namespace illustrate {
 namespace {
 
-// Gives the triangles that are connected with `first` its part's number; their diagonal.
-double number_part(const Surface& surface, int first, int part, std::vector<int>& of_triangle) {
+// Gives the triangles that are connected with `first` its part's number; how far they reach.
+Spread number_part(const Surface& surface, int first, int part, std::vector<int>& of_triangle) {
   Spread spread;
   std::vector<int> open{first};
   of_triangle[idx(first)] = part;
@@ -22,7 +22,7 @@ double number_part(const Surface& surface, int first, int part, std::vector<int>
       open.push_back(other);
     }
   }
-  return spread.diagonal();
+  return spread;
 }
 
 }  // namespace
@@ -33,7 +33,9 @@ SurfaceParts surface_parts(const Surface& surface) {
   for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
     if (parts.of_triangle[idx(t)] != none) continue;
     const auto part = static_cast<int>(parts.diagonals.size());
-    parts.diagonals.push_back(number_part(surface, t, part, parts.of_triangle));
+    const Spread spread = number_part(surface, t, part, parts.of_triangle);
+    parts.diagonals.push_back(spread.diagonal());
+    parts.middles.push_back(spread.middle());
   }
   return parts;
 }

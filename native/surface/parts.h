@@ -9,6 +9,7 @@ namespace illustrate {
 struct SurfaceParts {
   std::vector<int> of_triangle;   // (t)
   std::vector<double> diagonals;  // (parts) how large each is (core/spread.h)
+  Points middles;                 // (parts) of area
 };
 
 SurfaceParts surface_parts(const Surface& surface);

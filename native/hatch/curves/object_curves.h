@@ -16,6 +16,10 @@ struct CurvesOfObject {
   explicit operator bool() const { return shared != nullptr; }
   double area() const { return scale * scale * shared->area; }
   Ragged<SurfacePoint> curves() const;
+  // Whether a curve is among those down to this radius.
+  bool is_needed(std::size_t curve, double radius) const {
+    return radius / scale < shared->needed_below[curve];
+  }
   std::vector<SurfacePoint> seeds() const;
 };
 using CurvesOfObjects = std::vector<CurvesOfObject>;

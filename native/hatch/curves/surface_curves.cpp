@@ -247,9 +247,12 @@ class RankedCurves::Builder {
       done += share;
     }
     SurfaceCurves result = seeds_to(level);
+    int own_level = 0;
     for (std::size_t c = 0; c < ends_[idx(level)]; ++c) {
+      while (c >= ends_[idx(own_level)]) ++own_level;
       for (const CurvePlace& place : lines_[c]) result.curves.push(place.on);
       result.curves.close_list();
+      result.needed_below.push_back(own_level == 0 ? infinite : radius_of(own_level - 1));
     }
     return result;
   }

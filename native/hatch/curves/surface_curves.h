@@ -24,6 +24,8 @@ struct SurfaceCurves {
   // Places to fill gaps from: the first n are spread evenly by area, for any n.
   std::vector<SurfacePoint> seeds;
   double area = 0;  // of the object
+  // (curves) down_to(radius) has those with `radius` below this.
+  std::vector<double> needed_below;
 };
 
 // (t) of the triangles as they are; 0 where not finite.

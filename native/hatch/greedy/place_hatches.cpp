@@ -76,10 +76,10 @@ class Placer {
     HatchRules rules;
   };
 
-  Style style_of(int object, Area area) const {
+  Style style_of(int triangle, Area area) const {
     const bool dense = area == Area::undercut;
     const double spacing =
-        scene_.spacing_on(object, dense ? options_.undercut_spacing_px : options_.spacing_px);
+        scene_.spacing_on(triangle, dense ? options_.undercut_spacing_px : options_.spacing_px);
     const double step = dense ? spacing / 4 : std::min(options_.step_px, spacing / 4);
     return {spacing,
             dense ? options_.min_length_px / 2 : options_.min_length_px,
@@ -112,7 +112,7 @@ class Placer {
   bool grow(const SurfacePoint& seed, const Vec3& towards, double clearance, Area area) {
     if (hatches_.curves.values.size() > most_points) return false;
     const int object = surface_.triangle_objects[idx(seed.triangle)];
-    const Style style = style_of(object, area);
+    const Style style = style_of(seed.triangle, area);
     const HatchSample first{walker_.point(seed), walker_.start(seed, towards).tangent};
     if (!area_.may_pass(first.point, area) || !area_.suits(first.point, first.tangent))
       return false;
@@ -273,9 +273,10 @@ void validate(const HatchOptions& options) {
 
 void validate(const HatchScene& scene) {
   const std::size_t objects = scene.surface.object_is_smooth.size();
-  require(scene.spacing_scale.empty() || scene.spacing_scale.size() == objects,
-          "spacing_scale must have one entry per object");
-  for (const double scale : scene.spacing_scale) {
+  require(
+      scene.spacing_scale.empty() || scene.spacing_scale.size() == scene.surface.triangles.size(),
+      "spacing_scale must have one entry per triangle");
+  for (const float scale : scene.spacing_scale) {
     require(scale > 0 && std::isfinite(scale), "spacing_scale must be finite and positive");
   }
   require(scene.unhatched.empty() || scene.unhatched.size() == objects,

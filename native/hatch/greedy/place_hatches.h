@@ -26,7 +26,7 @@ struct HatchOptions {
   HatchSeeding seeding = HatchSeeding::surface_curves;
   double spacing_px = 8;           // d_sep
   double undercut_spacing_px = 5;  // d_sep inside undercuts
-  double least_spacing_px = 4;     // on small objects (small_objects.h)
+  double least_spacing_px = 4;     // on small parts (small_parts.h)
   double test_factor = 0.6;        // d_test; like min_length_px of the paper's seeding
   double step_px = 1.5;            // a tracing step of the paper's seeding
   double max_turn_deg = 150;       // of the world direction against the first one

@@ -21,7 +21,9 @@ class HatchPoints {
   }
   bool is_undercut(int hatch) const { return hatches_.kinds[idx(hatch)] == Kind::undercut; }
   int object(int hatch) const { return hatches_.objects[idx(hatch)]; }
-  double spacing(int hatch) const { return scene_.spacing_on(object(hatch), spacing_px_); }
+  double spacing(int hatch) const {  // px
+    return scene_.spacing_on((*this)[whole(hatch).from].on.triangle, spacing_px_);
+  }
 
   // Of a point: its hatch; its region, as points beyond all go with the one before, and a shadow
   // too short to cross anything in is the single region that the hatch goes on in; how far it is

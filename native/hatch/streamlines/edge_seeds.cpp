@@ -29,14 +29,15 @@ bool is_crossed(const StreamlineSet& set, const HatchView& view, const Vec2& ima
 
 // Which squares have their middles where hatches are wanted near a critical curve: looked for row
 // by row, as they lie in memory.
-std::vector<std::uint8_t> strips(const HatchView& view, const ImageLattice& lattice,
-                                 double width_px) {
+std::vector<std::uint8_t> strips(const HatchView& view, const ImageLattice& lattice) {
   std::vector<std::uint8_t> is_near(static_cast<std::size_t>(lattice.count()));
   std::size_t square = 0;
   for (std::int64_t row = 0; row < lattice.rows; ++row) {
     for (std::int64_t column = 0; column < lattice.columns; ++column, ++square) {
       const Vec2 image = lattice.middle(row, column);
-      is_near[square] = view.triangle_at(image) != none && view.curves.pass(image, width_px);
+      const int triangle = view.triangle_at(image);
+      is_near[square] =
+          triangle != none && view.curves.pass(image, strip_width * view.spacing_on(triangle));
     }
   }
   return is_near;
@@ -48,7 +49,7 @@ std::vector<SurfacePoint> edge_places(const HatchView& view) {
   const Camera& camera = view.camera();
   const double spacing = std::max(1.0, view.spacing_px());
   const ImageLattice lattice(camera.width_px(), camera.height_px(), lattice_step * spacing);
-  const std::vector<std::uint8_t> is_near = strips(view, lattice, strip_width * spacing);
+  const std::vector<std::uint8_t> is_near = strips(view, lattice);
   std::vector<SurfacePoint> places;
   lattice.visit([&](std::int64_t square) {
     if (!is_near[static_cast<std::size_t>(square)]) return;
@@ -62,15 +63,15 @@ std::vector<StreamlineNode> edge_seeds(const StreamlineSet& set, const HatchView
                                        const std::vector<SurfacePoint>& places) {
   const Camera& camera = view.camera();
   const Surface& surface = view.walker.on_surface().surface();
-  const double spacing = std::max(1.0, view.spacing_px());
   std::vector<SurfacePoint> open;
   for (const SurfacePoint& on : places) {
     const Vec3 position = position_at(surface, on);
     const ImagePoint seen = camera.project(position);
+    const double spacing = view.spacing_on(on.triangle);
     const double world = spacing * camera.pixel_size(position);
     if (!is_crossed(set, view, seen.xy, seen.depth, world, near * spacing)) open.push_back(on);
   }
-  return seed_nodes(view, open, open.size());
+  return seed_nodes(view, open);
 }
 
 }  // namespace illustrate

@@ -89,7 +89,7 @@ void grow_new(StreamlineSet& set, const HatchView& view, const StreamlineNode& f
               const GrowRules& rules) {
   const Surface& surface = view.walker.on_surface().surface();
   const int object = surface.triangle_objects[idx(first.on.triangle)];
-  const double spacing = view.spacing_of(object);
+  const double spacing = view.spacing_on(first.on.triangle);
   const int number = static_cast<int>(set.streamlines.size());
   if (view.is_near(set.grid, first, spacing, rules.clear * spacing, number, 0)) return;
   const std::size_t before = set.grid.size();
@@ -126,16 +126,15 @@ void at_all_ends(StreamlineSet& set, const HatchView& view, const Use& use) {
 }  // namespace
 
 std::vector<StreamlineNode> seed_nodes(const HatchView& view,
-                                       const std::vector<SurfacePoint>& seeds, std::size_t count) {
+                                       const std::vector<SurfacePoint>& seeds) {
   const Surface& surface = view.walker.on_surface().surface();
   std::vector<StreamlineNode> nodes;
-  for (std::size_t i = 0; i < std::min(count, seeds.size()); ++i) {
-    const SurfacePoint& on = seeds[i];
+  for (const SurfacePoint& on : seeds) {
     if (!view.is_hatched(surface.triangle_objects[idx(on.triangle)])) continue;
     StreamlineNode one = view.node_at(on);
     if (!view.lies_well(one)) continue;
     const Vec3 normal = normal_at(surface, on);
-    const double spacing = view.spacing_of(surface.triangle_objects[idx(on.triangle)]);
+    const double spacing = view.spacing_on(on.triangle);
     view.direct(one, normal, normal.unitOrthogonal());
     const StreamlineNode other = view.across(one, normal);
     if (view.runs_well(one, spacing)) nodes.push_back(one);

@@ -14,10 +14,10 @@ struct GrowRules {
   double least_length = 1.5;
 };
 
-// Nodes along both directions of the cross at the first `count` seeds of the surface, of those that
-// are seen and where hatches are wanted.
+// Nodes along both directions of the cross at those seeds that are seen and where hatches are
+// wanted.
 std::vector<StreamlineNode> seed_nodes(const HatchView& view,
-                                       const std::vector<SurfacePoint>& seeds, std::size_t count);
+                                       const std::vector<SurfacePoint>& seeds);
 
 // New streamlines from the nodes, in their order. Throws Cancelled through `progress`.
 void fill_streamlines(StreamlineSet& set, const HatchView& view,

@@ -22,7 +22,7 @@ class CurvePlacer {
     if (curve.size() < 2) return;
     object_ = surface_.triangle_objects[idx(curve[0].triangle)];
     if (!view_.is_hatched(object_)) return;
-    spacing_ = view_.spacing_of(object_);
+    spacing_ = view_.spacing_on(curve[0].triangle);
     run_.clear();
     for (std::size_t i = 0; i < curve.size(); ++i) {
       const bool is_last = i + 1 == curve.size();

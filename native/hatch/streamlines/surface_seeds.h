@@ -6,17 +6,20 @@
 
 namespace illustrate {
 
-// (objects) world length of a spacing of spacing_px pixels, on average over what is seen; 0 where
-// nothing is seen and hatched.
-std::vector<double> mean_spacings(const HatchScene& scene, double spacing_px);
+// (objects) world lengths, on average over what is seen; 0 where nothing is seen and hatched.
+struct ObjectSpacings {
+  std::vector<double> plain;  // of spacing_px pixels, where nothing scales it
+  std::vector<double> least;  // the same where it is scaled most
+};
+ObjectSpacings object_spacings(const HatchScene& scene, double spacing_px);
 
 // What streamlines in one area of a view, all hatches or undercuts, start from besides places fixed
 // on the surface: found once for all objects.
 struct SeedPlaces {
-  std::vector<double> spacings;       // (objects) as above
+  std::vector<double> spacings;       // (objects) plain ones, as above
   std::vector<SurfacePoint> lattice;  // under a lattice of the image: on objects so near that
                                       // places fixed on them lie too far apart
-  std::vector<SurfacePoint> strips;  // beside critical curves (edge_seeds.h)
+  std::vector<SurfacePoint> strips;   // beside critical curves (edge_seeds.h)
 };
 SeedPlaces seed_places(const HatchScene& scene, const HatchView& view,
                        const CurvesOfObjects& curves);

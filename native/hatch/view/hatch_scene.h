@@ -19,19 +19,23 @@ struct HatchScene {
   const ToneMap& tone;
   const LabelledGraph& graph;
   const CriticalCurves& curves;                // of the graph
-  const std::vector<double>& spacing_scale;    // one factor per object, empty: 1
+  const std::vector<float>& spacing_scale;     // (t) one factor per triangle, empty: 1
   const std::vector<std::uint8_t>& unhatched;  // one flag per object, empty: all are hatched
   const LastHatches* last = nullptr;           // what the frame before drew; null: nothing
   const RestingPlaces* resting = nullptr;      // where it showed the same; null: nowhere
 
   bool is_hatched(int object) const { return unhatched.empty() || !unhatched[idx(object)]; }
-  // `spacing_px` on one object; never less than a pixel.
-  double spacing_on(int object, double spacing_px) const {
-    return std::max(1.0, spacing_px * (spacing_scale.empty() ? 1 : spacing_scale[idx(object)]));
+  // Of a triangle.
+  double scale_on(int triangle) const {
+    return spacing_scale.empty() ? 1 : double(spacing_scale[idx(triangle)]);
+  }
+  // `spacing_px` there; never less than a pixel.
+  double spacing_on(int triangle, double spacing_px) const {
+    return std::max(1.0, spacing_px * scale_on(triangle));
   }
 };
 
-// Throws InvalidInput where the two lists do not fit the surface's objects.
+// Throws InvalidInput where the lists do not fit the surface.
 void validate(const HatchScene& scene);
 
 }  // namespace illustrate

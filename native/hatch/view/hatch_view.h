@@ -67,9 +67,10 @@ class HatchView {
   double spacing_px() const {
     return where_ == Area::undercut ? options.undercut_spacing_px : options.spacing_px;
   }
-  double spacing_of(int object) const {  // px
-    return scene_.spacing_on(object, spacing_px());
+  double spacing_on(int triangle) const {  // px
+    return scene_.spacing_on(triangle, spacing_px());
   }
+  double scale_on(int triangle) const { return scene_.scale_on(triangle); }
   StreamlineGrid empty_grid() const {
     return {double(scene_.camera.width_px()), double(scene_.camera.height_px()), spacing_px()};
   }

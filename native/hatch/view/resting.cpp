@@ -63,7 +63,6 @@ std::uint64_t vertex_number(const HatchScene& scene, std::size_t v) {
   mixed.add(scene.surface.positions[v]).add(scene.surface.normals[v]);
   mixed.add((direction_steps * scene.field.directions[v]).array().round().matrix());
   if (!scene.families.empty()) mixed.add(double(scene.families[v]));
-  if (!scene.spacing_scale.empty()) mixed.add(scene.spacing_scale[idx(scene.surface.objects[v])]);
   return mixed.number();
 }
 
@@ -123,6 +122,7 @@ class TileMarker {
  private:
   std::uint64_t triangle_number(int triangle) const {
     Mixed mixed;
+    mixed.add(scene_.scale_on(triangle));
     for (const int v : scene_.surface.triangles[idx(triangle)]) mixed.add(vertices_[idx(v)]);
     return mixed.number();
   }

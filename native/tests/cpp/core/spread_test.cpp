@@ -34,6 +34,18 @@ TEST(Spread, IsNearTheDiagonalOfABox) {
   EXPECT_NEAR(diagonal_of(shapes::sphere_surface(2, 5)), 4 * std::sqrt(3.), .01);
 }
 
+TEST(Spread, HasItsMiddleWhereTheAreaHas) {
+  const PolygonMesh plate = shapes::moved(shapes::plane(3, 5), {7, -2, 30});
+  const Surface surface = shapes::plain_surface(plate);
+  for (const double scale : {1e-90, 1., 1e90}) {
+    Spread scaled;
+    for (const Triangle& t : surface.triangles)
+      scaled.add(scale * surface.positions[idx(t[0])], scale * surface.positions[idx(t[1])],
+                 scale * surface.positions[idx(t[2])]);
+    EXPECT_LT((scaled.middle() / scale - Vec3(7, -2, 30)).norm(), 1e-12);
+  }
+}
+
 TEST(Spread, IsTheSameWhereverAndHoweverTurned) {
   for (const PolygonMesh& mesh : {shapes::cube(), shapes::plane(3, 5), shapes::icosahedron()}) {
     const Surface surface = shapes::plain_surface(mesh);

@@ -206,6 +206,48 @@ double share_kept(const Hatches& a, const Hatches& b) {
   return kept / static_cast<double>(a.curves.values.size());
 }
 
+// Two squares of one object, one of which asks for half the spacing.
+struct TwoParts {
+  Scene scene = scene_of(
+      shapes::plain_surface(shapes::joined(shapes::moved(shapes::plane(9, 9), Vec3(-1.3, 0, 0)),
+                                           shapes::moved(shapes::plane(9, 9), Vec3(1.3, 0, 0)))),
+      cameras::orthographic(Vec3::UnitZ(), 2.5, 500), [](const Vec3&) { return Vec3::UnitX(); });
+
+  void make_right_finer() {
+    for (const Triangle& t : scene.surface.triangles) {
+      scene.spacing_scale.push_back(scene.surface.positions[idx(t[0])].x() < 0 ? 1 : 0.5F);
+    }
+  }
+};
+
+// Of what lies on the left, or on the right.
+Hatches half_of(const Hatches& hatches, bool right) {
+  Hatches half;
+  for (std::size_t h = 0; h < hatches.kinds.size(); ++h) {
+    if ((hatches.curves[h][0].position.x() > 0) == right) half.add(hatches, h);
+  }
+  return half;
+}
+
+TEST(EvenHatches, AreFinerOnOnePartAlone) {
+  TwoParts two;
+  const Hatches plain = two.scene.even();
+  two.make_right_finer();
+  const Hatches finer = two.scene.even();
+  check_hatches(two.scene, finer);
+  const Hatches left = half_of(finer, false), right = half_of(finer, true);
+  const Hatches before = half_of(plain, false);
+  ASSERT_EQ(left.curves.offsets, before.curves.offsets) << "to the bit";
+  for (std::size_t i = 0; i < left.curves.values.size(); ++i) {
+    EXPECT_EQ(left.curves.values[i].position, before.curves.values[i].position);
+  }
+  const auto count = [](const Hatches& hatches) {
+    return static_cast<double>(hatches.kinds.size());
+  };
+  EXPECT_NEAR(count(right) / count(left), 2, 0.2);
+  EXPECT_LT(spacing_variation(right, Vec2(0, 1)), 0.2);
+}
+
 TEST(EvenHatches, StayWhereTheDrawingBeforeHadThem) {
   Scene scene = torus_scene();
   const Hatches first = scene.even();
@@ -246,7 +288,7 @@ TEST(EvenHatches, NothingSeenGivesNothing) {
   scene.families = {};
   scene.visible = render_visible(scene.surface, scene.camera, 1, {}, 1);
   EXPECT_TRUE(scene.even().curves.empty());
-  scene.spacing_scale = {1, 2};
+  scene.spacing_scale = {1};
   EXPECT_THROW(scene.even(), InvalidInput);
 }
 

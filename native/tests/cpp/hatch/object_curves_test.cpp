@@ -12,7 +12,7 @@ namespace {
 using namespace hatching;
 
 void expect_same(const CurvesOfObject& a, const CurvesOfObject& b) {
-  const SurfaceCurves of_a{a.curves(), 0, a.seeds()}, of_b{b.curves(), 0, b.seeds()};
+  const SurfaceCurves of_a{a.curves(), 0, a.seeds(), 0, {}}, of_b{b.curves(), 0, b.seeds(), 0, {}};
   EXPECT_TRUE(is_start_of(of_a, of_b) && is_start_of(of_b, of_a));
   EXPECT_EQ(of_a.seeds.size(), of_b.seeds.size());
   EXPECT_DOUBLE_EQ(a.area(), b.area());

@@ -153,14 +153,15 @@ TEST(PlaceHatches, ObjectsHaveTheirOwnSpacingOrNone) {
     }
     return sum;
   };
-  scene.spacing_scale = {1, 2};
+  const std::vector<int>& objects = scene.surface.triangle_objects;
+  for (const int object : objects) scene.spacing_scale.push_back(object == 0 ? 1 : 2);
   EXPECT_NEAR(lengths()[1] / lengths()[0], 0.5, 0.1);
   scene.unhatched = {1, 0};
   EXPECT_EQ(lengths()[0], 0);
   EXPECT_GT(lengths()[1], 0);
   scene.spacing_scale = {1};
   EXPECT_THROW(scene.place(), InvalidInput);
-  scene.spacing_scale = {1, 0};
+  scene.spacing_scale.assign(objects.size(), 0);
   EXPECT_THROW(scene.place(), InvalidInput);
   scene.spacing_scale = {};
   EXPECT_NO_THROW(scene.place());

@@ -228,5 +228,17 @@ TEST(SurfaceCurves, AreDeterministicAndCanBeCancelled) {
   EXPECT_TRUE(surface_curves(Surface{}, CrossField{}).curves.empty());
 }
 
+TEST(SurfaceCurves, TellWhichOfThemARadiusNeeds) {
+  const Square square;
+  RankedCurves ranked(square.surface, square.field, all_triangles(square.surface));
+  const SurfaceCurves all = ranked.down_to(0);
+  ASSERT_EQ(all.needed_below.size(), all.curves.size());
+  for (const double radius : {1., 0.1, 0.03, 0.01}) {
+    const auto needed = std::count_if(all.needed_below.begin(), all.needed_below.end(),
+                                      [&](double below) { return radius < below; });
+    EXPECT_EQ(static_cast<std::size_t>(needed), ranked.down_to(radius).curves.size()) << radius;
+  }
+}
+
 }  // namespace
 }  // namespace illustrate
