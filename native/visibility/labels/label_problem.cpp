@@ -1,8 +1,9 @@
 #include "visibility/labels/label_problem.h"
 
 #include <algorithm>
-#include <limits>
+#include <numeric>
 
+#include "core/ragged.h"
 #include "visibility/labels/min_cut.h"
 
 namespace illustrate {
@@ -20,58 +21,125 @@ std::int64_t price_of(const DifferenceTerm& term, int difference) {
   return over < 0 ? -over * term.below : over * term.above;
 }
 
-// Raises (by = 1) or lowers (by = -1) the set of unknowns that gains most: of equally good ones the
-// smallest set that rises, the largest that falls. False where none is chosen.
-class Step {
- public:
-  Step(const LabelProblem& problem, int by)
-      : problem_(problem), by_(by), costs_(idx(problem.unknowns)) {}
+// What the two unknowns of a term cost where they are chosen, and what it costs more
+// to choose `to` alone. With d = x(to) - x(from): f(d + by) - f(d) where `to` alone is chosen, f(d
+// - by) - f(d) where `from` alone is. Their sum is 0 but at the bend of f.
+struct PairCosts {
+  std::int64_t from, to, edge;
+};
 
-  bool take(std::vector<int>& x) {
-    MinCut cut(problem_.unknowns);
-    add_values(x);
-    add_differences(x, cut);
-    for (int i = 0; i < problem_.unknowns; ++i) cut.add_cost(i, costs_[idx(i)]);
-    cut.solve();
-    const std::vector<std::uint8_t> chosen = by_ > 0 ? cut.smallest() : cut.largest();
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] += chosen[i] ? by_ : 0;
-    return std::find(chosen.begin(), chosen.end(), 1) != chosen.end();
+PairCosts costs_of(const DifferenceTerm& term, int d, int by) {
+  const std::int64_t now = price_of(term, d);
+  const std::int64_t to_alone = price_of(term, d + by) - now;
+  const std::int64_t from_alone = price_of(term, d - by) - now;
+  return {from_alone, -from_alone, to_alone + from_alone};
+}
+
+// (unknowns) the terms that each is in.
+template <class Term, class Visit>
+Ragged<int> terms_of(int unknowns, const std::vector<Term>& terms, const Visit& visit) {
+  std::vector<int> counts(idx(unknowns), 0);
+  for (const Term& term : terms) visit(term, [&](int i) { ++counts[idx(i)]; });
+  Ragged<int> lists;
+  lists.offsets.resize(1 + counts.size());
+  std::partial_sum(counts.begin(), counts.end(), lists.offsets.begin() + 1);
+  lists.values.resize(idx(lists.offsets.back()));
+  std::vector<int> next(lists.offsets.begin(), lists.offsets.end() - 1);
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    visit(terms[t], [&](int i) { lists.values[idx(next[idx(i)]++)] = static_cast<int>(t); });
+  }
+  return lists;
+}
+
+// Raises (by = 1) or lowers (by = -1) sets of unknowns: each time the one that gains most, of
+// equally good ones the smallest set that rises, the largest that falls. Many sets are small, and
+// no more is searched for one than what the last has changed.
+class Steps {
+ public:
+  Steps(const LabelProblem& problem, int by, std::vector<int>& x)
+      : problem_(problem),
+        by_(by),
+        x_(x),
+        values_of_(terms_of(problem.unknowns, problem.values,
+                            [](const ValueTerm& term, const auto& use) { use(term.unknown); })),
+        differences_of_(terms_of(problem.unknowns, problem.differences,
+                                 [](const DifferenceTerm& term, const auto& use) {
+                                   use(term.from);
+                                   use(term.to);
+                                 })),
+        cut_(problem.unknowns) {
+    add_costs();
+    for (const DifferenceTerm& term : problem.differences) {
+      edges_.push_back(
+          cut_.add_edge(term.to, term.from, costs_of(term, difference(term), by).edge));
+    }
+  }
+
+  // False where no set is chosen.
+  bool take() {
+    cut_.solve();
+    const std::vector<std::uint8_t> chosen = by_ > 0 ? cut_.smallest() : cut_.largest();
+    bool is_any = false;
+    for (int i = 0; i < problem_.unknowns; ++i) {
+      if (chosen[idx(i)]) change(i, chosen), is_any = true;
+    }
+    for (std::size_t i = 0; is_any && i < chosen.size(); ++i) x_[i] += chosen[i] ? by_ : 0;
+    return is_any;
   }
 
  private:
-  void add_values(const std::vector<int>& x) {
-    std::fill(costs_.begin(), costs_.end(), 0);
+  int difference(const DifferenceTerm& term) const { return x_[idx(term.to)] - x_[idx(term.from)]; }
+
+  std::int64_t cost_of(const ValueTerm& term, int x) const {
+    return price_of(term, x + by_) - price_of(term, x);
+  }
+  // Labels are never less than 0.
+  std::int64_t cost_of_falling(int x) const { return by_ < 0 && x == 0 ? forbidden : 0; }
+
+  void add_costs() {
+    std::vector<std::int64_t> costs(x_.size());
+    for (std::size_t i = 0; i < x_.size(); ++i) costs[i] = cost_of_falling(x_[i]);
     for (const ValueTerm& term : problem_.values) {
-      const int now = x[idx(term.unknown)];
-      costs_[idx(term.unknown)] += price_of(term, now + by_) - price_of(term, now);
+      costs[idx(term.unknown)] += cost_of(term, x_[idx(term.unknown)]);
     }
-    for (std::size_t i = 0; by_ < 0 && i < x.size(); ++i) {
-      if (x[i] == 0) costs_[i] = forbidden;
-    }
-  }
-
-  // With d = x(to) - x(from): f(d + by) - f(d) where `to` alone is chosen, f(d - by) - f(d) where
-  // `from` alone is. Their sum is 0 but at the bend of f: only there an edge is needed.
-  void add_differences(const std::vector<int>& x, MinCut& cut) {
     for (const DifferenceTerm& term : problem_.differences) {
-      const int d = x[idx(term.to)] - x[idx(term.from)];
-      const std::int64_t now = price_of(term, d);
-      const std::int64_t to_alone = price_of(term, d + by_) - now;
-      const std::int64_t from_alone = price_of(term, d - by_) - now;
-      add_to(term.from, from_alone);
-      add_to(term.to, -from_alone);
-      if (to_alone + from_alone > 0) cut.add_edge(term.to, term.from, to_alone + from_alone);
+      const PairCosts pair = costs_of(term, difference(term), by_);
+      costs[idx(term.from)] += pair.from;
+      costs[idx(term.to)] += pair.to;
+    }
+    for (int i = 0; i < problem_.unknowns; ++i) cut_.add_cost(i, costs[idx(i)]);
+  }
+
+  // Tells the cut what changes as an unknown takes the step with all that are chosen.
+  void change(int i, const std::vector<std::uint8_t>& chosen) {
+    const int now = x_[idx(i)], then = now + by_;
+    std::int64_t cost = cost_of_falling(then) - cost_of_falling(now);
+    for (const int t : values_of_[idx(i)]) {
+      const ValueTerm& term = problem_.values[idx(t)];
+      cost += cost_of(term, then) - cost_of(term, now);
+    }
+    cut_.add_cost(i, cost);
+    for (const int t : differences_of_[idx(i)]) {
+      const DifferenceTerm& term = problem_.differences[idx(t)];
+      if (!chosen[idx(term.from)] || !chosen[idx(term.to)]) change(t, i == term.to ? by_ : -by_);
     }
   }
 
-  void add_to(int unknown, std::int64_t cost) {
-    std::int64_t& sum = costs_[idx(unknown)];
-    if (sum != forbidden) sum += cost;
+  void change(int t, int by) {
+    const DifferenceTerm& term = problem_.differences[idx(t)];
+    const int now = difference(term);
+    const PairCosts before = costs_of(term, now, by_), after = costs_of(term, now + by, by_);
+    cut_.set_edge(edges_[idx(t)], after.edge);
+    cut_.add_cost(term.from, after.from - before.from);
+    cut_.add_cost(term.to, after.to - before.to);
   }
 
   const LabelProblem& problem_;
-  int by_;
-  std::vector<std::int64_t> costs_;
+  const int by_;
+  std::vector<int>& x_;
+  const Ragged<int> values_of_, differences_of_;  // (unknowns) terms
+  MinCut cut_;
+  std::vector<int> edges_;  // (differences)
 };
 
 }  // namespace
@@ -88,9 +156,10 @@ std::int64_t price(const LabelProblem& problem, const std::vector<int>& x) {
 std::vector<int> least_labels(const LabelProblem& problem, std::vector<int> start,
                               const Progress& progress) {
   std::vector<int> x = std::move(start);
-  for (Step step : {Step(problem, 1), Step(problem, -1)}) {
+  for (const int by : {1, -1}) {
+    Steps steps(problem, by, x);
     do progress.report(0);
-    while (step.take(x));
+    while (steps.take());
   }
   return x;
 }

@@ -5,14 +5,55 @@
 
 namespace illustrate {
 
-MinCut::MinCut(int nodes) : nodes_(idx(nodes)) {}
+MinCut::MinCut(int nodes) : nodes_(idx(nodes)), trees_(idx(nodes), Tree::free) {}
 
-void MinCut::add_edge(int from, int to, std::int64_t cost) {
+int MinCut::add_edge(int from, int to, std::int64_t cost) {
   const int half = static_cast<int>(halves_.size());
   halves_.push_back({to, nodes_[idx(from)].first, cost});
   nodes_[idx(from)].first = half;
   halves_.push_back({from, nodes_[idx(to)].first, 0});
   nodes_[idx(to)].first = half + 1;
+  return half;
+}
+
+void MinCut::add_cost(int node, std::int64_t cost) { change_room(node, -cost); }
+
+// Flow that has no room any more stays with the nodes at both ends.
+void MinCut::set_edge(int edge, std::int64_t cost) {
+  Half& ahead = halves_[idx(edge)];
+  Half& back = halves_[idx(edge ^ 1)];
+  const bool had_room = ahead.room > 0, had_flow = back.room > 0;
+  const std::int64_t flow = std::min(back.room, cost), excess = back.room - flow;
+  ahead.room = cost - flow;
+  back.room = flow;
+  mind_room(edge, had_room);
+  mind_room(edge ^ 1, had_flow);
+  if (excess == 0) return;
+  change_room(tail(edge), excess);
+  change_room(ahead.head, -excess);
+}
+
+// Trees do not grow over a half-edge without room, and may grow over one that has got some.
+void MinCut::mind_room(int half, bool had_room) {
+  const int from = tail(half), to = halves_[idx(half)].head;
+  if (halves_[idx(half)].room > 0) {
+    if (had_room) return;
+    if (tree(from) == Tree::source) activate(from);
+    if (tree(to) == Tree::sink) activate(to);
+    return;
+  }
+  if (tree(to) == Tree::source && nodes_[idx(to)].parent == (half ^ 1)) set_free(to);
+  if (tree(from) == Tree::sink && nodes_[idx(from)].parent == half) set_free(from);
+}
+
+void MinCut::change_room(int node, std::int64_t by) {
+  Node& changed = nodes_[idx(node)];
+  changed.room += by;
+  if (changed.room != 0) {
+    plant(node);
+  } else if (changed.parent == at_terminal) {
+    set_free(node);
+  }
 }
 
 void MinCut::activate(int node) {
@@ -21,20 +62,28 @@ void MinCut::activate(int node) {
   active_.push_back(node);
 }
 
-// Every node with room to a terminal is the child of that terminal.
-void MinCut::plant() {
-  for (std::size_t n = 0; n < nodes_.size(); ++n) {
-    Node& node = nodes_[n];
-    if (node.cost == 0) continue;
-    node.tree = node.cost > 0 ? Tree::source : Tree::sink;
-    node.parent = at_terminal;
-    node.distance = 1;
-    activate(static_cast<int>(n));
+// A node with room to a terminal is the child of that terminal; what was below it in the tree of
+// the other one has to find another parent.
+void MinCut::plant(int node) {
+  const Tree wanted = nodes_[idx(node)].room > 0 ? Tree::source : Tree::sink;
+  if (tree(node) != wanted) {
+    for (int half = nodes_[idx(node)].first; half != none; half = halves_[idx(half)].next) {
+      const int other = halves_[idx(half)].head;
+      if (tree(other) == wanted || tree(other) == Tree::free) continue;
+      if (nodes_[idx(other)].parent == (half ^ 1)) set_free(other);
+      activate(other);
+    }
+    tree(node) = wanted;
+    activate(node);
   }
+  nodes_[idx(node)].parent = at_terminal;
+  nodes_[idx(node)].time = time_;
+  nodes_[idx(node)].distance = 1;
 }
 
 void MinCut::solve() {
-  plant();
+  ++time_;
+  adopt_orphans();
   while (!active_.empty()) {
     const int node =
         active_.front();  // the oldest: both trees grow in breadth, and paths are short
@@ -58,18 +107,19 @@ void MinCut::solve() {
 // Takes free neighbours into the node's tree. A half-edge from the source's tree to the sink's,
 // none where there is no such.
 int MinCut::grow(int node) {
-  const Tree tree = nodes_[idx(node)].tree;
+  const Tree own = tree(node);
   for (int half = nodes_[idx(node)].first; half != none; half = halves_[idx(half)].next) {
-    if (!can_grow(tree, half)) continue;
+    if (!can_grow(own, half)) continue;
+    Tree& of_other = tree(halves_[idx(half)].head);
     Node& other = nodes_[idx(halves_[idx(half)].head)];
-    if (other.tree == Tree::free) {
-      other.tree = tree;
+    if (of_other == Tree::free) {
+      of_other = own;
       other.parent = half ^ 1;
       other.time = nodes_[idx(node)].time;
       other.distance = nodes_[idx(node)].distance + 1;
       activate(halves_[idx(half)].head);
-    } else if (other.tree != tree) {
-      return tree == Tree::source ? half : half ^ 1;
+    } else if (of_other != own) {
+      return own == Tree::source ? half : half ^ 1;
     } else if (other.time <= nodes_[idx(node)].time &&
                other.distance > nodes_[idx(node)].distance + 1) {
       other.parent = half ^ 1;  // a shorter way to the terminal
@@ -82,27 +132,27 @@ int MinCut::grow(int node) {
 
 // What may flow between a node and the terminal of its tree.
 std::int64_t MinCut::bottleneck(int node) const {
-  const Tree tree = nodes_[idx(node)].tree;
+  const Tree own = trees_[idx(node)];
   std::int64_t least = std::numeric_limits<std::int64_t>::max();
   for (int n = node;;) {
     const int up = nodes_[idx(n)].parent;
-    if (up == at_terminal) return std::min(least, std::abs(nodes_[idx(n)].cost));
-    least = std::min(least, halves_[idx(tree == Tree::source ? up ^ 1 : up)].room);
+    if (up == at_terminal) return std::min(least, std::abs(nodes_[idx(n)].room));
+    least = std::min(least, halves_[idx(own == Tree::source ? up ^ 1 : up)].room);
     n = halves_[idx(up)].head;
   }
 }
 
 void MinCut::push(int node, std::int64_t flow) {
-  const Tree tree = nodes_[idx(node)].tree;
+  const Tree own = tree(node);
   for (int n = node;;) {
     const int up = nodes_[idx(n)].parent;
     if (up == at_terminal) {
-      nodes_[idx(n)].cost -= tree == Tree::source ? flow : -flow;
-      if (nodes_[idx(n)].cost == 0) set_free(n);
+      nodes_[idx(n)].room -= own == Tree::source ? flow : -flow;
+      if (nodes_[idx(n)].room == 0) set_free(n);
       return;
     }
     const int next = halves_[idx(up)].head;
-    const int filled = tree == Tree::source ? up ^ 1 : up;
+    const int filled = own == Tree::source ? up ^ 1 : up;
     halves_[idx(filled)].room -= flow;
     halves_[idx(filled ^ 1)].room += flow;
     if (halves_[idx(filled)].room == 0) set_free(n);
@@ -128,7 +178,7 @@ void MinCut::adopt_orphans() {
   while (!orphans_.empty()) {
     const int node = orphans_.front();
     orphans_.pop_front();
-    adopt(node);
+    if (nodes_[idx(node)].parent == orphan) adopt(node);
   }
 }
 
@@ -158,11 +208,11 @@ int MinCut::distance_to_terminal(int node) {
 
 // Finds the orphan the neighbour nearest to the terminal, or lets it and its children go.
 void MinCut::adopt(int node) {
-  const Tree tree = nodes_[idx(node)].tree;
+  const Tree own = tree(node);
   int best = none, best_distance = std::numeric_limits<int>::max();
   for (int half = nodes_[idx(node)].first; half != none; half = halves_[idx(half)].next) {
     const int other = halves_[idx(half)].head;
-    if (nodes_[idx(other)].tree != tree || !can_grow(tree, half ^ 1)) continue;
+    if (tree(other) != own || !can_grow(own, half ^ 1)) continue;
     const int distance = distance_to_terminal(other);
     if (distance >= 0 && distance < best_distance) best = half, best_distance = distance;
   }
@@ -174,42 +224,20 @@ void MinCut::adopt(int node) {
   }
   for (int half = nodes_[idx(node)].first; half != none; half = halves_[idx(half)].next) {
     const int other = halves_[idx(half)].head;
-    if (nodes_[idx(other)].tree != tree) continue;
-    if (can_grow(tree, half ^ 1)) activate(other);
+    if (tree(other) != own) continue;
+    if (can_grow(own, half ^ 1)) activate(other);
     if (nodes_[idx(other)].parent == (half ^ 1)) set_free(other);
   }
-  nodes_[idx(node)].tree = Tree::free;
+  tree(node) = Tree::free;
 }
 
-// Nodes that the source reaches through what has room, or that reach the sink.
-std::vector<std::uint8_t> MinCut::reached_from(Tree root) const {
-  const bool from_source = root == Tree::source;
-  std::vector<std::uint8_t> reached(nodes_.size(), 0);
-  std::vector<int> stack;
-  for (std::size_t n = 0; n < nodes_.size(); ++n) {
-    if (from_source ? nodes_[n].cost <= 0 : nodes_[n].cost >= 0) continue;
-    reached[n] = 1;
-    stack.push_back(static_cast<int>(n));
-  }
-  while (!stack.empty()) {
-    const int node = stack.back();
-    stack.pop_back();
-    for (int half = nodes_[idx(node)].first; half != none; half = halves_[idx(half)].next) {
-      const int other = halves_[idx(half)].head;
-      if (reached[idx(other)] || halves_[idx(from_source ? half : half ^ 1)].room == 0) continue;
-      reached[idx(other)] = 1;
-      stack.push_back(other);
-    }
-  }
-  return reached;
-}
-
-std::vector<std::uint8_t> MinCut::smallest() const { return reached_from(Tree::source); }
-
-std::vector<std::uint8_t> MinCut::largest() const {
-  std::vector<std::uint8_t> chosen = reached_from(Tree::sink);
-  for (std::uint8_t& is_chosen : chosen) is_chosen = !is_chosen;
-  return chosen;
+// Once solved, a tree has all nodes that its terminal reaches, or that reach it, through what has
+// room.
+std::vector<std::uint8_t> MinCut::mask(Tree of, bool chosen) const {
+  std::vector<std::uint8_t> is_chosen(trees_.size());
+  std::transform(trees_.begin(), trees_.end(), is_chosen.begin(),
+                 [&](Tree tree) { return static_cast<std::uint8_t>((tree == of) == chosen); });
+  return is_chosen;
 }
 
 }  // namespace illustrate

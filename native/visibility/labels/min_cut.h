@@ -3,7 +3,9 @@
 //
 // Two search trees, one from the source and one from the sink, grow until they touch; the path
 // found is filled, what it cuts off is adopted by a neighbour or set free. Made for graphs in which
-// most nodes have a terminal near.
+// most nodes have a terminal near. What has been found stays: after costs have changed, no more is
+// searched than they concern (Kohli and Torr 2007, "Dynamic graph cuts for efficient inference in
+// Markov random fields").
 #pragma once
 
 #include <cstdint>
@@ -20,15 +22,17 @@ class MinCut {
  public:
   explicit MinCut(int nodes);
 
-  void add_cost(int node, std::int64_t cost) { nodes_[idx(node)].cost -= cost; }
-  // cost > 0; more edges between two nodes add up.
-  void add_edge(int from, int to, std::int64_t cost);
+  // Of a node, to what it has; also after `solve`, like the next but one.
+  void add_cost(int node, std::int64_t cost);
+  // Returns the number of the edge. cost >= 0; more edges between two nodes add up.
+  int add_edge(int from, int to, std::int64_t cost);
+  void set_edge(int edge, std::int64_t cost);
 
   void solve();
 
-  // After `solve`: whether a node is in the smallest set of least cost, or in the largest.
-  std::vector<std::uint8_t> smallest() const;
-  std::vector<std::uint8_t> largest() const;
+  // (nodes) After `solve`: whether each is in the smallest set of least cost, or in the largest.
+  std::vector<std::uint8_t> smallest() const { return mask(Tree::source, true); }
+  std::vector<std::uint8_t> largest() const { return mask(Tree::sink, false); }
 
  private:
   enum class Tree : std::uint8_t { free, source, sink };
@@ -42,26 +46,24 @@ class MinCut {
   struct Node {
     int first = none;   // half-edge
     int parent = none;  // half-edge to the parent in its tree; at_terminal, orphan
-    Tree tree = Tree::free;
     bool is_active = false;
     int distance = 0;  // to the terminal, true at `time`
     int time = 0;
-    std::int64_t cost =
-        0;  // negative of the node's cost: room from the source, or, < 0, to the sink
+    std::int64_t room = 0;  // from the source, or, < 0, to the sink: what it costs not to choose it
   };
   static constexpr int at_terminal = -2, orphan = -3;
 
   int tail(int half) const { return halves_[idx(half ^ 1)].head; }
-  // What may flow between a node and its child along the half-edge from the child to it.
-  std::int64_t& room_to_child(Tree tree, int to_parent) {
-    return halves_[idx(tree == Tree::source ? to_parent ^ 1 : to_parent)].room;
-  }
   bool can_grow(Tree tree, int half) const {
     return halves_[idx(tree == Tree::source ? half : half ^ 1)].room > 0;
   }
 
+  Tree& tree(int node) { return trees_[idx(node)]; }
+
   void activate(int node);
-  void plant();
+  void plant(int node);
+  void change_room(int node, std::int64_t by);
+  void mind_room(int half, bool had_room);
   int grow(int node);
   void augment(int bridge);
   std::int64_t bottleneck(int node) const;
@@ -70,9 +72,10 @@ class MinCut {
   void adopt(int node);
   void set_free(int node);
   int distance_to_terminal(int node);
-  std::vector<std::uint8_t> reached_from(Tree root) const;
+  std::vector<std::uint8_t> mask(Tree of, bool chosen) const;
 
   std::vector<Node> nodes_;
+  std::vector<Tree> trees_;  // (nodes)
   std::vector<Half> halves_;
   std::deque<int> active_;
   std::deque<int> orphans_;
