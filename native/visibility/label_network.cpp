@@ -18,9 +18,9 @@ std::int64_t count_unbalanced(const Arrangement& arrangement) {
                        [&](const Path& path) { return imbalance(arrangement, path) != 0; });
 }
 
-// Crossings beyond which the problem takes minutes: machines of a hundred parts have half as many,
-// a pile of needles has more.
-constexpr std::size_t most_settled = 200'000;
+// Crossings beyond which the problem takes over half a minute and 2.5 GB: machines of a hundred
+// parts have a tenth of it, a temple district seen whole has half, a pile of needles has more.
+constexpr std::size_t most_settled = 1'000'000;
 
 // Labels that no rule contradicts, but for what had to give way: a repair each.
 std::vector<LabelledPath> label_paths(Arrangement& arrangement, LayerRays& rays,
