@@ -118,8 +118,9 @@ def of_crowding(counts: dict[str, int], prepared: Any) -> list[str]:
         ]
     return [
         said(
-            "There are over a million crossings of lines: what hides what was sampled once a pixel. "
-            "Ignore objects, in their styles, of which single lines cannot be told, such as fur"
+            "There are over a million crossings of lines: what hides what was sampled once a "
+            "pixel. Ignore objects, in their styles, of which single lines cannot be told, such as "
+            "fur"
         )
     ]
 
