@@ -21,6 +21,10 @@ struct Similarity {
   Similarity operator*(const Similarity& other) const {
     return {rotation * other.rotation, scale * other.scale, point(other.translation)};
   }
+  Similarity inverse() const {
+    const Mat3 back = rotation.transpose();
+    return {back, 1 / scale, -(back * translation) / scale};
+  }
 
   bool operator==(const Similarity& other) const {
     return rotation == other.rotation && scale == other.scale && translation == other.translation;
@@ -31,5 +35,12 @@ struct Similarity {
 // directions are scaled by factors that differ by more than single precision explains
 // (tolerance::similarity).
 std::optional<Similarity> as_similarity(const Mat4& map);
+
+// The rigid motion, of scale 1, that takes the points from where they were to where they are, by
+// least squares (Kabsch 1976, "A solution for the best rotation to relate two sets of vectors"):
+// exactly the identity where they are the same to the last bit. Nothing where a point would end
+// further from its place than a share of their size (tolerance::similarity), or where a coordinate
+// that has changed is not finite.
+std::optional<Similarity> rigid_motion(const Points& from, const Points& to);
 
 }  // namespace illustrate

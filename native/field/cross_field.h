@@ -75,6 +75,8 @@ struct FieldAids {
   // singularities what has not been stretched keeps it.
   const Surface* last_surface = nullptr;
   const CrossField* last_field = nullptr;
+  // (objects) which object of the last surface each may be, or none (surface/same_objects.h).
+  std::vector<int> last_objects = {};
   // False: each object stands in a space of its own, and has no neighbours.
   bool objects_share_space = true;
 };

@@ -62,7 +62,7 @@ CrossNumbers last_crosses(const Surface& surface, const TangentFrames& frames,
     for (std::size_t i = 0; i < z.size(); ++i) z[i] = fourth(*aids.last_field, i);
     return z;
   }
-  const SameObjects same(*aids.last_surface, surface);
+  const SameObjects same(*aids.last_surface, surface, aids.last_objects);
   if (!same.any()) return {};
   const CrossNumbers turns = turns_of_edges(same, surface, frames, edges, progress);
   for (std::size_t i = 0; i < z.size(); ++i) {
@@ -76,7 +76,7 @@ CrossNumbers last_crosses(const Surface& surface, const TangentFrames& frames,
 std::vector<std::uint8_t> resting_vertices(const Surface& surface, const TriangleEdges& edges,
                                            const FieldAids& aids) {
   if (!aids.last_field || !aids.last_surface || aids.last_surface == &surface) return {};
-  const SameObjects same(*aids.last_surface, surface);
+  const SameObjects same(*aids.last_surface, surface, aids.last_objects);
   if (!same.any()) return {};
   std::vector<std::uint8_t> rests(surface.positions.size());
   for (std::size_t i = 0; i < rests.size(); ++i) rests[i] = same.last_vertex(i) != none;

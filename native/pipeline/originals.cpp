@@ -1,43 +1,266 @@
 #include "pipeline/originals.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <unordered_map>
+#include <utility>
+
+#include "pipeline/same_input.h"
 
 namespace illustrate {
+namespace {
 
-OriginalMeshes find_originals(const std::vector<MeshPointer>& meshes) {
-  OriginalMeshes found;
+// Of lengths and scales: what matrices in single precision make of one number.
+constexpr double same_size = 1e-4;
+// Of shading normals, in single precision and turned.
+constexpr double same_normal = 1e-3;
+
+bool is_near(double a, double b) { return std::abs(a - b) <= same_size * std::abs(a); }
+
+bool is_near(const std::optional<double>& a, const std::optional<double>& b) {
+  return a && b ? is_near(*a, *b) : !a == !b;
+}
+
+// (objects) the one of the last frame with the same name; those of one name by their order.
+std::vector<int> same_names(const std::vector<MeshPointer>& last,
+                            const std::vector<MeshPointer>& now) {
+  std::map<std::string, std::vector<int>> numbers;
+  for (std::size_t i = last.size(); i-- > 0;) numbers[last[i]->name].push_back(static_cast<int>(i));
+  std::vector<int> result;
+  for (const MeshPointer& mesh : now) {
+    std::vector<int>& left = numbers[mesh->name];
+    result.push_back(left.empty() ? none : left.back());
+    if (!left.empty()) left.pop_back();
+  }
+  return result;
+}
+
+bool has_moved_normals(const PolygonMesh& from, const PolygonMesh& to, const Similarity& motion) {
+  const Points &before = from.corner_normals, &now = to.corner_normals;
+  if (before.size() != now.size()) return false;
+  for (std::size_t c = 0; c < now.size(); ++c) {
+    const double length = now[c].norm();
+    if (!((motion.direction(before[c]) - now[c]).norm() <= same_normal * length)) return false;
+  }
+  return true;
+}
+
+// From the mesh that the last frame's surface was made from to this one.
+std::optional<Similarity> motion_of(const Original& last, const PolygonMesh& now) {
+  if (!has_same_form(*last.made_from, now)) return {};
+  if (has_same_place(*last.given, now)) return last.motion;
+  const std::optional<Similarity> motion =
+      rigid_motion(last.made_from->positions, now.positions);
+  if (!motion || !has_moved_normals(*last.made_from, now, *motion)) return {};
+  return motion;
+}
+
+void keep_where_same(Original& original, const Original& last) {
+  if (!is_near(original.edge_length, last.edge_length) ||
+      !is_near(original.given->edge_length, last.given->edge_length) ||
+      !is_near(original.largest_scale(), last.largest_scale())) {
+    return;
+  }
+  const std::optional<Similarity> motion = motion_of(last, *original.given);
+  if (!motion) return;
+  original.is_kept = true;
+  original.made_from = last.made_from;
+  original.motion = *motion;
+  original.mended = last.mended;
+  original.wish = last.wish;
+  original.wish.copies = static_cast<int>(original.placements.size());
+  original.level = last.level;
+}
+
+// Tells each original how long its edges may be, in world units, where it is drawn largest, so that
+// they are short enough for every object.
+void set_edge_lengths(Originals& originals) {
+  for (std::size_t i = 0; i < originals.objects.size(); ++i) {
+    if (!originals.objects[i]->edge_length) continue;
+    Original& original = originals.each[idx(originals.instances.originals[i])];
+    const double scale = originals.instances.placements[i].scale;
+    const double length = *originals.objects[i]->edge_length / scale * original.largest_scale();
+    original.edge_length = std::min(length, original.edge_length.value_or(length));
+  }
+}
+
+void find_last(Originals& originals, const Originals& last) {
+  originals.last_objects = same_names(last.objects, originals.objects);
+  std::vector<std::uint8_t> is_taken(last.each.size(), 0);
+  for (std::size_t i = 0; i < originals.objects.size(); ++i) {
+    Original& original = originals.each[idx(originals.instances.originals[i])];
+    const int object = originals.last_objects[i];
+    if (object == none || original.last != none) continue;
+    const int number = last.instances.originals[idx(object)];
+    if (!std::exchange(is_taken[idx(number)], std::uint8_t{1})) original.last = number;
+  }
+}
+
+bool is_any_by_the_scene(const Originals& originals, const SurfaceOptions& options) {
+  return std::any_of(originals.each.begin(), originals.each.end(), [&](const Original& original) {
+    return goes_by_the_scene(options, original.given->level, original.edge_length);
+  });
+}
+
+SoundMesh sanitize_one(Original& original, const Progress& progress) {
+  original.mended.clear();
+  SoundMesh sound = sanitize(*original.given, original.mended, progress);
+  sound.placements = original.placements;
+  sound.edge_length = original.edge_length;
+  return sound;
+}
+
+// Of those that are not kept.
+void set_wishes(Originals& originals, std::vector<SoundMesh>& sound,
+                const SurfaceOptions& options) {
+  std::vector<SoundMesh> fresh;
+  std::vector<std::size_t> numbers;
+  for (std::size_t o = 0; o < originals.each.size(); ++o) {
+    if (originals.each[o].is_kept) continue;
+    fresh.push_back(std::move(sound[o]));
+    numbers.push_back(o);
+  }
+  const std::vector<LevelWish> wishes = level_wishes(fresh, options);
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    originals.each[numbers[k]].wish = wishes[k];
+    sound[numbers[k]] = std::move(fresh[k]);
+  }
+}
+
+// Returns whether something is no longer kept.
+bool set_levels(Originals& originals, const Originals* last, const SurfaceOptions& options,
+                std::vector<SoundMesh>& sound) {
+  std::vector<LevelWish> wishes;
+  for (const Original& original : originals.each) wishes.push_back(original.wish);
+  const std::vector<int> levels = choose_levels(wishes, options.triangle_budget);
+  bool has_changed = false;
+  for (std::size_t o = 0; o < levels.size(); ++o) {
+    Original& original = originals.each[o];
+    original.chosen_level = levels[o];
+    if (!original.is_kept || levels[o] == last->each[idx(original.last)].chosen_level) continue;
+    original.is_kept = false;
+    original.made_from = original.given;
+    original.motion = {};
+    sound[o] = sanitize_one(original, {});
+    has_changed = true;
+  }
+  return has_changed;
+}
+
+// What is not kept, of the surface of its own.
+Surface refine_those(Originals& originals, std::vector<SoundMesh>& sound,
+                     const SurfaceOptions& options, Renewal& renewal, const Progress& progress) {
+  std::vector<SoundMesh> fresh;
+  std::vector<LevelWish> wishes;
+  std::vector<int> levels;
+  for (std::size_t o = 0; o < originals.each.size(); ++o) {
+    const Original& original = originals.each[o];
+    if (original.is_kept) continue;
+    fresh.push_back(std::move(sound[o]));
+    wishes.push_back(original.wish);
+    levels.push_back(original.chosen_level);
+    renewal.fresh_originals.push_back(static_cast<int>(o));
+    renewal.last_objects.push_back(original.last);
+  }
+  Refined refined = refine_to(std::move(fresh), wishes, levels, options, progress);
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    originals.each[idx(renewal.fresh_originals[k])].level = refined.levels[k];
+  }
+  return std::move(refined.surface);
+}
+
+// From the last frame to this one: exactly nothing where an original rests.
+Similarity step_of(const Original& last, const Original& now) {
+  return now.motion == last.motion ? Similarity() : now.motion * last.motion.inverse();
+}
+
+void set_sources(const Originals& originals, const Originals& last, Renewal& renewal) {
+  int fresh = 0;
+  for (const Original& original : originals.each) {
+    if (original.is_kept) {
+      const Similarity step = step_of(last.each[idx(original.last)], original);
+      renewal.sources.push_back({0, original.last, step});
+    } else {
+      renewal.sources.push_back({1, fresh++, {}});
+    }
+  }
+}
+
+}  // namespace
+
+double Original::largest_scale() const {
+  double largest = 0;
+  for (const Similarity& placement : placements) largest = std::max(largest, placement.scale);
+  return largest;
+}
+
+void Originals::report(Counts& counts) const {
+  for (const int original : instances.originals) {
+    for (const auto& [name, count] : each[idx(original)].mended) counts[name] += count;
+  }
+  std::vector<LevelWish> wishes;
+  std::vector<int> levels;
+  for (const Original& original : each) {
+    wishes.push_back(original.wish);
+    levels.push_back(original.level);
+  }
+  report_refined(*surface, wishes, levels, counts);
+}
+
+Originals find_originals(const std::vector<MeshPointer>& meshes, const SurfaceOptions& options,
+                         const Originals* last) {
+  Originals found;
+  found.objects = meshes;
   std::unordered_map<const PolygonMesh*, int> numbers;
   for (const MeshPointer& mesh : meshes) {
-    const PolygonMesh* original = mesh->original ? mesh->original.get() : mesh.get();
-    const auto next = static_cast<int>(found.meshes.size());
-    const auto [it, is_new] = numbers.try_emplace(original, next);
-    if (is_new) found.meshes.push_back(original);
+    const MeshPointer& original = mesh->original ? mesh->original : mesh;
+    const auto next = static_cast<int>(found.each.size());
+    const auto [it, is_new] = numbers.try_emplace(original.get(), next);
+    if (is_new) {
+      found.each.emplace_back();
+      found.each.back().given = found.each.back().made_from = original;
+    }
+    found.each[idx(it->second)].placements.push_back(mesh->placement);
     found.instances.originals.push_back(it->second);
     found.instances.placements.push_back(mesh->placement);
     if (!is_new || mesh->original) found.instances.are_trivial = false;
   }
+  set_edge_lengths(found);
+  if (!last) return found;
+  find_last(found, *last);
+  if (is_any_by_the_scene(found, options)) return found;
+  for (Original& original : found.each) {
+    if (original.last != none) keep_where_same(original, last->each[idx(original.last)]);
+  }
   return found;
 }
 
-void set_placements(const std::vector<MeshPointer>& meshes, const Instances& instances,
-                    std::vector<SoundMesh>& originals) {
-  if (instances.are_trivial) return;
-  std::vector<std::optional<double>> finest(originals.size());  // in units of the original
-  std::vector<double> largest(originals.size(), 0);
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    const std::size_t original = idx(instances.originals[i]);
-    const Similarity& placement = instances.placements[i];
-    originals[original].placements.push_back(placement);
-    largest[original] = std::max(largest[original], placement.scale);
-    if (!meshes[i]->edge_length) continue;
-    const double length = *meshes[i]->edge_length / placement.scale;
-    finest[original] = std::min(length, finest[original].value_or(length));
+std::vector<SoundMesh> sanitize_fresh(Originals& originals, const Progress& progress) {
+  std::vector<SoundMesh> sound(originals.each.size());
+  const auto count = static_cast<double>(sound.size());
+  for (std::size_t o = 0; o < sound.size(); ++o) {
+    const auto done = static_cast<double>(o);
+    const Progress part = progress.part(done / count, (done + 1) / count);
+    if (!originals.each[o].is_kept) sound[o] = sanitize_one(originals.each[o], part);
   }
-  for (std::size_t o = 0; o < originals.size(); ++o) {
-    originals[o].edge_length = finest[o];
-    if (finest[o]) *originals[o].edge_length *= largest[o];
-  }
+  return sound;
+}
+
+void refine_fresh(Originals& originals, std::vector<SoundMesh> sound, const SurfaceOptions& options,
+                  const Originals* last, const Progress& progress) {
+  set_wishes(originals, sound, options);
+  if (set_levels(originals, last, options, sound)) set_wishes(originals, sound, options);
+  auto renewal = std::make_shared<Renewal>();
+  renewal->fresh = std::make_shared<const Surface>(
+      refine_those(originals, sound, options, *renewal, progress));
+  originals.surface = renewal->fresh;
+  if (renewal->fresh_originals.size() == originals.each.size()) return;
+  renewal->last = last->surface;
+  set_sources(originals, *last, *renewal);
+  originals.surface =
+      std::make_shared<const Surface>(joined(renewal->surfaces(), renewal->sources));
+  originals.renewal = std::move(renewal);
 }
 
 }  // namespace illustrate

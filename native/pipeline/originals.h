@@ -1,19 +1,65 @@
-// Which meshes share one surface: instances of one original (mesh/instance.h).
+// The meshes of a scene, each once however many objects are placed copies of it (mesh/instance.h),
+// and their surface. What has not changed since the last frame, or has moved as a rigid body, is
+// not made again.
 #pragma once
 
-#include "pipeline/prepare.h"
+#include <memory>
+
+#include "surface/instances.h"
+#include "surface/refine.h"
 
 namespace illustrate {
 
-struct OriginalMeshes {
-  std::vector<const PolygonMesh*> meshes;  // each once; owned by the meshes asked for
-  Instances instances;
-};
-OriginalMeshes find_originals(const std::vector<MeshPointer>& meshes);
+using MeshPointer = std::shared_ptr<const PolygonMesh>;
 
-// Tells each original where it is drawn, and how long its edges may be, in world units, where it is
-// drawn largest, so that they are short enough for every object.
-void set_placements(const std::vector<MeshPointer>& meshes, const Instances& instances,
-                    std::vector<SoundMesh>& originals);
+struct Original {
+  MeshPointer given;      // in this frame
+  MeshPointer made_from;  // in the frame in which its surface was made
+  Similarity motion;      // rigid, from there to here
+  std::vector<Similarity> placements;  // where it is drawn
+  // That its edges may have where it is drawn largest, world units.
+  std::optional<double> edge_length;
+  Counts mended;
+  LevelWish wish;
+  int chosen_level = 0, level = 0;  // within the budget, and the one that was made
+  int last = none;                  // of the last frame's originals, the one that it may be
+  bool is_kept = false;             // it is that one, moved
+
+  double largest_scale() const;
+};
+
+// How a surface was put together.
+struct Renewal {
+  std::shared_ptr<const Surface> last, fresh;  // of the last frame, and what is new in this one
+  ObjectSources sources;                       // (originals) surface 0: last, 1: fresh
+  std::vector<int> fresh_originals;            // (objects of `fresh`) which originals they are
+  std::vector<int> last_objects;  // (objects of `fresh`) the one of `last` that each may be, or none
+
+  std::vector<const Surface*> surfaces() const { return {last.get(), fresh.get()}; }
+};
+
+struct Originals {
+  std::vector<MeshPointer> objects;
+  std::vector<Original> each;
+  Instances instances;
+  std::vector<int> last_objects;            // (objects) which of the last frame it may be, or none
+  std::shared_ptr<const Surface> surface;   // whose objects the originals are
+  std::shared_ptr<const Renewal> renewal;   // null where nothing could be kept
+
+  void report(Counts& counts) const;  // of all objects' repairs, and of the originals' surface
+};
+
+// Objects are found again in the last frame by their names, those of one name by their order.
+// Originals are kept where they have the same form and ask for the same edges, and no level depends
+// on the size of the scene. last: null where there is none.
+Originals find_originals(const std::vector<MeshPointer>& meshes, const SurfaceOptions& options,
+                         const Originals* last);
+
+// (originals) those that are not kept.
+std::vector<SoundMesh> sanitize_fresh(Originals& originals, const Progress& progress);
+
+// Makes the surface. What would have another level than in the last frame is not kept after all.
+void refine_fresh(Originals& originals, std::vector<SoundMesh> sound, const SurfaceOptions& options,
+                  const Originals* last, const Progress& progress);
 
 }  // namespace illustrate

@@ -1,7 +1,8 @@
 #include "pipeline/prepare.h"
 
-#include "field/placed_field.h"
-#include "pipeline/originals.h"
+#include <utility>
+
+#include "field/joined_field.h"
 #include "pipeline/same_input.h"
 #include "pipeline/stopwatch.h"
 #include "surface/same_objects.h"
@@ -18,8 +19,18 @@ PrepareOptions with_threads(PrepareOptions options) {
   return options;
 }
 
-void add(Counts& sum, const Counts& counts) {
-  for (const auto& [name, count] : counts) sum[name] += count;
+// Of the originals, from that of the last frame and that of those which are fresh.
+template <class Result>
+Result renewed(const Renewal& renewal, const Result& last, const Result& fresh) {
+  const std::vector<const Result*> both{&last, &fresh};
+  return joined(both, renewal.surfaces(), renewal.sources);
+}
+
+// Of the fresh originals, from that of all.
+template <class Result>
+Result of_fresh(const Renewal& renewal, const Result& result, const Surface& originals) {
+  const std::vector<const Result*> all{&result};
+  return joined(all, {&originals}, objects_as_they_are(renewal.fresh_originals));
 }
 
 }  // namespace
@@ -56,18 +67,15 @@ Prepared::Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions&
       derivative_(std::make_shared<Lazy<CurvatureDerivative>>()) {
   timings_ = {{"sanitize", 0}, {"surface", 0},       {"dual_surface", 0}, {"curvature", 0},
               {"field", 0},    {"intersections", 0}, {"hatch_curves", 0}};
+  std::shared_ptr<const Renewal> renewal;
   if (previous && previous->has_surface_of(meshes, options)) {
     take_over(*previous);
   } else {
-    make_geometry(meshes, progress.part(0, options.field ? 0.4 : 0.7));
+    const bool is_alike = previous && is_same(options.surface, previous->options_.surface);
+    renewal = make_geometry(meshes, is_alike ? previous->geometry_.get() : nullptr,
+                            progress.part(0, options.field ? 0.4 : 0.7));
   }
-  if (previous && previous->field_ != field_ && previous->field_->peek()) {
-    const Geometry& last = *previous->geometry_;
-    // The families that stay follow the last ones only if those were ever asked for.
-    last_field_ = {previous->shares_field() ? last.originals : last.surface, previous->field_,
-                   previous->families_};
-    if (previous->families_->peek()) last_families_ = last_field_;
-  }
+  if (previous && previous->field_ != field_) follow(*previous, std::move(renewal));
   first_areas_ = triangle_areas(surface());
   if (previous) keep_first_areas(*previous);
   const bool searches = options.field || surface().triangles.size() <= most_searched_at_once;
@@ -82,16 +90,16 @@ bool Prepared::has_surface_of(const std::vector<MeshPointer>& meshes,
                               const PrepareOptions& options) const {
   if (meshes.size() != object_count() || !is_same(options.surface, options_.surface)) return false;
   if (options.most_intersections != options_.most_intersections) return false;
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    if (!is_same(*meshes[i], *geometry_->meshes[i])) return false;
-  }
-  return true;
+  const std::vector<MeshPointer>& last = geometry_->originals.objects;
+  return std::equal(
+      meshes.begin(), meshes.end(), last.begin(),
+      [](const MeshPointer& mesh, const MeshPointer& before) { return is_same(*mesh, *before); });
 }
 
 void Prepared::keep_first_areas(const Prepared& previous) {
   // Seeds of hatches are dealt by area: with those of the first frame they stay where they are on a
   // mesh that stretches.
-  const SameObjects same(previous.surface(), surface());
+  const SameObjects same(previous.surface(), surface(), geometry_->originals.last_objects);
   for (std::size_t t = 0; t < first_areas_.size(); ++t) {
     const int last = same.last_triangle(t);
     if (last != none) first_areas_[t] = previous.first_areas_[idx(last)];
@@ -104,70 +112,88 @@ void Prepared::take_over(const Prepared& previous) {
   geometry_ = previous.geometry_;
   if (!is_same(options_.jet, previous.options_.jet)) return;
   curvature_ = previous.curvature_;
+  last_curvature_ = previous.last_curvature_;
   placed_curvature_ = previous.placed_curvature_;
   derivative_ = previous.derivative_;
   if (!is_same(options_.cross_field, previous.options_.cross_field)) return;
   field_ = previous.field_;
+  last_field_ = previous.last_field_;
   placed_field_ = previous.placed_field_;
   families_ = previous.families_;
+  last_families_ = previous.last_families_;
   placed_families_ = previous.placed_families_;
   diagonal_families_ = previous.diagonal_families_;
+  last_diagonal_families_ = previous.last_diagonal_families_;
   placed_diagonal_families_ = previous.placed_diagonal_families_;
   hatch_curves_ = previous.hatch_curves_;
 }
 
-// Each original once. What the instances need of it is what the most demanding of them needs.
-std::vector<SoundMesh> Prepared::sanitize_all(Geometry& geometry, const Progress& progress) const {
-  const OriginalMeshes originals = find_originals(geometry.meshes);
-  geometry.instances = originals.instances;
-  std::vector<SoundMesh> sound;
-  std::vector<Counts> counts(originals.meshes.size());
-  const auto count = static_cast<double>(originals.meshes.size());
-  for (const PolygonMesh* mesh : originals.meshes) {
-    const auto done = static_cast<double>(sound.size());
-    const Progress part = progress.part(done / count, (done + 1) / count);
-    sound.push_back(sanitize(*mesh, counts[sound.size()], part));
-  }
-  set_placements(geometry.meshes, geometry.instances, sound);
-  for (std::size_t i = 0; i < geometry.meshes.size(); ++i) {
-    const Counts& of_original = counts[idx(geometry.instances.originals[i])];
-    add(geometry.counts, of_original);
-    geometry.mesh_reports.push_back({geometry.meshes[i]->name, of_original});
-  }
-  return sound;
+// What holds, and what this one's results can start from.
+void Prepared::follow(const Prepared& previous, std::shared_ptr<const Renewal> renewal) {
+  auto last = std::make_shared<Last>();
+  last->renewal = std::move(renewal);
+  last->curvature = previous.curvature_;
+  last->holds_curvature = last->renewal && previous.curvature_->peek() &&
+                          is_same(options_.jet, previous.options_.jet);
+  const bool has_field = previous.field_->peek() != nullptr;
+  last->holds_field = last->holds_curvature && has_field &&
+                      is_same(options_.cross_field, previous.options_.cross_field) &&
+                      !needs_tree(options_.cross_field);
+  if (last->holds_curvature) last_curvature_ = last;
+  if (!has_field) return;
+  last->surface = previous.solved_surface();
+  last->field = previous.field_;
+  // They may still be wanted by a drawing that is being made.
+  last->families = previous.families_;
+  last->diagonal_families = previous.diagonal_families_;
+  last_field_ = last_families_ = last;
+  if (last->holds_field) last_diagonal_families_ = last;
 }
 
 // The surface of all objects, and its size and levels in the report.
-void Prepared::place_originals(Geometry& geometry) const {
-  geometry.surface = geometry.originals;
-  if (geometry.instances.are_trivial) return;
-  geometry.surface =
-      std::make_shared<const Surface>(placed(*geometry.originals, geometry.instances));
+void Prepared::place_originals(Geometry& geometry) {
+  const Originals& originals = geometry.originals;
+  geometry.surface = originals.surface;
+  originals.report(geometry.counts);
+  if (originals.instances.are_trivial) return;
+  geometry.surface = std::make_shared<const Surface>(
+      joined({originals.surface.get()}, originals.instances.sources()));
   const Surface& surface = *geometry.surface;
   geometry.counts["triangles"] = static_cast<std::int64_t>(surface.triangles.size());
   geometry.counts["vertices"] = static_cast<std::int64_t>(surface.positions.size());
-  const Counts of_originals = geometry.counts;
   for (std::size_t o = 0; o < surface.controls.size(); ++o) {
     geometry.counts["level_" + std::to_string(o)] =
-        of_originals.at("level_" + std::to_string(geometry.instances.originals[o]));
+        originals.each[idx(originals.instances.originals[o])].level;
   }
 }
 
-void Prepared::make_geometry(const std::vector<MeshPointer>& meshes, const Progress& progress) {
+// Returns what it took over, which holds the surface of the last frame: no longer than results are
+// wanted of it.
+std::shared_ptr<const Renewal> Prepared::make_geometry(const std::vector<MeshPointer>& meshes,
+                                                       const Geometry* last,
+                                                       const Progress& progress) {
   auto geometry = std::make_shared<Geometry>();
-  geometry->meshes = meshes;
-  std::vector<SoundMesh> sound =
-      timed("sanitize", [&] { return sanitize_all(*geometry, progress.part(0, 0.1, "sanitize")); });
+  Originals& originals = geometry->originals;
+  const Originals* before = last ? &last->originals : nullptr;
+  std::vector<SoundMesh> sound = timed("sanitize", [&] {
+    originals = find_originals(meshes, options_.surface, before);
+    return sanitize_fresh(originals, progress.part(0, 0.1, "sanitize"));
+  });
   const Progress surface_progress = progress.part(0.1, 1, "surface");
   timed("surface", [&] {
-    geometry->originals = std::make_shared<const Surface>(
-        refine(std::move(sound), options_.surface, geometry->counts, surface_progress));
+    refine_fresh(originals, std::move(sound), options_.surface, before, surface_progress);
     place_originals(*geometry);
-    geometry->limit_surface.emplace(*geometry->surface);
+    geometry->limit_surface.emplace(*geometry->surface, last ? &*last->limit_surface : nullptr);
     geometry->features = feature_edges(*geometry->surface);
   });
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const int original = originals.instances.originals[i];
+    geometry->mesh_reports.push_back({meshes[i]->name, originals.each[idx(original)].mended});
+  }
   surface_progress.report(1);
+  auto renewal = std::exchange(originals.renewal, nullptr);
   geometry_ = std::move(geometry);
+  return renewal;
 }
 
 const Prepared::Search& Prepared::search(const Progress& progress) const {
@@ -191,86 +217,127 @@ const Prepared::Search& Prepared::search(const Progress& progress) const {
 
 Counts Prepared::report() const {
   Counts report = geometry_->counts;
-  add(report, search().counts);
+  for (const auto& [name, count] : search().counts) report[name] += count;
   return report;
 }
 
 const Curvature& Prepared::curvature_of_originals(const Progress& progress) const {
   return curvature_->get([&] {
+    const auto made_on = [&](const Surface& surface) {
+      return jet_curvature(surface, options_.jet, progress.part(0, 1, "curvature"));
+    };
     return timed("curvature", [&] {
-      return jet_curvature(*geometry_->originals, options_.jet, progress.part(0, 1, "curvature"));
+      const std::shared_ptr<const Last> last = last_curvature_;
+      if (!last) return made_on(originals());
+      const Renewal& renewal = *last->renewal;
+      const Curvature fresh = made_on(*renewal.fresh);
+      last_curvature_.reset();
+      return renewed(renewal, *last->curvature->peek(), fresh);
     });
   });
 }
 
 const Curvature& Prepared::hatch_curvature(const Progress& progress) const {
   const Curvature& curvature = curvature_of_originals(progress);
-  if (geometry_->instances.are_trivial) return curvature;
+  const Instances& instances = geometry_->originals.instances;
+  if (instances.are_trivial) return curvature;
   return placed_curvature_->get(
-      [&] { return placed(curvature, *geometry_->originals, geometry_->instances); });
+      [&] { return joined({&curvature}, {&originals()}, instances.sources()); });
 }
 
 // What guides the field is in the world, and not the same for two objects that share a surface.
 bool Prepared::shares_field() const {
-  return !geometry_->instances.are_trivial && !needs_tree(options_.cross_field);
+  return !geometry_->originals.instances.are_trivial && !needs_tree(options_.cross_field);
 }
 
 const CrossField& Prepared::field(const Progress& progress) const {
   const CrossField& field = field_->get([&] { return solve_field(progress); });
   if (!shares_field()) return field;
-  return placed_field_->get(
-      [&] { return placed(field, *geometry_->originals, geometry_->instances); });
+  return placed_field_->get([&] {
+    return joined({&field}, {&originals()}, geometry_->originals.instances.sources());
+  });
+}
+
+CrossField Prepared::solve_on(const Surface& surface, const Curvature& curvature, FieldAids aids,
+                              const Progress& progress) const {
+  const bool is_shared = shares_field();
+  aids.objects_share_space = !is_shared;
+  if (needs_tree(options_.cross_field)) aids.bvh = &bvh();
+  return timed("field", [&] {
+    return solve_cross_field(surface, curvature, options_.cross_field, aids, progress);
+  });
 }
 
 CrossField Prepared::solve_field(const Progress& progress) const {
-  const bool is_shared = shares_field();
-  const Progress before = progress.part(0, 0.2);
-  const Curvature& curvature = is_shared ? curvature_of_originals(before) : hatch_curvature(before);
+  const Progress before = progress.part(0, 0.2), search = progress.part(0.2, 1, "field");
+  const Curvature& curvature =
+      shares_field() ? curvature_of_originals(before) : hatch_curvature(before);
+  const std::shared_ptr<const Last> last = last_field_;
   FieldAids aids;
-  aids.objects_share_space = !is_shared;
-  if (needs_tree(options_.cross_field)) aids.bvh = &bvh();
-  if (last_field_.field) {
-    aids.last_surface = last_field_.surface.get();
-    aids.last_field = last_field_.field->peek();
+  if (last) {
+    aids.last_surface = last->surface.get();
+    aids.last_field = last->field->peek();
   }
-  CrossField solved = timed("field", [&] {
-    return solve_cross_field(is_shared ? *geometry_->originals : surface(), curvature,
-                             options_.cross_field, aids, progress.part(0.2, 1, "field"));
-  });
-  // Not needed again: the last frame's surface may go.
-  last_field_ = {};
+  CrossField solved;
+  if (last && last->holds_field) {
+    const Renewal& renewal = *last->renewal;
+    aids.last_objects = renewal.last_objects;
+    const CrossField fresh = solve_on(
+        *renewal.fresh, of_fresh(renewal, curvature, originals()), std::move(aids), search);
+    solved = renewed(renewal, *last->field->peek(), fresh);
+    solved.evaluations = fresh.evaluations;
+  } else {
+    solved = solve_on(*solved_surface(), curvature, std::move(aids), search);
+  }
+  last_field_.reset();
   return solved;
+}
+
+Families Prepared::label_on(const Surface& surface, const Curvature& curvature,
+                            const CrossField& field, bool of_diagonals, const LastFamilies& last,
+                            const Progress& progress) const {
+  const int threads = options_.threads;
+  if (!of_diagonals) return find_families(surface, curvature, field, last, threads, progress);
+  return find_families(surface, curvature, diagonals(surface, field), {}, threads, progress);
 }
 
 Families Prepared::label_families(bool of_diagonals, const Progress& progress) const {
   field(progress.part(0, 0.5));
-  const Surface& solved_on = solved_surface();
   const Curvature& curvature = shares_field() ? curvature_of_originals({}) : hatch_curvature();
   const CrossField& solved = *field_->peek();
   const Progress labels = progress.part(0.5, 1, "field");
-  return timed("field", [&] {
-    if (of_diagonals) {
-      return find_families(solved_on, curvature, diagonals(solved_on, solved), {}, options_.threads,
-                           labels);
+  auto& last_found = of_diagonals ? last_diagonal_families_ : last_families_;
+  const std::shared_ptr<const Last> last = last_found;
+  LastFamilies before;
+  if (last) {
+    const auto& made = of_diagonals ? last->diagonal_families : last->families;
+    before = {last->surface.get(), last->field->peek(), made->peek(), {}};
+  }
+  Families found = timed("field", [&] {
+    if (!before.families || !last->holds_field) {
+      return label_on(*solved_surface(), curvature, solved, of_diagonals, before, labels);
     }
-    // Stays until the families are found, since `last` points into it; the last frame's surface may
-    // go then.
-    const LastField before = std::move(last_families_);
-    last_families_ = {};
-    LastFamilies last;
-    if (before.families) {
-      last = {before.surface.get(), before.field->peek(), before.families->peek()};
-    }
-    return find_families(solved_on, curvature, solved, last, options_.threads, labels);
+    const Renewal& renewal = *last->renewal;
+    const Families& kept = *before.families;
+    before.objects = renewal.last_objects;
+    const Families fresh = label_on(
+        *renewal.fresh, of_fresh(renewal, curvature, originals()),
+        of_fresh(renewal, solved, originals()), of_diagonals, before, labels);
+    return renewed(renewal, kept, fresh);
   });
+  last_found.reset();
+  // What no drawing of the last frame has asked for is seldom wanted of this one.
+  if (last && !last->diagonal_families->peek()) last_diagonal_families_.reset();
+  return found;
 }
 
 const Families& Prepared::placed_families(Lazy<Families>& solved, Lazy<Families>& placed_ones,
                                           bool of_diagonals, const Progress& progress) const {
   const Families& found = solved.get([&] { return label_families(of_diagonals, progress); });
   if (!shares_field()) return found;
-  return placed_ones.get(
-      [&] { return placed(found, *geometry_->originals, geometry_->instances); });
+  return placed_ones.get([&] {
+    return joined({&found}, {&originals()}, geometry_->originals.instances.sources());
+  });
 }
 
 const Families& Prepared::families(const Progress& progress) const {
@@ -287,8 +354,8 @@ CurvesOfObjects Prepared::hatch_curves(const std::vector<double>& radii,
   const auto& curves = hatch_curves_->get([&] {
     const CrossField& cross_field = field(progress.part(0, 0.5));
     if (shares_field()) {
-      return std::make_unique<ObjectCurves>(*geometry_->originals, *field_->peek(),
-                                            geometry_->instances, first_areas_);
+      return std::make_unique<ObjectCurves>(originals(), *field_->peek(),
+                                            geometry_->originals.instances, first_areas_);
     }
     return std::make_unique<ObjectCurves>(surface(), cross_field, first_areas_);
   });

@@ -12,14 +12,12 @@
 #include "hatch/curves/object_curves.h"
 #include "mesh/bvh.h"
 #include "pipeline/options.h"
-#include "surface/instances.h"
+#include "pipeline/originals.h"
 #include "surface/jets/curvature_derivative.h"
 #include "surface/limit/limit_surface.h"
 #include "surface/parts.h"
 
 namespace illustrate {
-
-using MeshPointer = std::shared_ptr<const PolygonMesh>;
 
 // What was found and mended in one mesh.
 struct MeshReport {
@@ -37,7 +35,7 @@ class Prepared {
   // Of the objects, as they were given last: those that this was made from may differ in what
   // shapes nothing, such as their reflectance.
   const std::vector<MeshPointer>& meshes() const { return meshes_; }
-  std::size_t object_count() const { return geometry_->meshes.size(); }
+  std::size_t object_count() const { return geometry_->originals.objects.size(); }
   const Surface& surface() const { return *geometry_->surface; }
   std::shared_ptr<const Surface> shared_surface() const { return geometry_->surface; }
   const LimitSurface& limit_surface() const { return *geometry_->limit_surface; }
@@ -79,21 +77,20 @@ class Prepared {
   // Shared by all that were prepared from the same meshes with the same options; the trees point
   // into the surface.
   struct Geometry {
-    std::vector<MeshPointer> meshes;
+    Originals originals;
     std::vector<MeshReport> mesh_reports;
     Counts counts;
-    Instances instances;
-    std::shared_ptr<const Surface> originals;  // each once, however many objects share it
-    std::shared_ptr<const Surface> surface;    // of all objects; the same where none is shared
+    // Of all objects; that of the originals where none is shared.
+    std::shared_ptr<const Surface> surface;
     std::optional<const LimitSurface> limit_surface;
     std::vector<FeatureEdge> features;
     Lazy<Search> search;
     Lazy<SurfaceParts> parts;
   };
 
-  void make_geometry(const std::vector<MeshPointer>& meshes, const Progress& progress);
-  std::vector<SoundMesh> sanitize_all(Geometry& geometry, const Progress& progress) const;
-  void place_originals(Geometry& geometry) const;
+  std::shared_ptr<const Renewal> make_geometry(const std::vector<MeshPointer>& meshes,
+                                               const Geometry* last, const Progress& progress);
+  static void place_originals(Geometry& geometry);
   const Curvature& curvature_of_originals(const Progress& progress) const;
   bool shares_field() const;
   const Search& search(const Progress& progress = {}) const;
@@ -102,21 +99,33 @@ class Prepared {
   void take_over(const Prepared& previous);
   CrossField solve_field(const Progress& progress) const;
   // What the field was solved on: of the originals where they share it.
-  const Surface& solved_surface() const {
-    return shares_field() ? *geometry_->originals : surface();
+  const std::shared_ptr<const Surface>& solved_surface() const {
+    return shares_field() ? geometry_->originals.surface : geometry_->surface;
   }
+  const Surface& originals() const { return *geometry_->originals.surface; }
   Families label_families(bool of_diagonals, const Progress& progress) const;
+  Families label_on(const Surface& surface, const Curvature& curvature, const CrossField& field,
+                    bool of_diagonals, const LastFamilies& last, const Progress& progress) const;
   const Families& placed_families(Lazy<Families>& solved, Lazy<Families>& placed_ones,
                                   bool of_diagonals, const Progress& progress) const;
   template <class Make>
   auto timed(const char* stage, Make&& make) const;
 
-  // A solved field that this one's search may start from, its surface, and which families stay.
-  struct LastField {
+  // What was found in the last frame, or with other options.
+  struct Last {
+    // What of it holds here; null: nothing. `holds_field`: nor does anything that follows from it.
+    std::shared_ptr<const Renewal> renewal;
+    bool holds_curvature = false, holds_field = false;
+    std::shared_ptr<Lazy<Curvature>> curvature;
+    // Solved: the search for this one may start there. The surface that it is on.
     std::shared_ptr<const Surface> surface;
     std::shared_ptr<Lazy<CrossField>> field;
-    std::shared_ptr<Lazy<Families>> families;
+    // By the time that they are wanted here, the last frame has them, or does without.
+    std::shared_ptr<Lazy<Families>> families, diagonal_families;
   };
+  void follow(const Prepared& previous, std::shared_ptr<const Renewal> renewal);
+  CrossField solve_on(const Surface& surface, const Curvature& curvature, FieldAids aids,
+                      const Progress& progress) const;
 
   PrepareOptions options_;
   std::vector<MeshPointer> meshes_;
@@ -127,8 +136,9 @@ class Prepared {
   // The same of the families, and of those of the diagonals.
   std::shared_ptr<Lazy<Families>> families_, placed_families_;
   std::shared_ptr<Lazy<Families>> diagonal_families_, placed_diagonal_families_;
-  mutable LastField last_field_;     // until this field is solved
-  mutable LastField last_families_;  // until these are found
+  // Each until that is made here.
+  mutable std::shared_ptr<const Last> last_curvature_, last_field_, last_families_,
+      last_diagonal_families_;
   std::vector<double> first_areas_;  // (t) in the first frame of a mesh that deforms
   std::shared_ptr<Lazy<std::unique_ptr<ObjectCurves>>> hatch_curves_;
   std::shared_ptr<Lazy<CurvatureDerivative>> derivative_;

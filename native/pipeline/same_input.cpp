@@ -22,20 +22,27 @@ bool is_same(const std::vector<Guide>& a, const std::vector<Guide>& b) {
 
 }  // namespace
 
-bool is_same(const PolygonMesh& a, const PolygonMesh& b) {
+bool has_same_form(const PolygonMesh& a, const PolygonMesh& b) {
   const auto settings = [](const PolygonMesh& m) {
-    return std::tie(m.cage, m.boundary, m.crease_angle_deg, m.scheme, m.level, m.edge_length,
-                    m.name, m.placement);
+    return std::tie(m.cage, m.boundary, m.crease_angle_deg, m.scheme, m.level);
   };
-  return settings(a) == settings(b) && !a.original == !b.original &&
-         same_bytes(a.positions, b.positions) && same_bytes(a.face_sizes, b.face_sizes) &&
+  return settings(a) == settings(b) && a.positions.size() == b.positions.size() &&
+         same_bytes(a.face_sizes, b.face_sizes) &&
          same_bytes(a.corner_vertices, b.corner_vertices) &&
          same_bytes(a.edge_vertices, b.edge_vertices) &&
          same_bytes(a.edge_sharpness, b.edge_sharpness) &&
          same_bytes(a.vertex_sharpness, b.vertex_sharpness) &&
          same_bytes(a.marked_edges, b.marked_edges) && same_bytes(a.loose_edges, b.loose_edges) &&
-         same_bytes(a.face_materials, b.face_materials) && same_bytes(a.hole_faces, b.hole_faces) &&
-         same_bytes(a.corner_normals, b.corner_normals);
+         same_bytes(a.face_materials, b.face_materials) && same_bytes(a.hole_faces, b.hole_faces);
+}
+
+bool has_same_place(const PolygonMesh& a, const PolygonMesh& b) {
+  return same_bytes(a.positions, b.positions) && same_bytes(a.corner_normals, b.corner_normals);
+}
+
+bool is_same(const PolygonMesh& a, const PolygonMesh& b) {
+  return a.edge_length == b.edge_length && a.name == b.name && a.placement == b.placement &&
+         !a.original == !b.original && has_same_place(a, b) && has_same_form(a, b);
 }
 
 bool is_same(const SurfaceOptions& a, const SurfaceOptions& b) {

@@ -1,12 +1,10 @@
 #include "surface/refine.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "control/choose_scheme.h"
 #include "control/keep_to_mesh.h"
 #include "control/split_faces.h"
-#include "core/errors.h"
 #include "surface/edges.h"
 #include "surface/jets/curvature.h"
 #include "surface/jets/jet.h"
@@ -16,7 +14,6 @@
 #include "surface/planes/plane_faces.h"
 #include "surface/subdivision/assemble.h"
 #include "surface/subdivision/child_corners.h"
-#include "surface/subdivision/levels.h"
 
 namespace illustrate {
 namespace {
@@ -46,8 +43,7 @@ class Refiner {
       control.level = 0;
     }
     const auto shared = std::make_shared<const ControlMesh>(std::move(control));
-    const int object = static_cast<int>(surface_.controls.size());
-    surface_.controls.push_back({shared, next_ptex_face_, object, {}});
+    surface_.controls.push_back({shared, next_ptex_face_, {}});
     next_ptex_face_ += shared->ptex_faces;
     return shared->level;
   }
@@ -128,26 +124,27 @@ bool keep_if_no_cage(SoundMesh& mesh, ArcFaces& arcs, Scheme scheme, int& level,
 
 }  // namespace
 
-void validate(const SurfaceOptions& options) {
-  if (options.level < -1) throw InvalidInput("level must be -1 (automatic) or at least 0");
-  if (!(options.edge_length >= 0) || !std::isfinite(options.edge_length)) {
-    throw InvalidInput("edge_length must be a finite number, at least 0");
-  }
-  if (options.triangle_budget < 0) throw InvalidInput("triangle_budget must be at least 0");
-  if (options.threads < 0) throw InvalidInput("threads must be at least 0");
-}
-
-Surface refine(std::vector<SoundMesh> meshes, const SurfaceOptions& options, Counts& report,
-               const Progress& progress) {
-  validate(options);
-  progress.report(0);
+std::vector<LevelWish> level_wishes(std::vector<SoundMesh>& meshes, const SurfaceOptions& options) {
   std::vector<Scheme> schemes;
+  bool is_asked = false;
   for (SoundMesh& mesh : meshes) {
     schemes.push_back(choose_scheme(mesh, options.scheme));
     if (schemes.back() == Scheme::loop) mesh = split_into_triangles(std::move(mesh));
+    is_asked = is_asked || goes_by_the_scene(options, mesh.level, mesh.edge_length);
   }
-  std::vector<int> levels = choose_levels(meshes, schemes, options);
-  Surface surface;
+  const double usual = is_asked ? usual_edge_length(meshes) : options.edge_length;
+  std::vector<LevelWish> wishes;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    wishes.push_back(level_wish(meshes[i], schemes[i], options, usual));
+  }
+  return wishes;
+}
+
+Refined refine_to(std::vector<SoundMesh> meshes, const std::vector<LevelWish>& wishes,
+                  const std::vector<int>& levels, const SurfaceOptions& options,
+                  const Progress& progress) {
+  Refined refined;
+  Surface& surface = refined.surface;
   std::vector<int> needs_jet;
   Refiner refiner(surface, needs_jet, options);
   const auto count = static_cast<double>(meshes.size());
@@ -158,11 +155,11 @@ Surface refine(std::vector<SoundMesh> meshes, const SurfaceOptions& options, Cou
         meshes[i], static_cast<int>(i), static_cast<int>(surface.planes.size()), options.threads);
     surface.planes.insert(surface.planes.end(), planes.begin(), planes.end());
     ArcFaces arcs;
-    const bool is_split = keep_if_no_cage(meshes[i], arcs, schemes[i], levels[i], part.part(0, .2));
-    report["level_" + std::to_string(i)] =
-        refiner.add(std::move(meshes[i]), arcs, schemes[i], levels[i], part.part(.2, 1)) + is_split;
-    report["not_subdivided"] +=
-        schemes[i] != Scheme::polygons && !surface.object_is_smooth.back() ? 1 : 0;
+    int level = levels[i];
+    const Scheme scheme = wishes[i].scheme;
+    const bool is_split = keep_if_no_cage(meshes[i], arcs, scheme, level, part.part(0, .2));
+    refined.levels.push_back(
+        refiner.add(std::move(meshes[i]), arcs, scheme, level, part.part(.2, 1)) + is_split);
   }
   progress.report(.9);
   measure_diagonals(surface);
@@ -170,9 +167,31 @@ Surface refine(std::vector<SoundMesh> meshes, const SurfaceOptions& options, Cou
   collect_feature_edges(surface);
   fit_jets(surface, needs_jet, {JetOptions().rings, options.threads}, progress.part(.95, 1),
            surface.curvature);
-  report["triangles"] += static_cast<std::int64_t>(surface.triangles.size());
-  report["vertices"] += static_cast<std::int64_t>(surface.positions.size());
-  return surface;
+  return refined;
+}
+
+void report_refined(const Surface& surface, const std::vector<LevelWish>& wishes,
+                    const std::vector<int>& levels, Counts& report) {
+  report["not_subdivided"] = 0;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    report["level_" + std::to_string(i)] = levels[i];
+    const bool is_wanted = wishes[i].scheme != Scheme::polygons;
+    report["not_subdivided"] += is_wanted && !surface.object_is_smooth[i] ? 1 : 0;
+  }
+  report["triangles"] = static_cast<std::int64_t>(surface.triangles.size());
+  report["vertices"] = static_cast<std::int64_t>(surface.positions.size());
+}
+
+Surface refine(std::vector<SoundMesh> meshes, const SurfaceOptions& options, Counts& report,
+               const Progress& progress) {
+  validate(options);
+  progress.report(0);
+  const std::vector<LevelWish> wishes = level_wishes(meshes, options);
+  Refined refined =
+      refine_to(std::move(meshes), wishes, choose_levels(wishes, options.triangle_budget), options,
+                progress);
+  report_refined(refined.surface, wishes, refined.levels, report);
+  return std::move(refined.surface);
 }
 
 }  // namespace illustrate

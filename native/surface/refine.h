@@ -10,30 +10,30 @@
 
 #include "core/progress.h"
 #include "core/report.h"
-#include "mesh/sanitize.h"
+#include "surface/subdivision/levels.h"
 #include "surface/surface.h"
 
 namespace illustrate {
 
-struct SurfaceOptions {
-  Scheme scheme = Scheme::automatic;
-  // -1: the first level whose median edge is at most edge_length, and on which chords over coarse
-  // bends are short beside it (subdivision/coarse_bends.h), within the budget, at most 7.
-  int level = -1;
-  double edge_length = 0;  // world units; 0: 1/600 of the diagonal of all meshes (core/spread.h)
-  // Binds automatic levels only, all meshes together: the mesh with the shortest edges gives up a
-  // level first.
-  int triangle_budget = 250000;
-  int threads = 0;  // 0: all cores
+// Decides schemes, and splits the meshes of Loop's into triangles.
+std::vector<LevelWish> level_wishes(std::vector<SoundMesh>& meshes, const SurfaceOptions& options);
+
+struct Refined {
+  Surface surface;
+  std::vector<int> levels;  // (meshes) that were made
 };
+// Meshes of decided schemes on decided levels.
+Refined refine_to(std::vector<SoundMesh> meshes, const std::vector<LevelWish>& wishes,
+                  const std::vector<int>& levels, const SurfaceOptions& options,
+                  const Progress& progress = {});
 
-// Throws InvalidInput naming the field.
-void validate(const SurfaceOptions& options);
+// Of such a surface: "triangles", "vertices", "level_<i>", and "not_subdivided" meshes: vertices of
+// more than 65535 edges are too much for OpenSubdiv, and such a mesh is taken as polygons.
+void report_refined(const Surface& surface, const std::vector<LevelWish>& wishes,
+                    const std::vector<int>& levels, Counts& report);
 
-// Sanitized meshes to one surface with line curvature. Adds "triangles", "vertices", "level_<i>" to
-// `report`, and "not_subdivided" meshes: vertices of more than 65535 edges are too much for
-// OpenSubdiv, and such a mesh is taken as polygons. Throws InvalidInput where an explicit level
-// makes more than 200 million triangles.
+// All of it: sanitized meshes to one surface with line curvature, and its report. Throws
+// InvalidInput where an explicit level makes more than 200 million triangles.
 Surface refine(std::vector<SoundMesh> meshes, const SurfaceOptions& options, Counts& report,
                const Progress& progress = {});
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "core/mixed_bits.h"
 #include "surface/locate.h"
@@ -36,7 +37,10 @@ std::vector<Range> ranges(const std::vector<int>& objects, std::size_t count) {
 // One object of a surface.
 struct Part {
   const Surface& surface;
+  int object;
   Range vertices, triangles;
+
+  const ControlMesh* control() const { return surface.controls[idx(object)].mesh.get(); }
 
   std::size_t vertex(int i) const { return idx(vertices.first + i); }
   std::size_t triangle(int t) const { return idx(triangles.first + t); }
@@ -91,26 +95,41 @@ bool has_same_faces(const Part& a, const Part& b) {
 }
 
 bool is_same(const Part& a, const Part& b) {
+  // Surfaces that are put together of others (surface/joined.h) share control meshes.
+  if (a.control() == b.control()) return true;
   return a.triangles.count == b.triangles.count && has_same_vertices(a, b) &&
          (has_same_triangles(a, b) || has_same_faces(a, b));
 }
 
+std::vector<int> by_number(const Surface& last, const Surface& now) {
+  const std::size_t count = now.object_is_smooth.size();
+  std::vector<int> numbers(count, none);
+  if (last.object_is_smooth.size() == count) std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
 }  // namespace
 
-SameObjects::SameObjects(const Surface& last, const Surface& now) : last_(last), now_(now) {
-  const std::size_t count = now.object_is_smooth.size();
-  is_same_.assign(std::max(count, last.object_is_smooth.size()), 0);
+SameObjects::SameObjects(const Surface& last, const Surface& now,
+                         const std::vector<int>& last_objects)
+    : last_(last), now_(now) {
+  const std::size_t count = now.object_is_smooth.size(), last_count = last.object_is_smooth.size();
+  is_same_.assign(count, 0);
   shifts_.assign(count, {0, 0});
-  if (count != last.object_is_smooth.size()) return;
-  const std::vector<Range> last_vertices = ranges(last.objects, count),
+  now_objects_.assign(last_count, none);
+  const std::vector<int> may_be = last_objects.empty() ? by_number(last, now) : last_objects;
+  const std::vector<Range> last_vertices = ranges(last.objects, last_count),
                            vertices = ranges(now.objects, count),
-                           last_triangles = ranges(last.triangle_objects, count),
+                           last_triangles = ranges(last.triangle_objects, last_count),
                            triangles = ranges(now.triangle_objects, count);
   for (std::size_t o = 0; o < count; ++o) {
-    is_same_[o] =
-        is_same({last, last_vertices[o], last_triangles[o]}, {now, vertices[o], triangles[o]});
-    shifts_[o] = {vertices[o].first - last_vertices[o].first,
-                  triangles[o].first - last_triangles[o].first};
+    if (may_be[o] == none) continue;
+    const std::size_t l = idx(may_be[o]);
+    is_same_[o] = is_same({last, may_be[o], last_vertices[l], last_triangles[l]},
+                          {now, static_cast<int>(o), vertices[o], triangles[o]});
+    if (is_same_[o]) now_objects_[l] = static_cast<int>(o);
+    shifts_[o] = {vertices[o].first - last_vertices[l].first,
+                  triangles[o].first - last_triangles[l].first};
   }
 }
 
@@ -120,7 +139,7 @@ bool SameObjects::any() const {
 
 Vec3 SameObjects::position(const SurfacePoint& last) const {
   const Triangle& corners = last_.triangles[idx(last.triangle)];
-  const int shift = shifts_[idx(last_.triangle_objects[idx(last.triangle)])][0];
+  const int shift = shifts_of(last)[0];
   const auto at = [&](int k) -> const Vec3& {
     return now_.positions[idx(corners[idx(k)] + shift)];
   };
@@ -128,7 +147,7 @@ Vec3 SameObjects::position(const SurfacePoint& last) const {
 }
 
 SurfacePoint SameObjects::point(const SurfacePoint& last) const {
-  const auto& shift = shifts_[idx(last_.triangle_objects[idx(last.triangle)])];
+  const auto& shift = shifts_of(last);
   const Triangle& before = last_.triangles[idx(last.triangle)];
   SurfacePoint best{last.triangle + shift[1], last.b1, last.b2};
   const Triangle& corners = now_.triangles[idx(best.triangle)];

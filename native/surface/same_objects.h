@@ -5,13 +5,15 @@
 
 namespace illustrate {
 
-// Finds the objects of one surface again in another, by their numbers. An object is the same where
-// it has as many vertices, each at the same place of its control mesh, and faces of the same
-// outlines. Triangles may differ: quads are split along their shorter diagonals, which change while
-// a mesh deforms. Refers to both surfaces.
+// Finds the objects of one surface again in another. An object is the same where it has the same
+// control mesh, or as many vertices, each at the same place of its control mesh, and faces of the
+// same outlines. Triangles may differ: quads are split along their shorter diagonals, which change
+// while a mesh deforms. Refers to both surfaces.
 class SameObjects {
  public:
-  SameObjects(const Surface& last, const Surface& now);
+  // last_objects: (objects) the object of the last surface that each may be, no two the same one, or
+  // none. Empty: by their numbers, where there are as many.
+  SameObjects(const Surface& last, const Surface& now, const std::vector<int>& last_objects = {});
 
   bool any() const;
   const Surface& last() const { return last_; }
@@ -24,7 +26,7 @@ class SameObjects {
   // Where a point of the last surface has come to: whether it is still there, its position, and
   // the triangle there.
   bool has(const SurfacePoint& last) const {
-    return is_same_[idx(last_.triangle_objects[idx(last.triangle)])] != 0;
+    return now_objects_[idx(last_.triangle_objects[idx(last.triangle)])] != none;
   }
   Vec3 position(const SurfacePoint& last) const;
   SurfacePoint point(const SurfacePoint& last) const;
@@ -33,10 +35,14 @@ class SameObjects {
   int shifted(int object, std::size_t number, std::size_t kind) const {
     return is_same_[idx(object)] ? static_cast<int>(number) - shifts_[idx(object)][kind] : none;
   }
+  const std::array<int, 2>& shifts_of(const SurfacePoint& last) const {
+    return shifts_[idx(now_objects_[idx(last_.triangle_objects[idx(last.triangle)])])];
+  }
 
   const Surface& last_;
   const Surface& now_;
-  std::vector<std::uint8_t> is_same_;       // (objects)
+  std::vector<std::uint8_t> is_same_;       // (objects) of this surface
+  std::vector<int> now_objects_;            // (objects) of the last surface: here, or none
   std::vector<std::array<int, 2>> shifts_;  // (objects) of vertices and triangles, now less last
 };
 

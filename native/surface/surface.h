@@ -65,7 +65,6 @@ struct ControlMesh {
 struct PlacedControl {
   std::shared_ptr<const ControlMesh> mesh;
   int first_ptex_face = 0;  // its ptex faces among those of all objects
-  int original = none;      // what shares this number shares the control mesh
   Similarity placement;     // from the control mesh to the object
 };
 

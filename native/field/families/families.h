@@ -30,6 +30,7 @@ struct LastFamilies {
   const Surface* surface = nullptr;
   const CrossField* field = nullptr;
   const Families* families = nullptr;
+  std::vector<int> objects = {};  // (objects) which of that surface each may be, or none
 };
 
 // Throws Cancelled through `progress`. Each connected piece (creases part pieces) is labelled as if

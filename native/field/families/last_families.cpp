@@ -35,7 +35,7 @@ Points moved_directions(const Surface& surface, const SameObjects& same, const L
 
 Families last_families(const Surface& surface, const CrossField& field, const LastFamilies& last) {
   if (!last.surface || !last.field || !last.families) return {};
-  const SameObjects same(*last.surface, surface);
+  const SameObjects same(*last.surface, surface, last.objects);
   if (!same.any()) return {};
   const Points moved = moved_directions(surface, same, last);
   Families families;

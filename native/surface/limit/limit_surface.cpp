@@ -1,7 +1,7 @@
 #include "surface/limit/limit_surface.h"
 
 #include <algorithm>
-#include <map>
+#include <unordered_map>
 
 namespace illustrate {
 
@@ -21,12 +21,17 @@ LimitPoint moved(const LimitPoint& p, const Similarity& placement) {
 
 }  // namespace
 
-LimitSurface::LimitSurface(const Surface& surface) {
-  std::map<int, std::shared_ptr<const LimitPatches>> of_originals;
+LimitSurface::LimitSurface(const Surface& surface, const LimitSurface* last) {
+  std::unordered_map<const ControlMesh*, std::shared_ptr<const LimitPatches>> of_meshes;
+  if (last) {
+    for (const Object& object : last->objects_) {
+      of_meshes[object.control.mesh.get()] = object.patches;
+    }
+  }
   for (const PlacedControl& control : surface.controls) {
     const ControlMesh& mesh = *control.mesh;
     if (mesh.scheme == Scheme::polygons || mesh.ptex_faces == 0) continue;
-    std::shared_ptr<const LimitPatches>& patches = of_originals[control.original];
+    std::shared_ptr<const LimitPatches>& patches = of_meshes[&mesh];
     if (!patches) patches = std::make_shared<const LimitPatches>(mesh.mesh, mesh.scheme);
     objects_.push_back({control, patches});
   }

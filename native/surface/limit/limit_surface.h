@@ -9,8 +9,9 @@ namespace illustrate {
 
 class LimitSurface {
  public:
-  // Keeps the control meshes of `surface` alive. Objects of one original share its patches, moved.
-  explicit LimitSurface(const Surface& surface);
+  // Keeps the control meshes of `surface` alive. Objects of one control mesh share its patches,
+  // moved, also with those of `last`, whose patches are not made again.
+  explicit LimitSurface(const Surface& surface, const LimitSurface* last = nullptr);
 
   // One past the last ptex face; 0 where no object is subdivided.
   int ptex_faces() const;
@@ -27,7 +28,7 @@ class LimitSurface {
  private:
   struct Object {
     PlacedControl control;
-    std::shared_ptr<const LimitPatches> patches;  // shared with all objects of the same original
+    std::shared_ptr<const LimitPatches> patches;  // shared with all objects of the same control mesh
   };
 
   const Object* object_of(int ptex_face) const;

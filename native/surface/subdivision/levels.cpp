@@ -23,26 +23,21 @@ bool is_drawn(const SoundMesh& mesh, std::size_t face) {
   return (mesh.kept.empty() || mesh.kept[face]) && (mesh.holes.empty() || !mesh.holes[face]);
 }
 
-// The drawn faces of a mesh, in all the places where it is drawn.
-struct FaceCount {
-  std::int64_t triangles = 0, corners = 0;
-};
-
-FaceCount count_faces(const SoundMesh& mesh) {
-  FaceCount count;
+void count_faces(const SoundMesh& mesh, LevelWish& wish) {
   for (std::size_t f = 0; f < mesh.face_sizes.size(); ++f) {
     if (!is_drawn(mesh, f)) continue;
-    count.triangles += mesh.face_sizes[f] - 2;
-    count.corners += mesh.face_sizes[f];
+    wish.triangles += mesh.face_sizes[f] - 2;
+    wish.corners += mesh.face_sizes[f];
   }
-  const auto copies = static_cast<std::int64_t>(std::max<std::size_t>(1, mesh.placements.size()));
-  return {copies * count.triangles, copies * count.corners};
+  wish.copies = static_cast<int>(std::max<std::size_t>(1, mesh.placements.size()));
 }
 
-// Triangles on a level; more than most_triangles only says that it is more.
-std::int64_t triangle_count(const FaceCount& faces, Scheme scheme, int level) {
-  if (level == 0 || scheme == Scheme::polygons) return faces.triangles;
-  std::int64_t count = scheme == Scheme::loop ? 4 * faces.triangles : 2 * faces.corners;
+// Triangles on a level, in all the places where the mesh is drawn; more than most_triangles only
+// says that it is more.
+std::int64_t triangle_count(const LevelWish& wish, int level) {
+  if (level == 0 || wish.scheme == Scheme::polygons) return wish.copies * wish.triangles;
+  const std::int64_t split = wish.scheme == Scheme::loop ? 4 * wish.triangles : 2 * wish.corners;
+  std::int64_t count = wish.copies * split;
   for (int l = 1; l < level && count <= most_triangles; ++l) count *= 4;
   return count;
 }
@@ -74,13 +69,8 @@ double median(std::vector<double>& lengths) {
   return *middle;
 }
 
-// What an automatic level goes by, in world units, where the mesh is drawn largest.
-struct Edges {
-  double median = 0;
-  bool has_long = false;  // so many that their bends have to be looked at
-};
-
-Edges measure_edges(const SoundMesh& mesh) {
+// In world units, where the mesh is drawn largest.
+void measure_edges(const SoundMesh& mesh, LevelWish& wish) {
   std::vector<double> lengths = edge_lengths(mesh);
   const double middle = median(lengths);
   double all = 0, long_ones = 0;
@@ -88,17 +78,8 @@ Edges measure_edges(const SoundMesh& mesh) {
     all += length;
     if (is_coarse(length, middle)) long_ones += length;
   }
-  return {largest_scale(mesh) * middle, long_ones > ignored_coarse_share * all};
-}
-
-double automatic_edge_length(const std::vector<SoundMesh>& meshes) {
-  static const std::vector<Similarity> as_it_is(1);
-  Spread spread;
-  for (const SoundMesh& mesh : meshes) {
-    for (const Similarity& placement : mesh.placements.empty() ? as_it_is : mesh.placements)
-      add_faces(mesh, placement, spread);
-  }
-  return spread.diagonal() * automatic_edge_share;
+  wish.median_edge = largest_scale(mesh) * middle;
+  wish.has_long_edges = long_ones > ignored_coarse_share * all;
 }
 
 // Each level halves the edges.
@@ -112,75 +93,89 @@ int level_for(double edge, double longest) {
 }
 
 // By the median edge, and by the bends of faces that are much larger.
-int automatic_level(const SoundMesh& mesh, const Edges& edges, double longest) {
-  const int level = level_for(edges.median, longest);
-  if (!edges.has_long) return level;
+int automatic_level(const SoundMesh& mesh, const LevelWish& wish, double longest) {
+  const int level = level_for(wish.median_edge, longest);
+  if (!wish.has_long_edges) return level;
   const double scale = largest_scale(mesh);
-  return std::max(level, level_for_coarse_bends(mesh, edges.median / scale, longest / scale,
+  return std::max(level, level_for_coarse_bends(mesh, wish.median_edge / scale, longest / scale,
                                                 highest_automatic_level));
 }
 
-int explicit_level(const SoundMesh& mesh, const SurfaceOptions& options) {
-  return mesh.level.value_or(options.level);
+int explicit_level(const std::optional<int>& own, const SurfaceOptions& options) {
+  return own.value_or(options.level);
 }
 
-void check_explicit_level(const SoundMesh& mesh, Scheme scheme, int level) {
-  if (triangle_count(count_faces(mesh), scheme, level) <= most_triangles) return;
-  throw InvalidInput("level " + std::to_string(level) + " of mesh '" + mesh.name +
+void check_explicit_level(const SoundMesh& mesh, const LevelWish& wish) {
+  if (triangle_count(wish, wish.level) <= most_triangles) return;
+  throw InvalidInput("level " + std::to_string(wish.level) + " of mesh '" + mesh.name +
                      "' makes more than 200 million triangles: choose a lower level");
 }
 
-void keep_budget(const std::vector<SoundMesh>& meshes, const std::vector<Scheme>& schemes,
-                 const std::vector<Edges>& edges, const std::vector<std::uint8_t>& automatic,
-                 int budget, std::vector<int>& levels) {
-  std::vector<FaceCount> faces;
-  std::int64_t total = 0;
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    faces.push_back(automatic[i] ? count_faces(meshes[i]) : FaceCount{});
-    total += triangle_count(faces[i], schemes[i], levels[i]);
-  }
-  const auto edge = [&](std::size_t i) { return std::ldexp(edges[i].median, -levels[i]); };
+// Of meshes that have triangles to give up, the one whose shortest edges show least where they are
+// doubled; of equal ones the first; or none.
+int next_to_give_up(const std::vector<LevelWish>& wishes, const std::vector<int>& levels) {
+  const auto edge = [&](std::size_t i) { return std::ldexp(wishes[i].median_edge, -levels[i]); };
   // The first level of a mesh with coarse bends is worth most: on it the surface keeps to the mesh.
-  const auto keeps = [&](std::size_t i) { return edges[i].has_long && levels[i] == 1; };
+  const auto keeps = [&](std::size_t i) { return wishes[i].has_long_edges && levels[i] == 1; };
   const auto gives_up_sooner = [&](std::size_t i, std::size_t other) {
     return keeps(i) != keeps(other) ? keeps(other) : edge(i) < edge(other);
   };
-  while (total > budget) {
-    int first = none;
-    for (std::size_t i = 0; i < meshes.size(); ++i) {
-      if (!automatic[i] || levels[i] == 0) continue;
-      // The shortest edges show least where they are doubled; of equal ones the first mesh's go.
-      if (first == none || gives_up_sooner(i, idx(first))) first = static_cast<int>(i);
-    }
-    if (first == none) return;
-    const FaceCount& given_up = faces[idx(first)];
-    int& level = levels[idx(first)];
-    total -= triangle_count(given_up, schemes[idx(first)], level);
-    total += triangle_count(given_up, schemes[idx(first)], --level);
+  int first = none;
+  for (std::size_t i = 0; i < wishes.size(); ++i) {
+    if (!wishes[i].is_automatic || levels[i] == 0) continue;
+    if (first == none || gives_up_sooner(i, idx(first))) first = static_cast<int>(i);
   }
+  return first;
 }
 
 }  // namespace
 
-std::vector<int> choose_levels(const std::vector<SoundMesh>& meshes,
-                               const std::vector<Scheme>& schemes, const SurfaceOptions& options) {
-  std::vector<int> levels(meshes.size(), 0);
-  std::vector<Edges> edges(meshes.size());
-  std::vector<std::uint8_t> automatic(meshes.size(), 0);
-  const double usual =
-      options.edge_length > 0 ? options.edge_length : automatic_edge_length(meshes);
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    if (schemes[i] == Scheme::polygons) continue;
-    levels[i] = explicit_level(meshes[i], options);
-    if (levels[i] >= 0) {
-      check_explicit_level(meshes[i], schemes[i], levels[i]);
-      continue;
-    }
-    automatic[i] = 1;
-    edges[i] = measure_edges(meshes[i]);
-    levels[i] = automatic_level(meshes[i], edges[i], meshes[i].edge_length.value_or(usual));
+double usual_edge_length(const std::vector<SoundMesh>& meshes) {
+  static const std::vector<Similarity> as_it_is(1);
+  Spread spread;
+  for (const SoundMesh& mesh : meshes) {
+    for (const Similarity& placement : mesh.placements.empty() ? as_it_is : mesh.placements)
+      add_faces(mesh, placement, spread);
   }
-  keep_budget(meshes, schemes, edges, automatic, options.triangle_budget, levels);
+  return spread.diagonal() * automatic_edge_share;
+}
+
+bool goes_by_the_scene(const SurfaceOptions& options, std::optional<int> own_level,
+                       std::optional<double> own_edge_length) {
+  return explicit_level(own_level, options) < 0 && !own_edge_length && options.edge_length <= 0;
+}
+
+LevelWish level_wish(const SoundMesh& mesh, Scheme scheme, const SurfaceOptions& options,
+                     double usual_edge_length) {
+  LevelWish wish;
+  wish.scheme = scheme;
+  if (scheme == Scheme::polygons) return wish;
+  count_faces(mesh, wish);
+  wish.level = explicit_level(mesh.level, options);
+  wish.is_automatic = wish.level < 0;
+  if (!wish.is_automatic) {
+    check_explicit_level(mesh, wish);
+    return wish;
+  }
+  measure_edges(mesh, wish);
+  wish.level = automatic_level(mesh, wish, mesh.edge_length.value_or(usual_edge_length));
+  return wish;
+}
+
+std::vector<int> choose_levels(const std::vector<LevelWish>& wishes, int triangle_budget) {
+  std::vector<int> levels;
+  std::int64_t total = 0;
+  for (const LevelWish& wish : wishes) {
+    levels.push_back(wish.level);
+    if (wish.is_automatic) total += triangle_count(wish, wish.level);
+  }
+  while (total > triangle_budget) {
+    const int first = next_to_give_up(wishes, levels);
+    if (first == none) break;
+    int& level = levels[idx(first)];
+    total -= triangle_count(wishes[idx(first)], level);
+    total += triangle_count(wishes[idx(first)], --level);
+  }
   return levels;
 }
 

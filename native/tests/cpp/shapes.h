@@ -296,7 +296,7 @@ inline void complete(Surface& surface) {
   surface.base_faces.assign(n, none);
   surface.base_uv.assign(n, Vec2::Zero());
   surface.object_is_smooth.assign(1, 1);
-  surface.controls.assign(1, PlacedControl{std::make_shared<const ControlMesh>(), 0, 0, {}});
+  surface.controls.assign(1, PlacedControl{std::make_shared<const ControlMesh>(), 0, {}});
   surface.curvature.resize(n);
   measure_diagonals(surface);
   link_neighbours(surface);

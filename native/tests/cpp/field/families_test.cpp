@@ -2,7 +2,8 @@
 
 #include "core/errors.h"
 #include "field/families/families.h"
-#include "field/placed_field.h"
+#include "field/joined_field.h"
+#include "surface/instances.h"
 #include "tests/cpp/field/field_checks.h"
 
 namespace illustrate {
@@ -223,7 +224,7 @@ TEST(Families, GoWithTheObjectsThatShareThem) {
   instances.originals = {1, 0, 1};
   instances.placements.resize(3);
   const Families families{1, 1, 1, 1, -1, 1, -1, 1, -1, 1};
-  EXPECT_EQ(placed(families, originals, instances),
+  EXPECT_EQ(joined({&families}, {&originals}, instances.sources()),
             (Families{-1, 1, -1, 1, -1, 1, 1, 1, 1, 1, -1, 1, -1, 1, -1, 1}));
 }
 
