@@ -31,6 +31,21 @@ struct Similarity {
   }
 };
 
+// Where a similarity takes things. What it leaves in place stays as it is to the bit: the sign of a
+// zero does not survive a product with the identity.
+class Move {
+ public:
+  explicit Move(const Similarity& map) : map_(map), is_none_(map == Similarity()) {}
+
+  double scale() const { return map_.scale; }
+  Vec3 point(const Vec3& p) const { return is_none_ ? p : map_.point(p); }
+  Vec3 direction(const Vec3& d) const { return is_none_ ? d : map_.direction(d); }
+
+ private:
+  Similarity map_;
+  bool is_none_;
+};
+
 // The affine map as a similarity: nothing where it mirrors, or where lengths along any two
 // directions are scaled by factors that differ by more than single precision explains
 // (tolerance::similarity).

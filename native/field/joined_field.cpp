@@ -6,7 +6,7 @@ namespace illustrate {
 namespace {
 
 // What one object has of the field that it is taken from.
-void add_object(const CrossField& field, const Similarity& place, int first_vertex, int end_vertex,
+void add_object(const CrossField& field, const Move& place, int first_vertex, int end_vertex,
                 CrossField& result) {
   for (std::size_t v = idx(first_vertex); v < idx(end_vertex); ++v) {
     result.theta.push_back(field.theta[v]);
@@ -17,7 +17,7 @@ void add_object(const CrossField& field, const Similarity& place, int first_vert
 }
 
 // Singularities by the object that they are on; their triangles ascend.
-void add_singularities(const CrossField& field, const Similarity& place, int first_triangle,
+void add_singularities(const CrossField& field, const Move& place, int first_triangle,
                        int end_triangle, int shift, CrossField& result) {
   const auto& triangles = field.singular_triangles;
   const auto begin = std::lower_bound(triangles.begin(), triangles.end(), first_triangle);
@@ -45,11 +45,12 @@ CrossField joined(const std::vector<const CrossField*>& fields,
   int next_triangle = 0;
   for (const auto& [surface, object, place] : sources) {
     const CrossField& field = *fields[idx(surface)];
+    const Move move(place);
     const std::size_t o = idx(object);
     const int* vertex = &vertices[idx(surface)][o];
     const int* triangle = &triangles[idx(surface)][o];
-    add_object(field, place, vertex[0], vertex[1], result);
-    add_singularities(field, place, triangle[0], triangle[1], next_triangle - triangle[0], result);
+    add_object(field, move, vertex[0], vertex[1], result);
+    add_singularities(field, move, triangle[0], triangle[1], next_triangle - triangle[0], result);
     next_triangle += triangle[1] - triangle[0];
     result.energy += field.object_energies[o];
     result.energy_initial += field.object_energies_initial[o];

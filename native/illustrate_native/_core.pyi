@@ -753,9 +753,13 @@ def prepare(
         meshes: one object each; one without faces stays an object that shows nothing.
         options: None: the defaults.
         progress: told how far it is.
-        previous: what it made from the same meshes with the same options is taken over. Where the
-            vertices are the same and its field is solved, the search for this field starts there,
-            and families and seeds of hatches stay: a mesh that deforms keeps its hatching.
+        previous: what it made from the same meshes with the same options is taken over. Of meshes
+            that changed, those of the same name and form that rest or have moved as rigid bodies
+            keep their surface, field and families, where the length of their edges or their level
+            is given (by `PolygonMesh` or the options; without, both go by the size of the scene).
+            Where the vertices are the same and its field is solved, the search for this field
+            starts there, and families and seeds of hatches stay: a mesh that deforms keeps its
+            hatching.
 
     Raises:
         InvalidInput: an option out of its range, named; singularities that cannot be.

@@ -50,8 +50,7 @@ bool has_moved_normals(const PolygonMesh& from, const PolygonMesh& to, const Sim
 std::optional<Similarity> motion_of(const Original& last, const PolygonMesh& now) {
   if (!has_same_form(*last.made_from, now)) return {};
   if (has_same_place(*last.given, now)) return last.motion;
-  const std::optional<Similarity> motion =
-      rigid_motion(last.made_from->positions, now.positions);
+  const std::optional<Similarity> motion = rigid_motion(last.made_from->positions, now.positions);
   if (!motion || !has_moved_normals(*last.made_from, now, *motion)) return {};
   return motion;
 }
@@ -252,8 +251,8 @@ void refine_fresh(Originals& originals, std::vector<SoundMesh> sound, const Surf
   set_wishes(originals, sound, options);
   if (set_levels(originals, last, options, sound)) set_wishes(originals, sound, options);
   auto renewal = std::make_shared<Renewal>();
-  renewal->fresh = std::make_shared<const Surface>(
-      refine_those(originals, sound, options, *renewal, progress));
+  renewal->fresh =
+      std::make_shared<const Surface>(refine_those(originals, sound, options, *renewal, progress));
   originals.surface = renewal->fresh;
   if (renewal->fresh_originals.size() == originals.each.size()) return;
   renewal->last = last->surface;

@@ -13,9 +13,9 @@ namespace illustrate {
 using MeshPointer = std::shared_ptr<const PolygonMesh>;
 
 struct Original {
-  MeshPointer given;      // in this frame
-  MeshPointer made_from;  // in the frame in which its surface was made
-  Similarity motion;      // rigid, from there to here
+  MeshPointer given;                   // in this frame
+  MeshPointer made_from;               // in the frame in which its surface was made
+  Similarity motion;                   // rigid, from there to here
   std::vector<Similarity> placements;  // where it is drawn
   // That its edges may have where it is drawn largest, world units.
   std::optional<double> edge_length;
@@ -33,7 +33,8 @@ struct Renewal {
   std::shared_ptr<const Surface> last, fresh;  // of the last frame, and what is new in this one
   ObjectSources sources;                       // (originals) surface 0: last, 1: fresh
   std::vector<int> fresh_originals;            // (objects of `fresh`) which originals they are
-  std::vector<int> last_objects;  // (objects of `fresh`) the one of `last` that each may be, or none
+  std::vector<int>
+      last_objects;  // (objects of `fresh`) the one of `last` that each may be, or none
 
   std::vector<const Surface*> surfaces() const { return {last.get(), fresh.get()}; }
 };
@@ -42,9 +43,9 @@ struct Originals {
   std::vector<MeshPointer> objects;
   std::vector<Original> each;
   Instances instances;
-  std::vector<int> last_objects;            // (objects) which of the last frame it may be, or none
-  std::shared_ptr<const Surface> surface;   // whose objects the originals are
-  std::shared_ptr<const Renewal> renewal;   // null where nothing could be kept
+  std::vector<int> last_objects;           // (objects) which of the last frame it may be, or none
+  std::shared_ptr<const Surface> surface;  // whose objects the originals are
+  std::shared_ptr<const Renewal> renewal;  // null where nothing could be kept
 
   void report(Counts& counts) const;  // of all objects' repairs, and of the originals' surface
 };

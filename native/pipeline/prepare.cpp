@@ -133,8 +133,8 @@ void Prepared::follow(const Prepared& previous, std::shared_ptr<const Renewal> r
   auto last = std::make_shared<Last>();
   last->renewal = std::move(renewal);
   last->curvature = previous.curvature_;
-  last->holds_curvature = last->renewal && previous.curvature_->peek() &&
-                          is_same(options_.jet, previous.options_.jet);
+  last->holds_curvature =
+      last->renewal && previous.curvature_->peek() && is_same(options_.jet, previous.options_.jet);
   const bool has_field = previous.field_->peek() != nullptr;
   last->holds_field = last->holds_curvature && has_field &&
                       is_same(options_.cross_field, previous.options_.cross_field) &&
@@ -253,9 +253,8 @@ bool Prepared::shares_field() const {
 const CrossField& Prepared::field(const Progress& progress) const {
   const CrossField& field = field_->get([&] { return solve_field(progress); });
   if (!shares_field()) return field;
-  return placed_field_->get([&] {
-    return joined({&field}, {&originals()}, geometry_->originals.instances.sources());
-  });
+  return placed_field_->get(
+      [&] { return joined({&field}, {&originals()}, geometry_->originals.instances.sources()); });
 }
 
 CrossField Prepared::solve_on(const Surface& surface, const Curvature& curvature, FieldAids aids,
@@ -282,8 +281,8 @@ CrossField Prepared::solve_field(const Progress& progress) const {
   if (last && last->holds_field) {
     const Renewal& renewal = *last->renewal;
     aids.last_objects = renewal.last_objects;
-    const CrossField fresh = solve_on(
-        *renewal.fresh, of_fresh(renewal, curvature, originals()), std::move(aids), search);
+    const CrossField fresh = solve_on(*renewal.fresh, of_fresh(renewal, curvature, originals()),
+                                      std::move(aids), search);
     solved = renewed(renewal, *last->field->peek(), fresh);
     solved.evaluations = fresh.evaluations;
   } else {
@@ -320,9 +319,9 @@ Families Prepared::label_families(bool of_diagonals, const Progress& progress) c
     const Renewal& renewal = *last->renewal;
     const Families& kept = *before.families;
     before.objects = renewal.last_objects;
-    const Families fresh = label_on(
-        *renewal.fresh, of_fresh(renewal, curvature, originals()),
-        of_fresh(renewal, solved, originals()), of_diagonals, before, labels);
+    const Families fresh =
+        label_on(*renewal.fresh, of_fresh(renewal, curvature, originals()),
+                 of_fresh(renewal, solved, originals()), of_diagonals, before, labels);
     return renewed(renewal, kept, fresh);
   });
   last_found.reset();
@@ -335,9 +334,8 @@ const Families& Prepared::placed_families(Lazy<Families>& solved, Lazy<Families>
                                           bool of_diagonals, const Progress& progress) const {
   const Families& found = solved.get([&] { return label_families(of_diagonals, progress); });
   if (!shares_field()) return found;
-  return placed_ones.get([&] {
-    return joined({&found}, {&originals()}, geometry_->originals.instances.sources());
-  });
+  return placed_ones.get(
+      [&] { return joined({&found}, {&originals()}, geometry_->originals.instances.sources()); });
 }
 
 const Families& Prepared::families(const Progress& progress) const {

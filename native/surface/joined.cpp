@@ -12,9 +12,9 @@ std::vector<int> first_of_each(const std::vector<int>& objects, std::size_t coun
   return first;
 }
 
-PrincipalCurvature placed(PrincipalCurvature curvature, const Similarity& place) {
-  curvature.k1 /= place.scale;
-  curvature.k2 /= place.scale;
+PrincipalCurvature placed(PrincipalCurvature curvature, const Move& place) {
+  curvature.k1 /= place.scale();
+  curvature.k2 /= place.scale();
   curvature.w1 = place.direction(curvature.w1);
   curvature.w2 = place.direction(curvature.w2);
   return curvature;
@@ -51,7 +51,8 @@ class Joiner {
  public:
   explicit Joiner(Surface& to) : to_(to) {}
 
-  void add(const Source& source, int object, const Similarity& place) {
+  void add(const Source& source, int object, const Similarity& similarity) {
+    const Move place(similarity);
     object_ = static_cast<int>(to_.object_is_smooth.size());
     const Surface& from = source.surface;
     const PlacedControl& control = from.controls[idx(object)];
@@ -67,12 +68,12 @@ class Joiner {
     for (const std::size_t e : source.features[idx(object)]) add_feature(from, e);
     add_planes(source, object, place);
     to_.object_is_smooth.push_back(from.object_is_smooth[idx(object)]);
-    to_.controls.push_back({control.mesh, next_ptex_face_, place * control.placement});
+    to_.controls.push_back({control.mesh, next_ptex_face_, similarity * control.placement});
     next_ptex_face_ += control.mesh->ptex_faces;
   }
 
  private:
-  void add_vertex(const Surface& from, std::size_t v, const Similarity& place) {
+  void add_vertex(const Surface& from, std::size_t v, const Move& place) {
     if (from.is_tip(static_cast<int>(v)))
       to_.tips.push_back(static_cast<int>(to_.positions.size()));
     to_.positions.push_back(place.point(from.positions[v]));
@@ -103,15 +104,15 @@ class Joiner {
     to_.triangle_objects.push_back(object_);
   }
 
-  void add_planes(const Source& source, int object, const Similarity& place) {
+  void add_planes(const Source& source, int object, const Move& place) {
     for (int p = source.first_plane(object); p < source.first_plane(object + 1); ++p) {
       PlaneFace plane = source.surface.planes[idx(p)];
       plane.object = object_;
       plane.normal = place.direction(plane.normal);
       plane.direction = place.direction(plane.direction);
       plane.centre = place.point(plane.centre);
-      plane.half *= place.scale;
-      plane.rim_length *= place.scale;
+      plane.half *= place.scale();
+      plane.rim_length *= place.scale();
       to_.planes.push_back(plane);
     }
   }
@@ -162,8 +163,9 @@ Curvature joined(const std::vector<const Curvature*>& curvatures,
   Curvature result;
   for (const auto& [surface, object, place] : sources) {
     const std::vector<int>& begins = first[idx(surface)];
+    const Move move(place);
     for (int v = begins[idx(object)]; v < begins[idx(object) + 1]; ++v) {
-      result.push_back(placed((*curvatures[idx(surface)])[idx(v)], place));
+      result.push_back(placed((*curvatures[idx(surface)])[idx(v)], move));
     }
   }
   return result;

@@ -187,9 +187,8 @@ Surface refine(std::vector<SoundMesh> meshes, const SurfaceOptions& options, Cou
   validate(options);
   progress.report(0);
   const std::vector<LevelWish> wishes = level_wishes(meshes, options);
-  Refined refined =
-      refine_to(std::move(meshes), wishes, choose_levels(wishes, options.triangle_budget), options,
-                progress);
+  Refined refined = refine_to(std::move(meshes), wishes,
+                              choose_levels(wishes, options.triangle_budget), options, progress);
   report_refined(refined.surface, wishes, refined.levels, report);
   return std::move(refined.surface);
 }

@@ -11,8 +11,8 @@ namespace illustrate {
 // while a mesh deforms. Refers to both surfaces.
 class SameObjects {
  public:
-  // last_objects: (objects) the object of the last surface that each may be, no two the same one, or
-  // none. Empty: by their numbers, where there are as many.
+  // last_objects: (objects) the object of the last surface that each may be, no two the same one,
+  // or none. Empty: by their numbers, where there are as many.
   SameObjects(const Surface& last, const Surface& now, const std::vector<int>& last_objects = {});
 
   bool any() const;

@@ -28,7 +28,8 @@ class LimitSurface {
  private:
   struct Object {
     PlacedControl control;
-    std::shared_ptr<const LimitPatches> patches;  // shared with all objects of the same control mesh
+    std::shared_ptr<const LimitPatches>
+        patches;  // shared with all objects of the same control mesh
   };
 
   const Object* object_of(int ptex_face) const;

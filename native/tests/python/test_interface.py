@@ -199,11 +199,12 @@ def test_previous_is_taken_over_only_where_nothing_changed() -> None:
     again = ill.prepare([torus().mesh()], options, previous=first)
     assert again.timings["surface"] == again.timings["field"] == 0
     assert digest(draw(again, look_at())) == digest(draw(first, look_at()))
-    moved = torus().moved((0.1, 0, 0))
-    other = ill.prepare([moved.mesh()], options, previous=first)
+    bent = torus()
+    bent.positions[0] += (0.1, 0, 0)
+    other = ill.prepare([bent.mesh()], options, previous=first)
     assert other.timings["surface"] > 0
     lines = ill.DrawOptions(hatching=False)  # the field may start from the last one
-    fresh = draw(prepared_of(moved), look_at(), lines)
+    fresh = draw(prepared_of(bent), look_at(), lines)
     assert digest(draw(other, look_at(), lines)) == digest(fresh)
     kept = torus().mesh(cage=False)
     assert ill.prepare([kept], options, previous=first).timings["surface"] > 0
@@ -211,6 +212,26 @@ def test_previous_is_taken_over_only_where_nothing_changed() -> None:
     unreliable = ill.prepare([torus().mesh()], turned, previous=first)
     assert unreliable.timings["surface"] == 0
     assert not unreliable.field.reliable.any()
+
+
+def test_what_moves_as_a_rigid_body_is_not_made_again() -> None:
+    options = ill.PrepareOptions(level=LEVEL)
+    first = ill.prepare([sphere().mesh(name="ball"), torus().mesh(name="ring")], options)
+    shift = np.array((0.1, 0, 0))
+    meshes = [torus().moved(tuple(shift)).mesh(name="ring"), sphere().mesh(name="ball")]
+    second, alone = ill.prepare(meshes, options, previous=first), ill.prepare(meshes, options)
+    ring, was = second.surface.objects == 0, first.surface.objects == 1
+    positions = first.surface.positions[was] + shift
+    np.testing.assert_allclose(second.surface.positions[ring], positions, atol=1e-15)
+    turned = first.field.directions[was]
+    np.testing.assert_allclose(second.field.directions[ring], turned, atol=1e-12)
+    np.testing.assert_array_equal(second.field.directions[~ring], first.field.directions[~was])
+    assert second.report == alone.report
+    lines = ill.DrawOptions(hatching=False)
+    ours, theirs = draw(second, look_at(), lines), draw(alone, look_at(), lines)
+    np.testing.assert_array_equal(ours.kinds, theirs.kinds)
+    np.testing.assert_array_equal(ours.offsets, theirs.offsets)
+    np.testing.assert_allclose(ours.image, theirs.image, atol=1e-6)
 
 
 def test_arrays_outlive_what_they_came_from() -> None:
