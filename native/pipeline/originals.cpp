@@ -147,9 +147,9 @@ bool set_levels(Originals& originals, const Originals* last, const SurfaceOption
   return has_changed;
 }
 
-// What is not kept, of the surface of its own.
+// The surface of what is not kept.
 Surface refine_those(Originals& originals, std::vector<SoundMesh>& sound,
-                     const SurfaceOptions& options, Renewal& renewal, const Progress& progress) {
+                     const SurfaceOptions& options, const Progress& progress) {
   std::vector<SoundMesh> fresh;
   std::vector<LevelWish> wishes;
   std::vector<int> levels;
@@ -159,12 +159,11 @@ Surface refine_those(Originals& originals, std::vector<SoundMesh>& sound,
     fresh.push_back(std::move(sound[o]));
     wishes.push_back(original.wish);
     levels.push_back(original.chosen_level);
-    renewal.fresh_originals.push_back(static_cast<int>(o));
-    renewal.last_objects.push_back(original.last);
   }
   Refined refined = refine_to(std::move(fresh), wishes, levels, options, progress);
-  for (std::size_t k = 0; k < levels.size(); ++k) {
-    originals.each[idx(renewal.fresh_originals[k])].level = refined.levels[k];
+  auto level = refined.levels.begin();
+  for (Original& original : originals.each) {
+    if (!original.is_kept) original.level = *level++;
   }
   return std::move(refined.surface);
 }
@@ -174,16 +173,15 @@ Similarity step_of(const Original& last, const Original& now) {
   return now.motion == last.motion ? Similarity() : now.motion * last.motion.inverse();
 }
 
-void set_sources(const Originals& originals, const Originals& last, Renewal& renewal) {
-  int fresh = 0;
+EarlierObjects earlier_objects(const Originals& originals, const Originals& last) {
+  EarlierObjects earlier;
   for (const Original& original : originals.each) {
-    if (original.is_kept) {
-      const Similarity step = step_of(last.each[idx(original.last)], original);
-      renewal.sources.push_back({0, original.last, step});
-    } else {
-      renewal.sources.push_back({1, fresh++, {}});
-    }
+    Earlier& found = earlier.emplace_back();
+    found.object = original.last;
+    found.is_kept = original.is_kept;
+    if (found.is_kept) found.step = step_of(last.each[idx(original.last)], original);
   }
+  return earlier;
 }
 
 }  // namespace
@@ -250,16 +248,13 @@ void refine_fresh(Originals& originals, std::vector<SoundMesh> sound, const Surf
                   const Originals* last, const Progress& progress) {
   set_wishes(originals, sound, options);
   if (set_levels(originals, last, options, sound)) set_wishes(originals, sound, options);
-  auto renewal = std::make_shared<Renewal>();
-  renewal->fresh =
-      std::make_shared<const Surface>(refine_those(originals, sound, options, *renewal, progress));
-  originals.surface = renewal->fresh;
-  if (renewal->fresh_originals.size() == originals.each.size()) return;
-  renewal->last = last->surface;
-  set_sources(originals, *last, *renewal);
-  originals.surface =
-      std::make_shared<const Surface>(joined(renewal->surfaces(), renewal->sources));
-  originals.renewal = std::move(renewal);
+  auto fresh = std::make_shared<const Surface>(refine_those(originals, sound, options, progress));
+  originals.surface = fresh;
+  if (!last) return;
+  originals.earlier = earlier_objects(originals, *last);
+  if (!keeps_any(originals.earlier)) return;
+  originals.surface = std::make_shared<const Surface>(
+      joined({last->surface.get(), fresh.get()}, LastFrame::sources(originals.earlier)));
 }
 
 }  // namespace illustrate

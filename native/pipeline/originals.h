@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "pipeline/last_frame.h"
 #include "surface/instances.h"
 #include "surface/refine.h"
 
@@ -28,24 +29,13 @@ struct Original {
   double largest_scale() const;
 };
 
-// How a surface was put together.
-struct Renewal {
-  std::shared_ptr<const Surface> last, fresh;  // of the last frame, and what is new in this one
-  ObjectSources sources;                       // (originals) surface 0: last, 1: fresh
-  std::vector<int> fresh_originals;            // (objects of `fresh`) which originals they are
-  std::vector<int>
-      last_objects;  // (objects of `fresh`) the one of `last` that each may be, or none
-
-  std::vector<const Surface*> surfaces() const { return {last.get(), fresh.get()}; }
-};
-
 struct Originals {
   std::vector<MeshPointer> objects;
   std::vector<Original> each;
   Instances instances;
   std::vector<int> last_objects;           // (objects) which of the last frame it may be, or none
   std::shared_ptr<const Surface> surface;  // whose objects the originals are
-  std::shared_ptr<const Renewal> renewal;  // null where nothing could be kept
+  EarlierObjects earlier;                  // (originals) of the last frame; empty: there is none
 
   void report(Counts& counts) const;  // of all objects' repairs, and of the originals' surface
 };

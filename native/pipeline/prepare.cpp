@@ -19,20 +19,6 @@ PrepareOptions with_threads(PrepareOptions options) {
   return options;
 }
 
-// Of the originals, from that of the last frame and that of those which are fresh.
-template <class Result>
-Result renewed(const Renewal& renewal, const Result& last, const Result& fresh) {
-  const std::vector<const Result*> both{&last, &fresh};
-  return joined(both, renewal.surfaces(), renewal.sources);
-}
-
-// Of the fresh originals, from that of all.
-template <class Result>
-Result of_fresh(const Renewal& renewal, const Result& result, const Surface& originals) {
-  const std::vector<const Result*> all{&result};
-  return joined(all, {&originals}, objects_as_they_are(renewal.fresh_originals));
-}
-
 }  // namespace
 
 template <class Make>
@@ -67,15 +53,14 @@ Prepared::Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions&
       derivative_(std::make_shared<Lazy<CurvatureDerivative>>()) {
   timings_ = {{"sanitize", 0}, {"surface", 0},       {"dual_surface", 0}, {"curvature", 0},
               {"field", 0},    {"intersections", 0}, {"hatch_curves", 0}};
-  std::shared_ptr<const Renewal> renewal;
   if (previous && previous->has_surface_of(meshes, options)) {
     take_over(*previous);
   } else {
     const bool is_alike = previous && is_same(options.surface, previous->options_.surface);
-    renewal = make_geometry(meshes, is_alike ? previous->geometry_.get() : nullptr,
-                            progress.part(0, options.field ? 0.4 : 0.7));
+    make_geometry(meshes, is_alike ? previous->geometry_.get() : nullptr,
+                  progress.part(0, options.field ? 0.4 : 0.7));
   }
-  if (previous && previous->field_ != field_) follow(*previous, std::move(renewal));
+  if (previous && previous->field_ != field_) follow(*previous);
   first_areas_ = triangle_areas(surface());
   if (previous) keep_first_areas(*previous);
   const bool searches = options.field || surface().triangles.size() <= most_searched_at_once;
@@ -99,6 +84,10 @@ bool Prepared::has_surface_of(const std::vector<MeshPointer>& meshes,
 void Prepared::keep_first_areas(const Prepared& previous) {
   // Seeds of hatches are dealt by area: with those of the first frame they stay where they are on a
   // mesh that stretches.
+  if (geometry_ == previous.geometry_) {
+    first_areas_ = previous.first_areas_;
+    return;
+  }
   const SameObjects same(previous.surface(), surface(), geometry_->originals.last_objects);
   for (std::size_t t = 0; t < first_areas_.size(); ++t) {
     const int last = same.last_triangle(t);
@@ -128,26 +117,35 @@ void Prepared::take_over(const Prepared& previous) {
   hatch_curves_ = previous.hatch_curves_;
 }
 
-// What holds, and what this one's results can start from.
-void Prepared::follow(const Prepared& previous, std::shared_ptr<const Renewal> renewal) {
-  auto last = std::make_shared<Last>();
-  last->renewal = std::move(renewal);
-  last->curvature = previous.curvature_;
-  last->holds_curvature =
-      last->renewal && previous.curvature_->peek() && is_same(options_.jet, previous.options_.jet);
-  const bool has_field = previous.field_->peek() != nullptr;
-  last->holds_field = last->holds_curvature && has_field &&
-                      is_same(options_.cross_field, previous.options_.cross_field) &&
-                      !needs_tree(options_.cross_field);
-  if (last->holds_curvature) last_curvature_ = last;
-  if (!has_field) return;
-  last->surface = previous.solved_surface();
-  last->field = previous.field_;
-  // They may still be wanted by a drawing that is being made.
-  last->families = previous.families_;
-  last->diagonal_families = previous.diagonal_families_;
-  last_field_ = last_families_ = last;
-  if (last->holds_field) last_diagonal_families_ = last;
+// Of what was solved last, the originals, where both fields are on originals.
+EarlierObjects Prepared::earlier_of(const Prepared& previous, const LastFrame* before) const {
+  if (needs_tree(options_.cross_field) || needs_tree(previous.options_.cross_field)) return {};
+  const bool is_new = geometry_ != previous.geometry_;
+  const EarlierObjects& now = geometry_->originals.earlier;
+  if (!before) return is_new ? now : EarlierObjects();
+  if (!is_new || before->earlier.empty()) return before->earlier;
+  return now.empty() ? now : composed(now, before->earlier);
+}
+
+// The last frame, or where that one did without a field, the last before it that had one: lines
+// alone are drawn while something is dragged.
+void Prepared::follow(const Prepared& previous) {
+  const bool is_solved = previous.field_->peek() != nullptr;
+  const LastFrame* before = is_solved ? nullptr : previous.last_field_.get();
+  auto frame = std::make_shared<LastFrame>();
+  frame->surface = before ? before->surface : previous.solved_surface();
+  frame->curvature = before ? before->curvature : previous.curvature_;
+  if (before || is_solved) frame->field = before ? before->field : previous.field_;
+  frame->families = before ? before->families : previous.families_;
+  frame->diagonal_families = before ? before->diagonal_families : previous.diagonal_families_;
+  frame->earlier = earlier_of(previous, before);
+  frame->holds = keeps_any(frame->earlier) && (!before || before->holds) &&
+                 is_same(options_.jet, previous.options_.jet) &&
+                 is_same(options_.cross_field, previous.options_.cross_field);
+  if (frame->holds && frame->curvature->peek()) last_curvature_ = frame;
+  if (!frame->field) return;
+  last_field_ = last_families_ = frame;
+  if (frame->holds) last_diagonal_families_ = frame;
 }
 
 // The surface of all objects, and its size and levels in the report.
@@ -167,11 +165,8 @@ void Prepared::place_originals(Geometry& geometry) {
   }
 }
 
-// Returns what it took over, which holds the surface of the last frame: no longer than results are
-// wanted of it.
-std::shared_ptr<const Renewal> Prepared::make_geometry(const std::vector<MeshPointer>& meshes,
-                                                       const Geometry* last,
-                                                       const Progress& progress) {
+void Prepared::make_geometry(const std::vector<MeshPointer>& meshes, const Geometry* last,
+                             const Progress& progress) {
   auto geometry = std::make_shared<Geometry>();
   Originals& originals = geometry->originals;
   const Originals* before = last ? &last->originals : nullptr;
@@ -191,9 +186,7 @@ std::shared_ptr<const Renewal> Prepared::make_geometry(const std::vector<MeshPoi
     geometry->mesh_reports.push_back({meshes[i]->name, originals.each[idx(original)].mended});
   }
   surface_progress.report(1);
-  auto renewal = std::exchange(originals.renewal, nullptr);
   geometry_ = std::move(geometry);
-  return renewal;
 }
 
 const Prepared::Search& Prepared::search(const Progress& progress) const {
@@ -227,12 +220,11 @@ const Curvature& Prepared::curvature_of_originals(const Progress& progress) cons
       return jet_curvature(surface, options_.jet, progress.part(0, 1, "curvature"));
     };
     return timed("curvature", [&] {
-      const std::shared_ptr<const Last> last = last_curvature_;
+      const std::shared_ptr<const LastFrame> last = last_curvature_;
       if (!last) return made_on(originals());
-      const Renewal& renewal = *last->renewal;
-      const Curvature fresh = made_on(*renewal.fresh);
+      const Curvature fresh = made_on(last->fresh_surface(originals()));
       last_curvature_.reset();
-      return renewed(renewal, *last->curvature->peek(), fresh);
+      return last->renewed(*last->curvature->peek(), fresh, originals());
     });
   });
 }
@@ -271,19 +263,19 @@ CrossField Prepared::solve_field(const Progress& progress) const {
   const Progress before = progress.part(0, 0.2), search = progress.part(0.2, 1, "field");
   const Curvature& curvature =
       shares_field() ? curvature_of_originals(before) : hatch_curvature(before);
-  const std::shared_ptr<const Last> last = last_field_;
+  const std::shared_ptr<const LastFrame> last = last_field_;
   FieldAids aids;
   if (last) {
     aids.last_surface = last->surface.get();
     aids.last_field = last->field->peek();
+    aids.last_objects = last->holds ? last->last_of_fresh() : last->last_of_all();
   }
   CrossField solved;
-  if (last && last->holds_field) {
-    const Renewal& renewal = *last->renewal;
-    aids.last_objects = renewal.last_objects;
-    const CrossField fresh = solve_on(*renewal.fresh, of_fresh(renewal, curvature, originals()),
-                                      std::move(aids), search);
-    solved = renewed(renewal, *last->field->peek(), fresh);
+  if (last && last->holds) {
+    const Surface& fresh_surface = last->fresh_surface(originals());
+    const Curvature fresh_curvature = last->of_fresh(curvature, originals());
+    const CrossField fresh = solve_on(fresh_surface, fresh_curvature, std::move(aids), search);
+    solved = last->renewed(*last->field->peek(), fresh, originals());
     solved.evaluations = fresh.evaluations;
   } else {
     solved = solve_on(*solved_surface(), curvature, std::move(aids), search);
@@ -306,23 +298,22 @@ Families Prepared::label_families(bool of_diagonals, const Progress& progress) c
   const CrossField& solved = *field_->peek();
   const Progress labels = progress.part(0.5, 1, "field");
   auto& last_found = of_diagonals ? last_diagonal_families_ : last_families_;
-  const std::shared_ptr<const Last> last = last_found;
+  const std::shared_ptr<const LastFrame> last = last_found;
   LastFamilies before;
   if (last) {
     const auto& made = of_diagonals ? last->diagonal_families : last->families;
-    before = {last->surface.get(), last->field->peek(), made->peek(), {}};
+    before = {last->surface.get(), last->field->peek(), made->peek(), last->last_of_all()};
   }
   Families found = timed("field", [&] {
-    if (!before.families || !last->holds_field) {
+    if (!before.families || !last->holds) {
       return label_on(*solved_surface(), curvature, solved, of_diagonals, before, labels);
     }
-    const Renewal& renewal = *last->renewal;
     const Families& kept = *before.families;
-    before.objects = renewal.last_objects;
+    before.objects = last->last_of_fresh();
     const Families fresh =
-        label_on(*renewal.fresh, of_fresh(renewal, curvature, originals()),
-                 of_fresh(renewal, solved, originals()), of_diagonals, before, labels);
-    return renewed(renewal, kept, fresh);
+        label_on(last->fresh_surface(originals()), last->of_fresh(curvature, originals()),
+                 last->of_fresh(solved, originals()), of_diagonals, before, labels);
+    return last->renewed(kept, fresh, originals());
   });
   last_found.reset();
   // What no drawing of the last frame has asked for is seldom wanted of this one.

@@ -88,8 +88,8 @@ class Prepared {
     Lazy<SurfaceParts> parts;
   };
 
-  std::shared_ptr<const Renewal> make_geometry(const std::vector<MeshPointer>& meshes,
-                                               const Geometry* last, const Progress& progress);
+  void make_geometry(const std::vector<MeshPointer>& meshes, const Geometry* last,
+                     const Progress& progress);
   static void place_originals(Geometry& geometry);
   const Curvature& curvature_of_originals(const Progress& progress) const;
   bool shares_field() const;
@@ -111,19 +111,8 @@ class Prepared {
   template <class Make>
   auto timed(const char* stage, Make&& make) const;
 
-  // What was found in the last frame, or with other options.
-  struct Last {
-    // What of it holds here; null: nothing. `holds_field`: nor does anything that follows from it.
-    std::shared_ptr<const Renewal> renewal;
-    bool holds_curvature = false, holds_field = false;
-    std::shared_ptr<Lazy<Curvature>> curvature;
-    // Solved: the search for this one may start there. The surface that it is on.
-    std::shared_ptr<const Surface> surface;
-    std::shared_ptr<Lazy<CrossField>> field;
-    // By the time that they are wanted here, the last frame has them, or does without.
-    std::shared_ptr<Lazy<Families>> families, diagonal_families;
-  };
-  void follow(const Prepared& previous, std::shared_ptr<const Renewal> renewal);
+  void follow(const Prepared& previous);
+  EarlierObjects earlier_of(const Prepared& previous, const LastFrame* before) const;
   CrossField solve_on(const Surface& surface, const Curvature& curvature, FieldAids aids,
                       const Progress& progress) const;
 
@@ -137,7 +126,7 @@ class Prepared {
   std::shared_ptr<Lazy<Families>> families_, placed_families_;
   std::shared_ptr<Lazy<Families>> diagonal_families_, placed_diagonal_families_;
   // Each until that is made here.
-  mutable std::shared_ptr<const Last> last_curvature_, last_field_, last_families_,
+  mutable std::shared_ptr<const LastFrame> last_curvature_, last_field_, last_families_,
       last_diagonal_families_;
   std::vector<double> first_areas_;  // (t) in the first frame of a mesh that deforms
   std::shared_ptr<Lazy<std::unique_ptr<ObjectCurves>>> hatch_curves_;

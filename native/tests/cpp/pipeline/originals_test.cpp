@@ -46,16 +46,17 @@ PolygonMesh stretched(PolygonMesh mesh) {
 }
 
 std::shared_ptr<const Prepared> frame(const Scene& scene,
-                                         const std::shared_ptr<const Prepared>& last = nullptr,
-                                         int budget = 100000) {
+                                      const std::shared_ptr<const Prepared>& last = nullptr,
+                                      int budget = 100000, bool has_field = true) {
   std::vector<MeshPointer> meshes;
   for (const PolygonMesh& mesh : scene) {
     meshes.push_back(std::make_shared<const PolygonMesh>(mesh));
   }
   PrepareOptions options;
   options.surface.triangle_budget = budget;
+  options.field = has_field;
   auto made = prepare(meshes, options, last.get());
-  made->families();
+  if (has_field) made->families();
   return made;
 }
 
@@ -108,6 +109,20 @@ TEST(LastFrame, IsFollowedByWhatBends) {
   EXPECT_EQ(s.curvature, r.curvature);
   EXPECT_EQ(second->hatch_curvature(), whole->hatch_curvature());
   EXPECT_EQ(second->report(), whole->report());
+}
+
+// Lines alone are drawn while something is dragged.
+TEST(LastFrame, IsTheLastThatHadAField) {
+  const Scene dragged{moved(dented_ball(), turn()), stretched(ring())};
+  const Scene end{moved(dented_ball(), turn() * turn()), stretched(ring())};
+  const auto first = frame({dented_ball(), ring()});
+  auto last = first;
+  for (const Scene& scene : {dragged, dragged, end}) last = frame(scene, last, 100000, false);
+  last = frame(end, last);
+  expect_same(*first, 0, *last, 0, turn() * turn(), 1e-12);
+  expect_same(*frame(end, first), 1, *last, 1, {}, 0);
+  const auto back = frame({dented_ball(), ring()}, frame(dragged, first, 100000, false));
+  expect_same(*first, 0, *back, 0, {}, 1e-12);
 }
 
 TEST(LastFrame, KnowsObjectsByTheirNames) {

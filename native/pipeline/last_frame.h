@@ -1,0 +1,62 @@
+// What was found in an earlier frame, or with other options, for results that are not made yet.
+#pragma once
+
+#include <memory>
+
+#include "core/lazy.h"
+#include "field/joined_field.h"
+
+namespace illustrate {
+
+// What an original has of an earlier frame.
+struct Earlier {
+  int object = none;     // of the surface then: the one that it may be
+  bool is_kept = false;  // it is that one, and has moved as a rigid body
+  Similarity step;       // so
+};
+using EarlierObjects = std::vector<Earlier>;  // (originals)
+
+// Of an earlier frame, from what the frame between has of it.
+EarlierObjects composed(const EarlierObjects& now, const EarlierObjects& between);
+
+struct LastFrame {
+  std::shared_ptr<const Surface> surface;  // of the originals then; a guided field: of all objects
+  EarlierObjects earlier;                  // empty: the objects may be those of the same numbers
+  // What is kept has the results that it had; else they are at most where a search may start.
+  bool holds = false;
+  std::shared_ptr<Lazy<Curvature>> curvature;
+  std::shared_ptr<Lazy<CrossField>> field;  // solved where it is not null
+  // By the time that they are wanted here, the frame has them, or does without.
+  std::shared_ptr<Lazy<Families>> families, diagonal_families;
+
+  // Which originals are not kept, and what each of them, or each of all, may have been.
+  std::vector<int> fresh_originals() const;
+  std::vector<int> last_of_fresh() const;
+  std::vector<int> last_of_all() const;
+
+  // The surface of those that are not kept, from that of all; made once.
+  const Surface& fresh_surface(const Surface& originals) const;
+
+  // Of those that are not kept, from that of all.
+  template <class Result>
+  Result of_fresh(const Result& result, const Surface& originals) const {
+    const std::vector<const Result*> all{&result};
+    return joined(all, {&originals}, objects_as_they_are(fresh_originals()));
+  }
+  // Of all, from that of the frame and that of what is not kept.
+  template <class Result>
+  Result renewed(const Result& last, const Result& fresh, const Surface& originals) const {
+    const std::vector<const Result*> both{&last, &fresh};
+    return joined(both, {surface.get(), &fresh_surface(originals)}, sources(earlier));
+  }
+
+  // Surface 0: that of the frame; 1: that of what is not kept.
+  static ObjectSources sources(const EarlierObjects& earlier);
+
+ private:
+  mutable Lazy<Surface> fresh_;
+};
+
+bool keeps_any(const EarlierObjects& earlier);
+
+}  // namespace illustrate
