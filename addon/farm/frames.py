@@ -2,7 +2,8 @@
 
 A frame that cannot be drawn is named and gone past. All frames of a command have the exposure of
 the first one; where the scene keeps strokes, each starts from the strokes of the one before. While
-one is drawn, the next is read and prepared (ahead.py), unless what is written asks Blender.
+one is drawn, the one before is written, and the next read and prepared (ahead.py), unless what is
+written asks Blender.
 """
 
 import os
@@ -10,6 +11,9 @@ import pathlib
 import re
 import time
 import traceback
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import bpy
@@ -43,6 +47,16 @@ def sequence_name(pattern: str) -> str:
     return file_name(re.sub("[._-]?#+", "", pattern), 0) or "sequence"
 
 
+@dataclass
+class Unwritten:
+    """A frame that is drawn."""
+
+    frame: int
+    name: str
+    made: Illustration
+    seconds: float  # that it has taken so far
+
+
 class Sequence:
     """The frames that one command draws."""
 
@@ -59,6 +73,9 @@ class Sequence:
         self._last: Any = None  # the drawing that the next one starts from
         self._exposure: float | None = None
         self._begun: ahead.Begun | None = None  # the next frame
+        self._unwritten: Unwritten | None = None  # the one before
+        self._writing_s = 0.0  # all that writing has taken
+        self._failed: list[int] = []
         self._looks_ahead = not (
             "blend" in chosen.format
             or self._plots.is_any
@@ -69,15 +86,15 @@ class Sequence:
 
     def draw(self) -> list[int]:
         """Draws and writes all frames; those that failed."""
-        failed = []
         try:
             for frame, following in zip(self._frames, [*self._frames[1:], None], strict=True):
-                if not self._succeeds(frame, following):
-                    failed.append(frame)
+                self._try(frame, partial(self._frame, frame, following))
                 self._progress.end()
         finally:
+            self._write_last()
             if self._begun is not None:
                 self._begun.let_go()
+        failed = sorted(set(self._failed), key=self._frames.index)
         self._plots.write_sequences(self._chosen.out, sequence_name(self._chosen.name))
         if failed:
             numbers = ", ".join(map(str, failed))
@@ -85,17 +102,23 @@ class Sequence:
             self._progress.fail(f"failed frames: {numbers} ({len(failed)} {of_all})")
         return failed
 
-    def _succeeds(self, frame: int, following: int | None) -> bool:
+    def _try(self, frame: int, work: Callable[[], None]) -> None:
+        """Does work on a frame, which is named where it fails."""
         try:
-            self._frame(frame, following)
+            work()
         except IllustrateError as error:
             complain(f"error: frame {frame}: {error}")
-            return False
+            self._failed.append(frame)
         except Exception:
             complain(f"error: frame {frame}:")
             traceback.print_exc()
-            return False
-        return True
+            self._failed.append(frame)
+
+    def _write_last(self) -> None:
+        """Writes the frame that is drawn and not written."""
+        last, self._unwritten = self._unwritten, None
+        if last is not None:
+            self._try(last.frame, partial(self._finish, last))
 
     def _frame(self, frame: int, following: int | None) -> None:
         if self._chosen.skip_existing and self._existing(frame):
@@ -103,17 +126,27 @@ class Sequence:
             say(f"skipping existing frame {frame}")
             self._last = None
             return
-        start = time.perf_counter()
+        start, written_s = time.perf_counter(), self._writing_s
         self._find_exposure(frame)
         self._warm_up(frame)
         name = file_name(self._chosen.name, frame)
         made = self._drawn(frame, name, following if self._looks_ahead else None)
-        for warning in made.warnings:
+        seconds = time.perf_counter() - start - (self._writing_s - written_s)
+        self._write_last()  # where nothing was left to draw of this one
+        self._unwritten = Unwritten(frame, name, made, seconds)
+        if self._begun is None:  # nothing will be drawn meanwhile
+            self._write_last()
+
+    def _finish(self, drawn: Unwritten) -> None:
+        start = time.perf_counter()
+        for warning in drawn.made.warnings:
             complain(f"warning: {warning}")
-        self._write(made, name, frame)
-        seconds = time.perf_counter() - start
+        self._write(drawn.made, drawn.name, drawn.frame)
+        writing_s = time.perf_counter() - start
+        self._writing_s += writing_s
+        seconds = drawn.seconds + writing_s
         say(f"Time: {time_text(seconds)}")
-        self._summaries.append(summary(name, made, seconds))
+        self._summaries.append(summary(drawn.name, drawn.made, seconds))
         say(self._summaries[-1])
 
     def _drawn(self, frame: int, name: str, following: int | None = None) -> Illustration:
@@ -130,6 +163,7 @@ class Sequence:
             begun.request.previous = self._last
 
         def begin_following() -> None:
+            self._write_last()
             if following is not None:
                 self._begun = ahead.begin(following, self._read_following)
 
