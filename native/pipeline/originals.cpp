@@ -22,16 +22,23 @@ bool is_near(const std::optional<double>& a, const std::optional<double>& b) {
   return a && b ? is_near(*a, *b) : !a == !b;
 }
 
-// (objects) the one of the last frame with the same name; those of one name by their order.
-std::vector<int> same_names(const std::vector<MeshPointer>& last,
-                            const std::vector<MeshPointer>& now) {
+// (objects) the one of the last frame with the same name, those of one name by their order; one of
+// a new name has had another.
+std::vector<int> objects_of_last(const std::vector<MeshPointer>& last,
+                                 const std::vector<MeshPointer>& now) {
   std::map<std::string, std::vector<int>> numbers;
   for (std::size_t i = last.size(); i-- > 0;) numbers[last[i]->name].push_back(static_cast<int>(i));
-  std::vector<int> result;
-  for (const MeshPointer& mesh : now) {
-    std::vector<int>& left = numbers[mesh->name];
-    result.push_back(left.empty() ? none : left.back());
-    if (!left.empty()) left.pop_back();
+  std::vector<std::uint8_t> is_found(last.size(), 0);
+  std::vector<int> result(now.size(), none);
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    std::vector<int>& left = numbers[now[i]->name];
+    if (left.empty()) continue;
+    result[i] = left.back();
+    is_found[idx(result[i])] = 1;
+    left.pop_back();
+  }
+  for (std::size_t i = 0; i < now.size() && i < last.size(); ++i) {
+    if (result[i] == none && !is_found[i]) result[i] = static_cast<int>(i);
   }
   return result;
 }
@@ -85,7 +92,7 @@ void set_edge_lengths(Originals& originals) {
 }
 
 void find_last(Originals& originals, const Originals& last) {
-  originals.last_objects = same_names(last.objects, originals.objects);
+  originals.last_objects = objects_of_last(last.objects, originals.objects);
   std::vector<std::uint8_t> is_taken(last.each.size(), 0);
   for (std::size_t i = 0; i < originals.objects.size(); ++i) {
     Original& original = originals.each[idx(originals.instances.originals[i])];

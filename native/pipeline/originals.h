@@ -40,7 +40,8 @@ struct Originals {
   void report(Counts& counts) const;  // of all objects' repairs, and of the originals' surface
 };
 
-// Objects are found again in the last frame by their names, those of one name by their order.
+// Objects are found again in the last frame by their names, those of one name by their order, and
+// by their numbers where they have been renamed.
 // Originals are kept where they have the same form and ask for the same edges, and no level depends
 // on the size of the scene. last: null where there is none.
 Originals find_originals(const std::vector<MeshPointer>& meshes, const SurfaceOptions& options,

@@ -133,6 +133,9 @@ TEST(LastFrame, KnowsObjectsByTheirNames) {
   const auto more = frame({added, ring(), dented_ball()}, first);
   expect_same(*first, 0, *more, 2, {}, 0);
   expect_same(*first, 1, *more, 1, {}, 0);
+  PolygonMesh renamed = dented_ball();
+  renamed.name = "moon";
+  expect_same(*first, 0, *frame({renamed, ring()}, first), 0, {}, 0);
   const auto fewer = frame({dented_ball()}, more);
   expect_same(*first, 0, *fewer, 0, {}, 0);
   PolygonMesh other = ring();
