@@ -131,7 +131,8 @@ class View {
 
   void follow(const Drawing& previous, const Surface& whole) {
     if (!previous.surface) return;
-    const SameObjects same(*previous.surface, whole);
+    const SameObjects same(*previous.surface, whole,
+                           objects_by_name(previous.object_names, names_of(scene_.meshes())));
     if (!same.any()) return;
     previous_ = scene_.seen_parts(moved_lines(placed_of(previous), same));
     last_drawn_ = drawn_hatches(previous, same);
@@ -351,6 +352,7 @@ DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOption
   DrawResult result = draw_styled(prepared, camera, options, lights, progress, previous);
   Drawing& drawing = result.drawing;
   drawing.surface = prepared.shared_surface();
+  drawing.object_names = names_of(prepared.meshes());
   if (previous) {
     const Stopwatch watch;
     follow_strokes(drawing, *previous, *drawing.surface, camera, line_unit(camera));

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <unordered_map>
 #include <utility>
 
 #include "pipeline/same_input.h"
+#include "surface/same_objects.h"
 
 namespace illustrate {
 namespace {
@@ -20,27 +20,6 @@ bool is_near(double a, double b) { return std::abs(a - b) <= same_size * std::ab
 
 bool is_near(const std::optional<double>& a, const std::optional<double>& b) {
   return a && b ? is_near(*a, *b) : !a == !b;
-}
-
-// (objects) the one of the last frame with the same name, those of one name by their order; one of
-// a new name has had another.
-std::vector<int> objects_of_last(const std::vector<MeshPointer>& last,
-                                 const std::vector<MeshPointer>& now) {
-  std::map<std::string, std::vector<int>> numbers;
-  for (std::size_t i = last.size(); i-- > 0;) numbers[last[i]->name].push_back(static_cast<int>(i));
-  std::vector<std::uint8_t> is_found(last.size(), 0);
-  std::vector<int> result(now.size(), none);
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    std::vector<int>& left = numbers[now[i]->name];
-    if (left.empty()) continue;
-    result[i] = left.back();
-    is_found[idx(result[i])] = 1;
-    left.pop_back();
-  }
-  for (std::size_t i = 0; i < now.size() && i < last.size(); ++i) {
-    if (result[i] == none && !is_found[i]) result[i] = static_cast<int>(i);
-  }
-  return result;
 }
 
 bool has_moved_normals(const PolygonMesh& from, const PolygonMesh& to, const Similarity& motion) {
@@ -92,7 +71,7 @@ void set_edge_lengths(Originals& originals) {
 }
 
 void find_last(Originals& originals, const Originals& last) {
-  originals.last_objects = objects_of_last(last.objects, originals.objects);
+  originals.last_objects = objects_by_name(names_of(last.objects), names_of(originals.objects));
   std::vector<std::uint8_t> is_taken(last.each.size(), 0);
   for (std::size_t i = 0; i < originals.objects.size(); ++i) {
     Original& original = originals.each[idx(originals.instances.originals[i])];
@@ -192,6 +171,12 @@ EarlierObjects earlier_objects(const Originals& originals, const Originals& last
 }
 
 }  // namespace
+
+std::vector<std::string> names_of(const std::vector<MeshPointer>& meshes) {
+  std::vector<std::string> names;
+  for (const MeshPointer& mesh : meshes) names.push_back(mesh->name);
+  return names;
+}
 
 double Original::largest_scale() const {
   double largest = 0;

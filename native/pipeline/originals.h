@@ -13,6 +13,8 @@ namespace illustrate {
 
 using MeshPointer = std::shared_ptr<const PolygonMesh>;
 
+std::vector<std::string> names_of(const std::vector<MeshPointer>& meshes);
+
 struct Original {
   MeshPointer given;                   // in this frame
   MeshPointer made_from;               // in the frame in which its surface was made
@@ -40,8 +42,7 @@ struct Originals {
   void report(Counts& counts) const;  // of all objects' repairs, and of the originals' surface
 };
 
-// Objects are found again in the last frame by their names, those of one name by their order, and
-// by their numbers where they have been renamed.
+// Objects are found again in the last frame by their names (surface/same_objects.h).
 // Originals are kept where they have the same form and ask for the same edges, and no level depends
 // on the size of the scene. last: null where there is none.
 Originals find_originals(const std::vector<MeshPointer>& meshes, const SurfaceOptions& options,

@@ -36,9 +36,11 @@ struct Drawing {
   std::vector<int> pens;             // (s) as the styles of objects and materials have it
   StrokeTracks tracks;
 
-  // What the next frame starts from: the surface that `on` is of, its hatches before they were cut
-  // to their tones (Hatches::placed), and what they were placed on (hatch/view/resting.h).
+  // What the next frame starts from: the surface that `on` is of, the names of its objects, its
+  // hatches before they were cut to their tones (Hatches::placed), and what they were placed on
+  // (hatch/view/resting.h).
   std::shared_ptr<const Surface> surface;
+  std::vector<std::string> object_names;
   Ragged<SurfacePoint> placed;
   std::shared_ptr<const ImageTiles> tiles;
 };

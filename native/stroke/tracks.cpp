@@ -89,10 +89,11 @@ std::vector<Sample> samples_of(const Drawing& drawing, int stroke, const Points&
 
 // Where the points of the last drawing are on the surface as it is now. Points of no surface, and
 // of objects that are not the same, are where they were.
-Points moved_points(const Drawing& last, const Surface& surface) {
+Points moved_points(const Drawing& last, const Surface& surface,
+                    const std::vector<int>& last_objects) {
   Points points = last.points;
   if (!last.surface) return points;
-  const SameObjects same(*last.surface, surface);
+  const SameObjects same(*last.surface, surface, last_objects);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (last.on[i].triangle == none || !same.has(last.on[i])) continue;
     points[i] += same.position(last.on[i]) - position_at(*last.surface, last.on[i]);
@@ -153,7 +154,9 @@ struct Overlap {
 
 class Follower {
  public:
-  Follower(Drawing& drawing, const Drawing& last) : drawing_(drawing), last_(last) {}
+  // last_objects: (objects) of the last drawing; empty: the same numbers.
+  Follower(Drawing& drawing, const Drawing& last, const std::vector<int>& last_objects)
+      : drawing_(drawing), last_(last), last_objects_(last_objects) {}
 
   void run(const Points& moved, const Camera& camera, double unit_px) {
     const LastStrokes strokes(last_, moved, camera, unit_px);
@@ -165,9 +168,18 @@ class Follower {
   }
 
  private:
+  // What the stroke may have been: of no object that there was, where its own is new.
+  Group last_group(int stroke) const {
+    auto [kind, object, is_hidden] = group_of(drawing_, stroke);
+    constexpr int of_no_object = -2;  // none: strokes that are of none
+    const bool is_mapped = object != none && !last_objects_.empty();
+    const int last = is_mapped ? last_objects_[idx(object)] : object;
+    return {kind, is_mapped && last == none ? of_no_object : last, is_hidden};
+  }
+
   void match(int stroke, const LastStrokes& strokes, const Camera& camera, double step_px) {
     std::map<int, Overlap> found;
-    const Group group = group_of(drawing_, stroke);
+    const Group group = last_group(stroke);
     for (const Sample& sample : samples_of(drawing_, stroke, drawing_.points, camera, step_px)) {
       const Sample* other = strokes.nearest(sample, group);
       if (!other) continue;
@@ -286,6 +298,7 @@ class Follower {
 
   Drawing& drawing_;
   const Drawing& last_;
+  const std::vector<int>& last_objects_;
   std::vector<Overlap> overlaps_;
   std::vector<int> longest_;  // (s) of the overlaps, or none
 };
@@ -304,7 +317,9 @@ StrokeTracks first_tracks(const Drawing& drawing) {
 
 void follow_strokes(Drawing& drawing, const Drawing& last, const Surface& surface,
                     const Camera& camera, double unit_px) {
-  Follower(drawing, last).run(moved_points(last, surface), camera, unit_px);
+  const std::vector<int> last_objects = objects_by_name(last.object_names, drawing.object_names);
+  const Points moved = moved_points(last, surface, last_objects);
+  Follower(drawing, last, last_objects).run(moved, camera, unit_px);
 }
 
 }  // namespace illustrate

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <numeric>
 
 #include "core/mixed_bits.h"
@@ -109,6 +110,25 @@ std::vector<int> by_number(const Surface& last, const Surface& now) {
 }
 
 }  // namespace
+
+std::vector<int> objects_by_name(const std::vector<std::string>& last,
+                                 const std::vector<std::string>& now) {
+  std::map<std::string, std::vector<int>> numbers;
+  for (std::size_t i = last.size(); i-- > 0;) numbers[last[i]].push_back(static_cast<int>(i));
+  std::vector<std::uint8_t> is_found(last.size(), 0);
+  std::vector<int> result(now.size(), none);
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    std::vector<int>& left = numbers[now[i]];
+    if (left.empty()) continue;
+    result[i] = left.back();
+    is_found[idx(result[i])] = 1;
+    left.pop_back();
+  }
+  for (std::size_t i = 0; i < now.size() && i < last.size(); ++i) {
+    if (result[i] == none && !is_found[i]) result[i] = static_cast<int>(i);
+  }
+  return result;
+}
 
 SameObjects::SameObjects(const Surface& last, const Surface& now,
                          const std::vector<int>& last_objects)

@@ -5,6 +5,11 @@
 
 namespace illustrate {
 
+// (objects) of the last frame's the one of the same name, those of one name by their order; of a
+// new name, the one of the same number if nothing else has its name. No two the same; or none.
+std::vector<int> objects_by_name(const std::vector<std::string>& last,
+                                 const std::vector<std::string>& now);
+
 // Finds the objects of one surface again in another. An object is the same where it has the same
 // control mesh, or as many vertices, each at the same place of its control mesh, and faces of the
 // same outlines. Triangles may differ: quads are split along their shorter diagonals, which change

@@ -54,7 +54,6 @@ std::uint64_t view_number(const HatchScene& scene, const HatchOptions& options) 
                              options.max_turn_deg, options.max_length_px, options.min_length_px}) {
     mixed.add(value);
   }
-  for (const std::uint8_t flag : scene.unhatched) mixed.add(std::uint64_t{flag});
   return mixed.number();
 }
 
@@ -122,7 +121,8 @@ class TileMarker {
  private:
   std::uint64_t triangle_number(int triangle) const {
     Mixed mixed;
-    mixed.add(scene_.scale_on(triangle));
+    const int object = scene_.surface.triangle_objects[idx(triangle)];
+    mixed.add(std::uint64_t{scene_.is_hatched(object)}).add(scene_.scale_on(triangle));
     for (const int v : scene_.surface.triangles[idx(triangle)]) mixed.add(vertices_[idx(v)]);
     return mixed.number();
   }

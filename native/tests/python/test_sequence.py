@@ -192,6 +192,21 @@ def test_what_rests_beside_something_that_moves_keeps_its_strokes() -> None:
         assert np.linalg.norm(line - middle, axis=1).min() < reach
 
 
+def test_strokes_live_on_beside_something_that_comes_or_goes() -> None:
+    """A ball comes before a ring in the list, and goes."""
+    ring, ball = torus().mesh(name="ring"), sphere(5).moved((0.0, 9.0, 0.0)).mesh(name="ball")
+    view = look_at((0.0, -1.0, 2.0))
+    alone = ill.prepare([ring], LEVEL)
+    both = ill.prepare([ball, ring], LEVEL, previous=alone)
+    first = ill.draw(alone, view)
+    second = ill.draw(both, view, previous=first)
+    third = ill.draw(ill.prepare([ring], LEVEL, previous=both), view, previous=second)
+    of_ring = {s: n for s, n in strokes_of(second).items() if second.objects[n] == 1}
+    assert of_ring.keys() == strokes_of(first).keys() == strokes_of(third).keys()
+    ids = {int(second.stroke_ids[n]) for n in of_ring.values()}
+    assert ids == set(first.stroke_ids.tolist()) == set(third.stroke_ids.tolist())
+
+
 def hatch_points(drawing: ill.Drawing) -> NDArray[np.float64]:
     """Points along all hatches, a hundredth apart."""
     found = []
