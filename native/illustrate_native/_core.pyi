@@ -955,6 +955,7 @@ def draw(
         progress: told how far it is.
         previous: the drawing of the frame before: its strokes live on. Of the same scene, or of
             one with the same vertices that has moved, its hatches are kept where they can be.
+            Objects are found again by their names.
 
     Raises:
         InvalidInput: an option, style or light out of its range, named.
