@@ -41,7 +41,10 @@ TEST(SameObjects, NotOfOtherFacesOrObjects) {
   std::swap(crossed.corner_vertices[5], crossed.corner_vertices[6]);
   EXPECT_FALSE(SameObjects(one, of_quads(crossed)).any());
   Surface two = one, other = of_quads(turned_quads(mesh));
-  for (Surface* surface : {&two, &other}) surface->object_is_smooth.push_back(1);
+  for (Surface* surface : {&two, &other}) {
+    surface->object_is_smooth.push_back(1);
+    surface->controls.push_back({std::make_shared<const ControlMesh>(), 0, {}});
+  }
   other.objects.back() = 1;
   EXPECT_FALSE(SameObjects(two, other).any());
   other = of_quads(turned_quads(mesh));
