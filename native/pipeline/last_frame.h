@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 
 #include "core/lazy.h"
 #include "field/joined_field.h"
@@ -58,5 +59,23 @@ struct LastFrame {
 };
 
 bool keeps_any(const EarlierObjects& earlier);
+
+// A frame that is held until what is wanted of it is made. Safe between threads.
+class HeldFrame {
+ public:
+  std::shared_ptr<const LastFrame> get() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return frame_;
+  }
+  void hold(std::shared_ptr<const LastFrame> frame) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    frame_ = std::move(frame);
+  }
+  void release() { hold(nullptr); }
+
+ private:
+  mutable std::mutex mutex_;
+  std::shared_ptr<const LastFrame> frame_;
+};
 
 }  // namespace illustrate

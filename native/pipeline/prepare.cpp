@@ -101,18 +101,18 @@ void Prepared::take_over(const Prepared& previous) {
   geometry_ = previous.geometry_;
   if (!is_same(options_.jet, previous.options_.jet)) return;
   curvature_ = previous.curvature_;
-  last_curvature_ = previous.last_curvature_;
+  last_curvature_.hold(previous.last_curvature_.get());
   placed_curvature_ = previous.placed_curvature_;
   derivative_ = previous.derivative_;
   if (!is_same(options_.cross_field, previous.options_.cross_field)) return;
   field_ = previous.field_;
-  last_field_ = previous.last_field_;
+  last_field_.hold(previous.last_field_.get());
   placed_field_ = previous.placed_field_;
   families_ = previous.families_;
-  last_families_ = previous.last_families_;
+  last_families_.hold(previous.last_families_.get());
   placed_families_ = previous.placed_families_;
   diagonal_families_ = previous.diagonal_families_;
-  last_diagonal_families_ = previous.last_diagonal_families_;
+  last_diagonal_families_.hold(previous.last_diagonal_families_.get());
   placed_diagonal_families_ = previous.placed_diagonal_families_;
   hatch_curves_ = previous.hatch_curves_;
 }
@@ -130,22 +130,25 @@ EarlierObjects Prepared::earlier_of(const Prepared& previous, const LastFrame* b
 // The last frame, or where that one did without a field, the last before it that had one: lines
 // alone are drawn while something is dragged.
 void Prepared::follow(const Prepared& previous) {
+  // In this order: it may be solved meanwhile, and lets go of the frame then.
+  std::shared_ptr<const LastFrame> before = previous.last_field_.get();
   const bool is_solved = previous.field_->peek() != nullptr;
-  const LastFrame* before = is_solved ? nullptr : previous.last_field_.get();
+  if (is_solved) before = nullptr;
   auto frame = std::make_shared<LastFrame>();
   frame->surface = before ? before->surface : previous.solved_surface();
   frame->curvature = before ? before->curvature : previous.curvature_;
   if (before || is_solved) frame->field = before ? before->field : previous.field_;
   frame->families = before ? before->families : previous.families_;
   frame->diagonal_families = before ? before->diagonal_families : previous.diagonal_families_;
-  frame->earlier = earlier_of(previous, before);
+  frame->earlier = earlier_of(previous, before.get());
   frame->holds = keeps_any(frame->earlier) && (!before || before->holds) &&
                  is_same(options_.jet, previous.options_.jet) &&
                  is_same(options_.cross_field, previous.options_.cross_field);
-  if (frame->holds && frame->curvature->peek()) last_curvature_ = frame;
+  if (frame->holds && frame->curvature->peek()) last_curvature_.hold(frame);
   if (!frame->field) return;
-  last_field_ = last_families_ = frame;
-  if (frame->holds) last_diagonal_families_ = frame;
+  last_field_.hold(frame);
+  last_families_.hold(frame);
+  if (frame->holds) last_diagonal_families_.hold(frame);
 }
 
 // The surface of all objects, and its size and levels in the report.
@@ -220,10 +223,10 @@ const Curvature& Prepared::curvature_of_originals(const Progress& progress) cons
       return jet_curvature(surface, options_.jet, progress.part(0, 1, "curvature"));
     };
     return timed("curvature", [&] {
-      const std::shared_ptr<const LastFrame> last = last_curvature_;
+      const std::shared_ptr<const LastFrame> last = last_curvature_.get();
       if (!last) return made_on(originals());
       const Curvature fresh = made_on(last->fresh_surface(originals()));
-      last_curvature_.reset();
+      last_curvature_.release();
       return last->renewed(*last->curvature->peek(), fresh, originals());
     });
   });
@@ -263,7 +266,7 @@ CrossField Prepared::solve_field(const Progress& progress) const {
   const Progress before = progress.part(0, 0.2), search = progress.part(0.2, 1, "field");
   const Curvature& curvature =
       shares_field() ? curvature_of_originals(before) : hatch_curvature(before);
-  const std::shared_ptr<const LastFrame> last = last_field_;
+  const std::shared_ptr<const LastFrame> last = last_field_.get();
   FieldAids aids;
   if (last) {
     aids.last_surface = last->surface.get();
@@ -280,7 +283,7 @@ CrossField Prepared::solve_field(const Progress& progress) const {
   } else {
     solved = solve_on(*solved_surface(), curvature, std::move(aids), search);
   }
-  last_field_.reset();
+  last_field_.release();
   return solved;
 }
 
@@ -298,7 +301,7 @@ Families Prepared::label_families(bool of_diagonals, const Progress& progress) c
   const CrossField& solved = *field_->peek();
   const Progress labels = progress.part(0.5, 1, "field");
   auto& last_found = of_diagonals ? last_diagonal_families_ : last_families_;
-  const std::shared_ptr<const LastFrame> last = last_found;
+  const std::shared_ptr<const LastFrame> last = last_found.get();
   LastFamilies before;
   if (last) {
     const auto& made = of_diagonals ? last->diagonal_families : last->families;
@@ -315,9 +318,9 @@ Families Prepared::label_families(bool of_diagonals, const Progress& progress) c
                  last->of_fresh(solved, originals()), of_diagonals, before, labels);
     return last->renewed(kept, fresh, originals());
   });
-  last_found.reset();
+  last_found.release();
   // What no drawing of the last frame has asked for is seldom wanted of this one.
-  if (last && !last->diagonal_families->peek()) last_diagonal_families_.reset();
+  if (last && !last->diagonal_families->peek()) last_diagonal_families_.release();
   return found;
 }
 

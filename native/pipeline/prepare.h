@@ -126,8 +126,7 @@ class Prepared {
   std::shared_ptr<Lazy<Families>> families_, placed_families_;
   std::shared_ptr<Lazy<Families>> diagonal_families_, placed_diagonal_families_;
   // Each until that is made here.
-  mutable std::shared_ptr<const LastFrame> last_curvature_, last_field_, last_families_,
-      last_diagonal_families_;
+  mutable HeldFrame last_curvature_, last_field_, last_families_, last_diagonal_families_;
   std::vector<double> first_areas_;  // (t) in the first frame of a mesh that deforms
   std::shared_ptr<Lazy<std::unique_ptr<ObjectCurves>>> hatch_curves_;
   std::shared_ptr<Lazy<CurvatureDerivative>> derivative_;
