@@ -181,7 +181,7 @@ void Prepared::make_geometry(const std::vector<MeshPointer>& meshes, const Geome
   timed("surface", [&] {
     refine_fresh(originals, std::move(sound), options_.surface, before, surface_progress);
     place_originals(*geometry);
-    geometry->limit_surface.emplace(*geometry->surface, last ? &*last->limit_surface : nullptr);
+    geometry->limit_surface.emplace(*geometry->surface);
     geometry->features = feature_edges(*geometry->surface);
   });
   for (std::size_t i = 0; i < meshes.size(); ++i) {

@@ -21,13 +21,8 @@ LimitPoint moved(const LimitPoint& p, const Similarity& placement) {
 
 }  // namespace
 
-LimitSurface::LimitSurface(const Surface& surface, const LimitSurface* last) {
+LimitSurface::LimitSurface(const Surface& surface) {
   std::unordered_map<const ControlMesh*, std::shared_ptr<const LimitPatches>> of_meshes;
-  if (last) {
-    for (const Object& object : last->objects_) {
-      of_meshes[object.control.mesh.get()] = object.patches;
-    }
-  }
   for (const PlacedControl& control : surface.controls) {
     const ControlMesh& mesh = *control.mesh;
     if (mesh.scheme == Scheme::polygons || mesh.ptex_faces == 0) continue;

@@ -10,8 +10,9 @@ namespace illustrate {
 class LimitSurface {
  public:
   // Keeps the control meshes of `surface` alive. Objects of one control mesh share its patches,
-  // moved, also with those of `last`, whose patches are not made again.
-  explicit LimitSurface(const Surface& surface, const LimitSurface* last = nullptr);
+  // moved. Those of another frame are not handed on, though it may have the same control meshes:
+  // what is kept of them would grow with every view that asks for others.
+  explicit LimitSurface(const Surface& surface);
 
   // One past the last ptex face; 0 where no object is subdivided.
   int ptex_faces() const;
