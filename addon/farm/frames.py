@@ -94,7 +94,7 @@ class Sequence:
             self._write_last()
             if self._begun is not None:
                 self._begun.let_go()
-        failed = sorted(set(self._failed), key=self._frames.index)
+        failed = sorted(self._failed, key=self._frames.index)
         self._plots.write_sequences(self._chosen.out, sequence_name(self._chosen.name))
         if failed:
             numbers = ", ".join(map(str, failed))

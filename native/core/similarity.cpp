@@ -31,16 +31,21 @@ bool may_be_rigid(const Points& from, const Points& to, double tolerance) {
   return true;
 }
 
+// Without a mirror.
+Mat3 nearest_rotation(const Mat3& map) {
+  const Eigen::JacobiSVD<Mat3> svd(map, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Mat3 u = svd.matrixU();
+  if ((u * svd.matrixV().transpose()).determinant() < 0) u.col(2) *= -1;
+  return u * svd.matrixV().transpose();
+}
+
 Similarity nearest_motion(const Points& from, const Points& to) {
   const Vec3 start = middle(from), end = middle(to);
   Mat3 products = Mat3::Zero();
   for (std::size_t i = 0; i < from.size(); ++i) {
     products += (to[i] - end) * (from[i] - start).transpose();
   }
-  const Eigen::JacobiSVD<Mat3> svd(products, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Mat3 u = svd.matrixU();
-  if ((u * svd.matrixV().transpose()).determinant() < 0) u.col(2) *= -1;
-  const Mat3 rotation = u * svd.matrixV().transpose();
+  const Mat3 rotation = nearest_rotation(products);
   return {rotation, 1, end - rotation * start};
 }
 
@@ -54,9 +59,8 @@ std::optional<Similarity> as_similarity(const Mat4& map) {
   const Mat3 nearly = linear / scale;
   const double off = (nearly.transpose() * nearly - Mat3::Identity()).cwiseAbs().maxCoeff();
   if (off > tolerance::similarity) return {};
-  // The nearest rotation: what single precision left of the matrix is none to the last bit.
-  const Eigen::JacobiSVD<Mat3> svd(nearly, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return Similarity{svd.matrixU() * svd.matrixV().transpose(), scale, map.topRightCorner<3, 1>()};
+  // What single precision left of the matrix is no rotation to the last bit.
+  return Similarity{nearest_rotation(nearly), scale, map.topRightCorner<3, 1>()};
 }
 
 std::optional<Similarity> rigid_motion(const Points& from, const Points& to) {

@@ -6,8 +6,8 @@ namespace illustrate {
 namespace {
 
 // What one object has of the field that it is taken from.
-void add_object(const CrossField& field, const Move& place, int first_vertex, int end_vertex,
-                CrossField& result) {
+void add_vertices(const CrossField& field, const Move& place, int first_vertex, int end_vertex,
+                  CrossField& result) {
   for (std::size_t v = idx(first_vertex); v < idx(end_vertex); ++v) {
     result.theta.push_back(field.theta[v]);
     result.reference.push_back(place.direction(field.reference[v]));
@@ -29,47 +29,47 @@ void add_singularities(const CrossField& field, const Move& place, int first_tri
   }
 }
 
+void add_energies(const CrossField& field, std::size_t object, CrossField& result) {
+  result.energy += field.object_energies[object];
+  result.energy_initial += field.object_energies_initial[object];
+  result.object_energies.push_back(field.object_energies[object]);
+  result.object_energies_initial.push_back(field.object_energies_initial[object]);
+}
+
 }  // namespace
 
 CrossField joined(const std::vector<const CrossField*>& fields,
                   const std::vector<const Surface*>& surfaces, const ObjectSources& sources) {
-  std::vector<std::vector<int>> vertices, triangles;
   CrossField result;
   result.converged = true;
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    vertices.push_back(first_vertices(*surfaces[i]));
-    triangles.push_back(first_triangles(*surfaces[i]));
-    result.converged = result.converged && fields[i]->converged;
-    result.evaluations += fields[i]->evaluations;
+  for (const CrossField* field : fields) {
+    result.converged = result.converged && field->converged;
+    result.evaluations += field->evaluations;
   }
-  int next_triangle = 0;
-  for (const auto& [surface, object, place] : sources) {
-    const CrossField& field = *fields[idx(surface)];
-    const Move move(place);
-    const std::size_t o = idx(object);
-    const int* vertex = &vertices[idx(surface)][o];
-    const int* triangle = &triangles[idx(surface)][o];
-    add_object(field, move, vertex[0], vertex[1], result);
-    add_singularities(field, move, triangle[0], triangle[1], next_triangle - triangle[0], result);
-    next_triangle += triangle[1] - triangle[0];
-    result.energy += field.object_energies[o];
-    result.energy_initial += field.object_energies_initial[o];
-    result.object_energies.push_back(field.object_energies[o]);
-    result.object_energies_initial.push_back(field.object_energies_initial[o]);
-  }
+  const auto visit = [&](const ObjectSource& source, int begin, int end) {
+    const CrossField& field = *fields[idx(source.surface)];
+    add_vertices(field, Move(source.place), begin, end, result);
+    add_energies(field, idx(source.object), result);
+  };
+  visit_sources(surfaces, sources, first_vertices, visit);
+  int next = 0;
+  const auto visit_triangles = [&](const ObjectSource& source, int begin, int end) {
+    const CrossField& field = *fields[idx(source.surface)];
+    add_singularities(field, Move(source.place), begin, end, next - begin, result);
+    next += end - begin;
+  };
+  visit_sources(surfaces, sources, first_triangles, visit_triangles);
   return result;
 }
 
 Families joined(const std::vector<const Families*>& families,
                 const std::vector<const Surface*>& surfaces, const ObjectSources& sources) {
-  std::vector<std::vector<int>> vertices;
-  for (const Surface* surface : surfaces) vertices.push_back(first_vertices(*surface));
   Families result;
-  for (const auto& [surface, object, place] : sources) {
-    const auto begin = families[idx(surface)]->begin();
-    const int* vertex = &vertices[idx(surface)][idx(object)];
-    result.insert(result.end(), begin + vertex[0], begin + vertex[1]);
-  }
+  const auto visit = [&](const ObjectSource& source, int begin, int end) {
+    const auto from = families[idx(source.surface)]->begin();
+    result.insert(result.end(), from + begin, from + end);
+  };
+  visit_sources(surfaces, sources, first_vertices, visit);
   return result;
 }
 

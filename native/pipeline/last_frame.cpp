@@ -24,7 +24,7 @@ bool keeps_any(const EarlierObjects& earlier) {
                      [](const Earlier& original) { return original.is_kept; });
 }
 
-ObjectSources LastFrame::sources(const EarlierObjects& earlier) {
+ObjectSources sources_of(const EarlierObjects& earlier) {
   ObjectSources result;
   int fresh = 0;
   for (const Earlier& original : earlier) {
@@ -40,20 +40,14 @@ ObjectSources LastFrame::sources(const EarlierObjects& earlier) {
 std::vector<int> LastFrame::fresh_originals() const {
   std::vector<int> result;
   for (std::size_t o = 0; o < earlier.size(); ++o) {
-    if (!earlier[o].is_kept) result.push_back(static_cast<int>(o));
+    if (!holds || !earlier[o].is_kept) result.push_back(static_cast<int>(o));
   }
   return result;
 }
 
-std::vector<int> LastFrame::last_of_fresh() const {
+std::vector<int> LastFrame::last_objects() const {
   std::vector<int> result;
   for (const int original : fresh_originals()) result.push_back(earlier[idx(original)].object);
-  return result;
-}
-
-std::vector<int> LastFrame::last_of_all() const {
-  std::vector<int> result;
-  for (const Earlier& original : earlier) result.push_back(original.object);
   return result;
 }
 

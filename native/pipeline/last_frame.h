@@ -20,6 +20,11 @@ using EarlierObjects = std::vector<Earlier>;  // (originals)
 // Of an earlier frame, from what the frame between has of it.
 EarlierObjects composed(const EarlierObjects& now, const EarlierObjects& between);
 
+bool keeps_any(const EarlierObjects& earlier);
+
+// Surface 0: that of the earlier frame; 1: that of what is not kept.
+ObjectSources sources_of(const EarlierObjects& earlier);
+
 struct LastFrame {
   std::shared_ptr<const Surface> surface;  // of the originals then; a guided field: of all objects
   EarlierObjects earlier;                  // empty: the objects may be those of the same numbers
@@ -30,10 +35,10 @@ struct LastFrame {
   // By the time that they are wanted here, the frame has them, or does without.
   std::shared_ptr<Lazy<Families>> families, diagonal_families;
 
-  // Which originals are not kept, and what each of them, or each of all, may have been.
+  // Which originals results have to be found for: those that are not kept, or all where nothing
+  // holds; and what each of those may have been.
   std::vector<int> fresh_originals() const;
-  std::vector<int> last_of_fresh() const;
-  std::vector<int> last_of_all() const;
+  std::vector<int> last_objects() const;
 
   // The surface of those that are not kept, from that of all; made once.
   const Surface& fresh_surface(const Surface& originals) const;
@@ -48,17 +53,12 @@ struct LastFrame {
   template <class Result>
   Result renewed(const Result& last, const Result& fresh, const Surface& originals) const {
     const std::vector<const Result*> both{&last, &fresh};
-    return joined(both, {surface.get(), &fresh_surface(originals)}, sources(earlier));
+    return joined(both, {surface.get(), &fresh_surface(originals)}, sources_of(earlier));
   }
-
-  // Surface 0: that of the frame; 1: that of what is not kept.
-  static ObjectSources sources(const EarlierObjects& earlier);
 
  private:
   mutable Lazy<Surface> fresh_;
 };
-
-bool keeps_any(const EarlierObjects& earlier);
 
 // A frame that is held until what is wanted of it is made. Safe between threads.
 class HeldFrame {

@@ -246,7 +246,7 @@ void refine_fresh(Originals& originals, std::vector<SoundMesh> sound, const Surf
   originals.earlier = earlier_objects(originals, *last);
   if (!keeps_any(originals.earlier)) return;
   originals.surface = std::make_shared<const Surface>(
-      joined({last->surface.get(), fresh.get()}, LastFrame::sources(originals.earlier)));
+      joined({last->surface.get(), fresh.get()}, sources_of(originals.earlier)));
 }
 
 }  // namespace illustrate

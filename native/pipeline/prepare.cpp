@@ -57,7 +57,7 @@ Prepared::Prepared(const std::vector<MeshPointer>& meshes, const PrepareOptions&
     take_over(*previous);
   } else {
     const bool is_alike = previous && is_same(options.surface, previous->options_.surface);
-    make_geometry(meshes, is_alike ? previous->geometry_.get() : nullptr,
+    make_geometry(meshes, is_alike ? &previous->geometry_->originals : nullptr,
                   progress.part(0, options.field ? 0.4 : 0.7));
   }
   if (previous && previous->field_ != field_) follow(*previous);
@@ -168,18 +168,17 @@ void Prepared::place_originals(Geometry& geometry) {
   }
 }
 
-void Prepared::make_geometry(const std::vector<MeshPointer>& meshes, const Geometry* last,
+void Prepared::make_geometry(const std::vector<MeshPointer>& meshes, const Originals* last,
                              const Progress& progress) {
   auto geometry = std::make_shared<Geometry>();
   Originals& originals = geometry->originals;
-  const Originals* before = last ? &last->originals : nullptr;
   std::vector<SoundMesh> sound = timed("sanitize", [&] {
-    originals = find_originals(meshes, options_.surface, before);
+    originals = find_originals(meshes, options_.surface, last);
     return sanitize_fresh(originals, progress.part(0, 0.1, "sanitize"));
   });
   const Progress surface_progress = progress.part(0.1, 1, "surface");
   timed("surface", [&] {
-    refine_fresh(originals, std::move(sound), options_.surface, before, surface_progress);
+    refine_fresh(originals, std::move(sound), options_.surface, last, surface_progress);
     place_originals(*geometry);
     geometry->limit_surface.emplace(*geometry->surface);
     geometry->features = feature_edges(*geometry->surface);
@@ -271,7 +270,7 @@ CrossField Prepared::solve_field(const Progress& progress) const {
   if (last) {
     aids.last_surface = last->surface.get();
     aids.last_field = last->field->peek();
-    aids.last_objects = last->holds ? last->last_of_fresh() : last->last_of_all();
+    aids.last_objects = last->last_objects();
   }
   CrossField solved;
   if (last && last->holds) {
@@ -305,18 +304,16 @@ Families Prepared::label_families(bool of_diagonals, const Progress& progress) c
   LastFamilies before;
   if (last) {
     const auto& made = of_diagonals ? last->diagonal_families : last->families;
-    before = {last->surface.get(), last->field->peek(), made->peek(), last->last_of_all()};
+    before = {last->surface.get(), last->field->peek(), made->peek(), last->last_objects()};
   }
   Families found = timed("field", [&] {
     if (!before.families || !last->holds) {
       return label_on(*solved_surface(), curvature, solved, of_diagonals, before, labels);
     }
-    const Families& kept = *before.families;
-    before.objects = last->last_of_fresh();
     const Families fresh =
         label_on(last->fresh_surface(originals()), last->of_fresh(curvature, originals()),
                  last->of_fresh(solved, originals()), of_diagonals, before, labels);
-    return last->renewed(kept, fresh, originals());
+    return last->renewed(*before.families, fresh, originals());
   });
   last_found.release();
   // What no drawing of the last frame has asked for is seldom wanted of this one.

@@ -88,7 +88,7 @@ class Prepared {
     Lazy<SurfaceParts> parts;
   };
 
-  void make_geometry(const std::vector<MeshPointer>& meshes, const Geometry* last,
+  void make_geometry(const std::vector<MeshPointer>& meshes, const Originals* last,
                      const Progress& progress);
   static void place_originals(Geometry& geometry);
   const Curvature& curvature_of_originals(const Progress& progress) const;
@@ -137,9 +137,10 @@ class Prepared {
 // Meshes to a surface, search trees and intersections (without options.field not above 500,000
 // triangles), with options.field also hatching curvature and cross field. A mesh without faces
 // contributes nothing but stays an object. `previous`: what was made from the same bytes with the
-// same options is taken over; on objects that are the same (surface/same_objects.h) the search for
-// the field starts from the last one, and families and seeds of hatches stay. Throws InvalidInput
-// for arrays that do not fit together and for wrong options.
+// same options is taken over, and of originals that rest or have moved as rigid bodies what was
+// made of them (pipeline/originals.h); on objects that are the same (surface/same_objects.h) the
+// search for the field starts from the last one, and families and seeds of hatches stay. Throws
+// InvalidInput for arrays that do not fit together and for wrong options.
 std::shared_ptr<const Prepared> prepare(const std::vector<MeshPointer>& meshes,
                                         const PrepareOptions& options,
                                         const Prepared* previous = nullptr,

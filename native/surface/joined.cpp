@@ -158,16 +158,13 @@ Surface joined(const std::vector<const Surface*>& surfaces, const ObjectSources&
 
 Curvature joined(const std::vector<const Curvature*>& curvatures,
                  const std::vector<const Surface*>& surfaces, const ObjectSources& sources) {
-  std::vector<std::vector<int>> first;
-  for (const Surface* surface : surfaces) first.push_back(first_vertices(*surface));
   Curvature result;
-  for (const auto& [surface, object, place] : sources) {
-    const std::vector<int>& begins = first[idx(surface)];
-    const Move move(place);
-    for (int v = begins[idx(object)]; v < begins[idx(object) + 1]; ++v) {
-      result.push_back(placed((*curvatures[idx(surface)])[idx(v)], move));
-    }
-  }
+  visit_sources(surfaces, sources, first_vertices,
+                [&](const ObjectSource& source, int begin, int end) {
+                  const Curvature& from = *curvatures[idx(source.surface)];
+                  const Move move(source.place);
+                  for (int v = begin; v < end; ++v) result.push_back(placed(from[idx(v)], move));
+                });
   return result;
 }
 

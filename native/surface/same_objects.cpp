@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/mixed_bits.h"
+#include "surface/joined.h"
 #include "surface/locate.h"
 
 namespace illustrate {
@@ -25,12 +26,11 @@ struct Range {
   int first = 0, count = 0;
 };
 
-// (objects) of what stands object after object.
-std::vector<Range> ranges(const std::vector<int>& objects, std::size_t count) {
-  std::vector<Range> result(count);
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    Range& range = result[idx(objects[i])];
-    if (range.count++ == 0) range.first = static_cast<int>(i);
+// (objects) from where each begins, and all end.
+std::vector<Range> ranges(const std::vector<int>& first) {
+  std::vector<Range> result;
+  for (std::size_t o = 0; o + 1 < first.size(); ++o) {
+    result.push_back({first[o], first[o + 1] - first[o]});
   }
   return result;
 }
@@ -138,10 +138,10 @@ SameObjects::SameObjects(const Surface& last, const Surface& now,
   shifts_.assign(count, {0, 0});
   now_objects_.assign(last_count, none);
   const std::vector<int> may_be = last_objects.empty() ? by_number(last, now) : last_objects;
-  const std::vector<Range> last_vertices = ranges(last.objects, last_count),
-                           vertices = ranges(now.objects, count),
-                           last_triangles = ranges(last.triangle_objects, last_count),
-                           triangles = ranges(now.triangle_objects, count);
+  const std::vector<Range> last_vertices = ranges(first_vertices(last)),
+                           vertices = ranges(first_vertices(now)),
+                           last_triangles = ranges(first_triangles(last)),
+                           triangles = ranges(first_triangles(now));
   for (std::size_t o = 0; o < count; ++o) {
     if (may_be[o] == none) continue;
     const std::size_t l = idx(may_be[o]);
