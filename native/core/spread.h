@@ -15,6 +15,7 @@ class Spread {
   // rods and plates that of the box round them, of a cube a quarter more. 0 without area.
   double diagonal() const;
   Vec3 middle() const;  // of the area; without any, the first corner
+  double area() const { return area_ / (per_unit_ * per_unit_); }
 
  private:
   // Squares of squares are summed: what may be very large or very small is measured in a unit near

@@ -19,6 +19,7 @@
 #include "hatch/streamlines/thin_streamlines.h"
 #include "hatch/undercut_hatches.h"
 #include "hatch/view/broad_tone.h"
+#include "hatch/view/hatch_area.h"
 
 namespace illustrate {
 namespace {
@@ -175,9 +176,12 @@ class GroupHatcher {
 
 std::vector<double> wanted_radii(const HatchScene& scene, const HatchOptions& options) {
   std::vector<double> radii = object_spacings(scene, options.spacing_px).least;
-  for (double& radius : radii) {
-    radius =
-        radius > 0 ? even_rules.finest_radius * radius : std::numeric_limits<double>::infinity();
+  const std::vector<std::uint8_t> hatched =
+      hatched_objects(scene.surface, scene.visible, scene.tone);
+  for (std::size_t i = 0; i < radii.size(); ++i) {
+    const bool is_wanted = radii[i] > 0 && hatched[i] != 0;
+    radii[i] =
+        is_wanted ? even_rules.finest_radius * radii[i] : std::numeric_limits<double>::infinity();
   }
   return radii;
 }

@@ -12,10 +12,11 @@ constexpr double large_part = 16;  // spacings
 
 SmallParts::SmallParts(const Surface& surface, const SurfaceParts& parts, const Camera& camera)
     : surface_(surface), parts_(parts) {
+  constexpr double unknown = std::numeric_limits<double>::infinity();
   for (std::size_t part = 0; part < parts.diagonals.size(); ++part) {
-    const double pixel = camera.pixel_size(parts.middles[part]);
-    size_px_.push_back(pixel > 0 ? parts.diagonals[part] / pixel
-                                 : std::numeric_limits<double>::infinity());
+    const double pixel = camera.pixel_size(parts.middles[part]), size = parts.diagonals[part];
+    size_px_.push_back(pixel > 0 ? size / pixel : unknown);
+    width_px_.push_back(pixel > 0 && size > 0 ? parts.areas[part] / (2 * size * pixel) : unknown);
   }
 }
 
@@ -31,6 +32,17 @@ std::vector<float> SmallParts::finer(const std::vector<double>& of_objects,
   }
   const bool is_any = std::any_of(scales.begin(), scales.end(), [](float s) { return s != 1; });
   return is_any ? scales : std::vector<float>();
+}
+
+std::vector<std::uint8_t> SmallParts::too_narrow(const std::vector<float>& scales,
+                                                 const HatchOptions& options) const {
+  std::vector<std::uint8_t> narrow(surface_.triangles.size());
+  for (std::size_t t = 0; t < narrow.size(); ++t) {
+    const double scale = scales.empty() ? 1 : double(scales[t]);
+    narrow[t] = width_px_[idx(parts_.of_triangle[t])] < scale * options.spacing_px;
+  }
+  const bool is_any = std::count(narrow.begin(), narrow.end(), 1) > 0;
+  return is_any ? narrow : std::vector<std::uint8_t>();
 }
 
 }  // namespace illustrate

@@ -1,4 +1,4 @@
-// Hatches on parts that are small for their spacing are finer.
+// Hatches on parts that are small for their spacing are finer; where none fits there are none.
 #pragma once
 
 #include <vector>
@@ -21,10 +21,18 @@ class SmallParts {
   std::vector<float> finer(const std::vector<double>& of_objects,
                            const HatchOptions& options) const;
 
+  // (t) 1: of a part that is narrower than its spacing: hairs, wires, blades of grass, far leaves.
+  // Their outlines fill them; a hatch between would be a third line along both. Narrow is what has
+  // little area for its length, half of that a closed part turns away. scales: of `finer`. Empty
+  // where there is none.
+  std::vector<std::uint8_t> too_narrow(const std::vector<float>& scales,
+                                       const HatchOptions& options) const;
+
  private:
   const Surface& surface_;
   const SurfaceParts& parts_;
-  std::vector<double> size_px_;  // (parts) infinite where nothing is known
+  // (parts) how long and how wide; infinite where nothing is known.
+  std::vector<double> size_px_, width_px_;
 };
 
 }  // namespace illustrate

@@ -11,6 +11,7 @@
 #include "hatch/even_hatches.h"
 #include "hatch/reduce_hatches.h"
 #include "hatch/small_parts.h"
+#include "hatch/view/hatch_area.h"
 #include "occlusion/visible_image.h"
 #include "pipeline/casters.h"
 #include "pipeline/hatch_passes.h"
@@ -145,8 +146,7 @@ class View {
 
   void hatch(const CrossField& field, const std::vector<Light>& lights, const Progress& progress) {
     const Surface& surface = scene_.surface();
-    const Families& families = scene_.families(progress.part(0, 0.1, "field"));
-    const Progress tone_progress = progress.part(0.1, 0.3, "tone");
+    const Progress tone_progress = progress.part(0, 0.2, "tone");
     tone_progress.report(0);
     const VisibleImage visible = timed(result_.timings["tone"], [&] {
       return render_visible(surface, camera_, cell_size(camera_, options_), {}, options_.threads);
@@ -155,17 +155,21 @@ class View {
     tone_options.threads = options_.threads;
     tone_options.patch_px = options_.smallest_tone * options_.hatch.spacing_px;
     const Mask unhatched = unhatched_objects(options_.styles);
+    const SmallParts small(surface, scene_.parts(), camera_);
+    const std::vector<float> spacing_scale =
+        small.finer(spacing_scales(options_.styles), options_.hatch);
     const Lightness lightness(surface, scene_.meshes());
     result_.tone = timed(result_.timings["tone"], [&] {
       ToneMap tone = tone_regions(surface, visible, result_.graph, camera_, lights, tone_options,
                                   &casters_.bvh(), unhatched, &lightness, tone_progress,
                                   shadow_catchers(options_.styles));
-      blank_unhatched(visible, materials_, tone);
+      blank_unhatched(visible, materials_.unhatched, tone);
+      blank_unhatched(visible, small.too_narrow(spacing_scale, options_.hatch), tone);
       return tone;
     });
-    const SmallParts small(surface, scene_.parts(), camera_);
-    const std::vector<float> spacing_scale =
-        small.finer(spacing_scales(options_.styles), options_.hatch);
+    const Mask hatched = hatched_objects(surface, visible, result_.tone);
+    if (std::count(hatched.begin(), hatched.end(), 1) == 0) return;
+    const Families& families = scene_.families(progress.part(0.2, 0.3, "field"));
     const CriticalCurves curves = timed(result_.timings["hatch"], [&] {
       return CriticalCurves(result_.graph, camera_.width_px(), camera_.height_px());
     });

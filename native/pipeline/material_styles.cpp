@@ -94,11 +94,12 @@ std::vector<int> pens_of(const Surface& surface,
   return pens;
 }
 
-void blank_unhatched(const VisibleImage& visible, const MaterialMarks& marks, ToneMap& tone) {
-  if (marks.empty()) return;
+void blank_unhatched(const VisibleImage& visible, const std::vector<std::uint8_t>& unhatched,
+                     ToneMap& tone) {
+  if (unhatched.empty()) return;
   for (std::size_t cell = 0; cell < tone.level.size(); ++cell) {
     const int triangle = visible.triangle[cell];
-    if (triangle != none && marks.unhatched[idx(triangle)]) blank(cell, tone);
+    if (triangle != none && unhatched[idx(triangle)]) blank(cell, tone);
   }
 }
 

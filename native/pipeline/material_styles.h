@@ -35,8 +35,9 @@ std::vector<int> pens_of(const Surface& surface,
                          const std::vector<std::shared_ptr<const PolygonMesh>>& meshes,
                          const std::vector<ObjectStyle>& styles);
 
-// Leaves the unhatched triangles' cells white.
-void blank_unhatched(const VisibleImage& visible, const MaterialMarks& marks, ToneMap& tone);
+// Leaves the cells of these triangles (t) white. Empty: none.
+void blank_unhatched(const VisibleImage& visible, const std::vector<std::uint8_t>& unhatched,
+                     ToneMap& tone);
 
 // The tones of one group; all else is white.
 ToneMap tones_of_group(const VisibleImage& visible, const MaterialMarks& marks, int group,

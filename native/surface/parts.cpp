@@ -36,6 +36,7 @@ SurfaceParts surface_parts(const Surface& surface) {
     const Spread spread = number_part(surface, t, part, parts.of_triangle);
     parts.diagonals.push_back(spread.diagonal());
     parts.middles.push_back(spread.middle());
+    parts.areas.push_back(spread.area());
   }
   return parts;
 }

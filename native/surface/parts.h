@@ -10,6 +10,7 @@ struct SurfaceParts {
   std::vector<int> of_triangle;   // (t)
   std::vector<double> diagonals;  // (parts) how large each is (core/spread.h)
   Points middles;                 // (parts) of area
+  std::vector<double> areas;      // (parts)
 };
 
 SurfaceParts surface_parts(const Surface& surface);

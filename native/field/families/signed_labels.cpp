@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t middle_size = 4000;
 constexpr int fewest_searches = 4;
 constexpr int most_searches = 24;
+constexpr int searches_in_vain = 10;  // in a row: no more follow
 constexpr int rounds_of_search = 3;
 constexpr std::size_t fewest_nodes = 16;
 
@@ -162,9 +163,11 @@ double price_of(const SignedGraph& graph, const Labels& labels, const std::vecto
   return price;
 }
 
-// Each region in which the others differ from the labels changes over if that pays.
-void take_better(const SignedGraph& graph, const Labels& others, Labels& labels) {
+// Each region in which the others differ from the labels changes over if that pays; whether any
+// did.
+bool take_better(const SignedGraph& graph, const Labels& others, Labels& labels) {
   std::vector<std::uint8_t> is_met(graph.size(), 0), is_one(graph.size(), 0);
+  bool any = false;
   for (std::size_t first = 0; first < graph.size(); ++first) {
     if (is_met[first] || labels[first] == others[first]) continue;
     std::vector<int> region{static_cast<int>(first)};
@@ -180,11 +183,24 @@ void take_better(const SignedGraph& graph, const Labels& others, Labels& labels)
       }
     }
     const bool pays = price_of(graph, labels, region, is_one) < 0;
+    any = any || pays;
     for (const int node : region) {
       is_one[idx(node)] = 0;
       if (pays) labels[idx(node)] = others[idx(node)];
     }
   }
+  return any;
+}
+
+// Whether labels are as every tie and every pull asks: none cost less.
+bool satisfies_all(const SignedGraph& graph, const Labels& labels) {
+  for (std::size_t i = 0; i < graph.size(); ++i) {
+    if (graph.pulls[i] * labels[i] < 0) return false;
+    for (const SignedLink& link : graph.links[i]) {
+      if (link.weight * labels[i] * labels[idx(link.node)] < 0) return false;
+    }
+  }
+  return true;
 }
 
 // As the pulls ask for, then by chance: against them or not, so that nothing depends on which of
@@ -202,13 +218,15 @@ Labels best_of_searches(const SignedGraph& graph, const Progress& progress) {
   Labels best;
   const int wanted = static_cast<int>(middle_size / std::max<std::size_t>(graph.size(), 1));
   const int count = std::clamp(wanted, fewest_searches, most_searches);
-  for (int search = 0; search < count; ++search) {
+  int in_vain = 0;
+  for (int search = 0; search < count && in_vain < searches_in_vain; ++search) {
     progress.report(static_cast<double>(search) / count);
     SeededNumbers numbers(static_cast<std::uint64_t>(search));
     Labels labels = first_labels(graph, search, numbers);
     for (int round = 0; round < rounds_of_search; ++round) search_once(graph, numbers, labels);
     if (best.empty()) best = labels;
-    take_better(graph, labels, best);
+    in_vain = take_better(graph, labels, best) ? 0 : in_vain + 1;
+    if (satisfies_all(graph, best)) return best;
   }
   Refiner(graph, best).refine();
   return best;

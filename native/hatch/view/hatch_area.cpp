@@ -23,6 +23,17 @@ std::optional<Region> region_beyond(const HatchScene& scene, const Vec2& before,
   return region_of(scene.tone, beyond);
 }
 
+std::vector<std::uint8_t> hatched_objects(const Surface& surface, const VisibleImage& visible,
+                                          const ToneMap& tone) {
+  std::vector<std::uint8_t> hatched(surface.object_is_smooth.size(), 0);
+  for (std::size_t cell = 0; cell < tone.level.size(); ++cell) {
+    const int triangle = visible.triangle[cell];
+    if (triangle == none || !is_hatched(tone, cell)) continue;
+    hatched[idx(surface.triangle_objects[idx(triangle)])] = 1;
+  }
+  return hatched;
+}
+
 // Whether `test` accepts the cell of an image point or, asked then, one of the eight around it,
 // within the frame.
 template <class Test>

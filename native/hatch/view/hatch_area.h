@@ -19,6 +19,10 @@ enum class Area : std::uint8_t {
 std::optional<Region> region_beyond(const HatchScene& scene, const Vec2& before, const Vec2& last,
                                     double reach_px);
 
+// (objects) 1: of which a cell is seen that hatches are wanted in.
+std::vector<std::uint8_t> hatched_objects(const Surface& surface, const VisibleImage& visible,
+                                          const ToneMap& tone);
+
 class HatchArea {
  public:
   explicit HatchArea(const HatchScene& scene)

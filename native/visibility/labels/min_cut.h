@@ -24,7 +24,8 @@ class MinCut {
 
   // Of a node, to what it has; also after `solve`, like the next but one.
   void add_cost(int node, std::int64_t cost);
-  // Returns the number of the edge. cost >= 0; more edges between two nodes add up.
+  // Returns the number of the edge. cost >= 0; more edges between two nodes add up. Not after
+  // `solve`.
   int add_edge(int from, int to, std::int64_t cost);
   void set_edge(int edge, std::int64_t cost);
 
@@ -37,14 +38,18 @@ class MinCut {
  private:
   enum class Tree : std::uint8_t { free, source, sink };
 
-  // Half of an edge: what may still flow to `head`; the other half is its index ^ 1.
+  struct Edge {
+    int from, to;
+    std::int64_t cost;
+  };
+  // Half of an edge: what may still flow to `head`. All of one tail stand together.
   struct Half {
     int head;
-    int next;  // of the same tail
+    int other;  // half of the edge
     std::int64_t room;
   };
   struct Node {
-    int first = none;   // half-edge
+    int first = 0;      // half-edge; those of the next node follow
     int parent = none;  // half-edge to the parent in its tree; at_terminal, orphan
     bool is_active = false;
     int distance = 0;  // to the terminal, true at `time`
@@ -53,13 +58,16 @@ class MinCut {
   };
   static constexpr int at_terminal = -2, orphan = -3;
 
-  int tail(int half) const { return halves_[idx(half ^ 1)].head; }
+  int other(int half) const { return halves_[idx(half)].other; }
+  int tail(int half) const { return halves_[idx(other(half))].head; }
+  int end_of(int node) const { return nodes_[idx(node) + 1].first; }
   bool can_grow(Tree tree, int half) const {
-    return halves_[idx(tree == Tree::source ? half : half ^ 1)].room > 0;
+    return halves_[idx(tree == Tree::source ? half : other(half))].room > 0;
   }
 
   Tree& tree(int node) { return trees_[idx(node)]; }
 
+  void lay_out_edges();
   void activate(int node);
   void plant(int node);
   void change_room(int node, std::int64_t by);
@@ -74,9 +82,11 @@ class MinCut {
   int distance_to_terminal(int node);
   std::vector<std::uint8_t> mask(Tree of, bool chosen) const;
 
-  std::vector<Node> nodes_;
+  std::vector<Node> nodes_;  // and one behind the last
   std::vector<Tree> trees_;  // (nodes)
+  std::vector<Edge> edges_;  // until they are laid out
   std::vector<Half> halves_;
+  std::vector<int> half_of_edge_;  // (edges) that from its tail
   std::deque<int> active_;
   std::deque<int> orphans_;
   int time_ = 0;

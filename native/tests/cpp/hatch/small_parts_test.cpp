@@ -84,5 +84,45 @@ TEST(SmallParts, AreThoseFarAway) {
   EXPECT_LT(before, 0.3);
 }
 
+// A rod of these sides in pixels.
+PolygonMesh rod(double width, double length) {
+  PolygonMesh mesh = shapes::cube();
+  for (Vec3& p : mesh.positions) p = p.cwiseProduct(Vec3(length, width, width) / 2);
+  return mesh;
+}
+
+// Of each part, at a spacing of 8 px, of 4 px on the smallest.
+std::vector<bool> narrow_parts(const Surface& surface, double scale = 1) {
+  const SurfaceParts parts = surface_parts(surface);
+  const SmallParts small(surface, parts, cameras::one_px);
+  HatchOptions options;
+  options.spacing_px = 8;
+  options.least_spacing_px = 4;
+  const std::vector<std::uint8_t> narrow = small.too_narrow(small.finer({scale}, options), options);
+  std::vector<bool> of_parts(parts.diagonals.size(), false);
+  for (std::size_t t = 0; t < narrow.size(); ++t) of_parts[idx(parts.of_triangle[t])] = narrow[t];
+  return of_parts;
+}
+
+TEST(SmallParts, NarrowerThanTheirSpacingHaveNoHatches) {
+  const auto is_narrow = [](const PolygonMesh& mesh, double scale = 1) {
+    return narrow_parts(shapes::plain_surface(mesh), scale)[0];
+  };
+  EXPECT_TRUE(is_narrow(rod(3, 200))) << "a wire";
+  EXPECT_FALSE(is_narrow(rod(6, 200)));
+  EXPECT_TRUE(is_narrow(rod(6, 200), 2)) << "a wider spacing is asked for";
+  EXPECT_FALSE(is_narrow(rod(3, 40))) << "short and finer";
+  EXPECT_TRUE(is_narrow(rod(2, 20))) << "a hair";
+  EXPECT_TRUE(is_narrow(shapes::icosphere_mesh(2, 2)));
+  EXPECT_FALSE(is_narrow(shapes::icosphere_mesh(4, 2)));
+}
+
+TEST(SmallParts, AreNarrowEachByItself) {
+  const PolygonMesh brush = shapes::joined(
+      rod(40, 200),
+      shapes::joined(shapes::moved(rod(2, 60), {0, 60, 0}), shapes::moved(rod(2, 60), {0, 70, 0})));
+  EXPECT_EQ(narrow_parts(shapes::plain_surface(brush)), (std::vector<bool>{false, true, true}));
+}
+
 }  // namespace
 }  // namespace illustrate

@@ -21,6 +21,7 @@ TEST(Parts, AreWhatEdgesConnect) {
     }
     EXPECT_NEAR(parts.diagonals[0], parts.diagonals[1], 1e-12);
     EXPECT_NEAR(parts.diagonals[0], std::sqrt(20.0), 1e-12);
+    EXPECT_NEAR(parts.areas[0], 24, 1e-12);
     EXPECT_LT((parts.middles[1] - parts.middles[0] - Vec3(9, 0, 0)).norm(), 1e-12);
   }
 }
