@@ -108,6 +108,8 @@ LINES = (
     real("inner_width_scale", "lines", "Inside", 1.0,
           "Width of lines inside an object's outline, as a share of what they have without",
           min=0.0, max=100.0, soft_max=1.0, subtype="FACTOR"),
+    share("line_width_by_crowding", "lines", "Crowded", 1.0,
+          "How far lines thin out where gaps between them would close"),
     share("hidden_width_scale", "lines", "Hidden", 0.5,
            "Width of hidden lines, as a share of that of visible ones"),
     paper("taper_px", "lines", "Taper", 6.0, "Length over which ends that meet no line thin out",

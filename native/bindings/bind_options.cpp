@@ -229,6 +229,8 @@ void bind_stroke_options(Class& bound) {
          "Share by which the nearest lines swell and the farthest thin out, [0, 1]");
   OPTION("inner_width_scale", values.stroke.line_weight.inner_scale,
          "Of lines that have the same object on both sides");
+  OPTION("line_width_by_crowding", values.stroke.width_by_crowding,
+         "How far lines thin out where gaps between them would close, [0, 1]");
   OPTION("hidden_width_scale", values.stroke.hidden_width_scale, "Of hidden lines");
   OPTION("taper_px", values.stroke.taper_px, "Length over which free ends thin out");
   OPTION("speck_px", values.stroke.speck_px, "Shorter lines are dropped unless they close a gap");

@@ -524,6 +524,8 @@ class DrawOptions:
     """Share by which the nearest lines swell and the farthest thin out, [0, 1]."""
     inner_width_scale: float
     """Of lines that have the same object on both sides."""
+    line_width_by_crowding: float
+    """How far lines thin out where gaps between them would close, [0, 1]."""
     hidden_width_scale: float
     """Of hidden lines."""
     taper_px: float

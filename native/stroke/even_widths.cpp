@@ -6,26 +6,6 @@
 namespace illustrate {
 namespace {
 
-constexpr double most_pieces = 4096;  // of one segment
-
-// With points between those that are more than `step_px` apart.
-StrokePath with_close_points(const StrokePath& path, double step_px, const Camera& camera) {
-  StrokePath result = path;
-  result.points.clear();
-  const std::size_t count = path.points.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const StrokePoint& a = path.points[i];
-    result.points.push_back(a);
-    if (i + 1 == count && !path.closed) break;
-    const StrokePoint& b = path.points[(i + 1) % count];
-    const double pieces = std::min(std::ceil((b.image - a.image).norm() / step_px), most_pieces);
-    for (int k = 1; k < pieces; ++k) {
-      result.points.push_back(point_between(a, b, k / pieces, camera));
-    }
-  }
-  return result;
-}
-
 // The integral of the width along a path, three times round a closed one: in the middle every point
 // has all its neighbours.
 class WidthIntegral {

@@ -7,6 +7,7 @@
 #include "core/errors.h"
 #include "stroke/chains.h"
 #include "stroke/continued_ends.h"
+#include "stroke/crowded_lines.h"
 #include "stroke/even_widths.h"
 #include "stroke/pen_parts.h"
 #include "stroke/specks.h"
@@ -23,6 +24,9 @@ struct Stroke {
   int invisibility;
   int pen = 0;
 };
+
+// How far round a place lines crowd it: so many of their widths, or units of the paper.
+constexpr double crowding_reach = 6;
 
 // Length over which a line that goes on grows from one weight to another.
 constexpr double weight_blend_units = 16;
@@ -68,9 +72,11 @@ bool is_free(const LabelledGraph& graph, const Ragged<ArcEnd>& ends, const Chain
   return !is_loose || graph.nodes[idx(node)].kind == NodeKind::end;
 }
 
-// Lines of as much in front run on in each other alone.
-void keep_continued_ends(std::vector<Stroke>& strokes, const StrokeOptions& options,
-                         double unit_px) {
+// What lines become beside each other. Visible lines, and hidden ones, run on in each other, and
+// crowd each other, alone.
+void finish_together(std::vector<Stroke>& strokes, const StrokeOptions& options, double unit_px,
+                     const Camera& camera) {
+  const double reach = crowding_reach * std::max(options.line_width_px, unit_px);
   for (const bool hidden : {false, true}) {
     std::vector<StrokePath> paths;
     std::vector<Stroke*> owners;
@@ -80,6 +86,7 @@ void keep_continued_ends(std::vector<Stroke>& strokes, const StrokeOptions& opti
       owners.push_back(&stroke);
     }
     keep_continued_ends(paths, options.taper_px, unit_px);
+    thin_where_crowded(paths, reach, options.width_by_crowding, camera);
     for (std::size_t i = 0; i < owners.size(); ++i) owners[i]->path = std::move(paths[i]);
   }
 }
@@ -111,7 +118,7 @@ std::vector<Stroke> line_strokes(const LabelledGraph& graph, const Ragged<double
                          arc.kind, arc.object, layers_over(arc)});
     }
   }
-  keep_continued_ends(strokes, options, graph.unit_px);
+  finish_together(strokes, options, graph.unit_px, camera);
   return strokes;
 }
 
@@ -220,6 +227,7 @@ void validate(const StrokeOptions& options) {
   }
   require(is_share(options.line_weight.by_light), "line_width_by_light must be in [0, 1]");
   require(is_share(options.line_weight.by_depth), "line_width_by_depth must be in [0, 1]");
+  require(is_share(options.width_by_crowding), "line_width_by_crowding must be in [0, 1]");
   require(is_share(options.hatch_width_by_light), "hatch_width_by_light must be in [0, 1]");
   if (options.hidden_lines) {
     require((*options.hidden_lines)[0] <= (*options.hidden_lines)[1],

@@ -25,6 +25,7 @@ struct StrokeOptions {
   double hatch_width_by_light =
       0.5;  // share by which hatches swell towards the dark and thin towards highlights
   LineWeightOptions line_weight;  // what makes lines wider here and thinner there
+  double width_by_crowding = 1;   // how far crowded lines thin out (crowded_lines.h), [0, 1]
   double hidden_width_scale = 0.5;
   double taper_px =
       6;  // length over which open ends thin out, for hatches and lines that end freely

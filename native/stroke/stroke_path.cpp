@@ -11,6 +11,8 @@ namespace {
 constexpr double tip_width = 0.15;
 constexpr std::array<double, 3> taper_steps{1.0 / 3, 2.0 / 3, 1.0};
 
+constexpr double most_pieces = 4096;  // of one segment
+
 double clip_w(const Camera& camera, const Vec3& p) {
   return camera.projection().row(3).dot(camera.view() * p.homogeneous());
 }
@@ -190,6 +192,23 @@ double thinned(double share_of_taper) {
 }
 
 }  // namespace
+
+StrokePath with_close_points(const StrokePath& path, double step_px, const Camera& camera) {
+  StrokePath result = path;
+  result.points.clear();
+  const std::size_t count = path.points.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const StrokePoint& a = path.points[i];
+    result.points.push_back(a);
+    if (i + 1 == count && !path.closed) break;
+    const StrokePoint& b = path.points[(i + 1) % count];
+    const double pieces = std::min(std::ceil((b.image - a.image).norm() / step_px), most_pieces);
+    for (int k = 1; k < pieces; ++k) {
+      result.points.push_back(point_between(a, b, k / pieces, camera));
+    }
+  }
+  return result;
+}
 
 double length_of(const StrokePath& path) {
   double length = 0;

@@ -25,6 +25,9 @@ struct StrokePath {
 StrokePoint point_between(const StrokePoint& a, const StrokePoint& b, double t,
                           const Camera& camera);
 
+// With points between those that are more than `step_px` apart; at most 4096 in one segment.
+StrokePath with_close_points(const StrokePath& path, double step_px, const Camera& camera);
+
 // In the image, of an open path.
 double length_of(const StrokePath& path);
 

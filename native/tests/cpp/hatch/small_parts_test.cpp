@@ -105,7 +105,7 @@ std::vector<bool> narrow_parts(const Surface& surface, double scale = 1) {
 }
 
 TEST(SmallParts, NarrowerThanTheirSpacingHaveNoHatches) {
-  const auto is_narrow = [](const PolygonMesh& mesh, double scale = 1) {
+  const auto is_narrow = [](const PolygonMesh& mesh, double scale = 1) -> bool {
     return narrow_parts(shapes::plain_surface(mesh), scale)[0];
   };
   EXPECT_TRUE(is_narrow(rod(3, 200))) << "a wire";
