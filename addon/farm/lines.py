@@ -50,7 +50,7 @@ class Progress:
 
     def __call__(self, fraction: float, stage: str) -> bool:
         """Progress of the drawing of one frame; never stops it."""
-        if stage != self._stage:
+        if stage and stage != self._stage:
             self._stage = stage
             self._new_stage(fraction)
         self._overall(fraction)
