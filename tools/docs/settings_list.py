@@ -83,9 +83,7 @@ NATIVE: dict[str, Effect | str] = {
     "line_width_by_light": drawn("ring", "line_width_by_light", 0.0, 1.0, line_width_px=2.5),
     "line_width_by_depth": drawn("ring", "line_width_by_depth", 0.0, 0.8, line_width_px=2.5),
     "inner_width_scale": drawn("ring", "inner_width_scale", 1.0, 0.3, line_width_px=2.5),
-    "line_width_by_crowding": drawn(
-        "faceted", "line_width_by_crowding", 0.0, 1.0, feature_width_px=3.0, **LINES_ONLY
-    ),
+    "line_width_by_crowding": drawn("fan", "line_width_by_crowding", 0.0, 1.0, **LINES_ONLY),
     "hidden_width_scale": drawn("ring", "hidden_width_scale", 0.2, 0.5, 1.0, **HIDDEN),
     "taper_px": drawn("ring", "taper_px", 0.0, 6.0, 40.0, line_width_px=3.0, hatching=False),
     "speck_px": drawn("cloth", "speck_px", 0.0, 60.0, suggestive_contours=True, hatching=False),

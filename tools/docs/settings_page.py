@@ -103,6 +103,18 @@ def _floor() -> View:
     return View(meshes, camera, {"level": 2}, {"spacing_px": 7.0}, [SUN])
 
 
+def _fan() -> View:
+    """Slats of a fan, closer together the nearer to its hub."""
+    angles = np.linspace(0.15, np.pi - 0.15, 40)
+    half = 0.4 * (angles[1] - angles[0])
+    rim = ((0.3, -half), (0.3, half), (1.6, half), (1.6, -half))
+    corners = [(r, angle + aside) for angle in angles for r, aside in rim]
+    positions = np.array([(r * np.cos(a), 0.0, r * np.sin(a)) for r, a in corners])
+    made = mesh(positions, np.arange(len(corners)).reshape(-1, 4), cage=False)
+    camera = look_at((0.3, -2.0, 0.4), 1.7, (0.0, 0.0, 0.8), SIZE_PX)
+    return View([made], camera, {"scheme": "none"})
+
+
 SCENES: dict[str, Callable[..., View]] = {
     "ring": _ring,
     "cage": _cage,
@@ -113,6 +125,7 @@ SCENES: dict[str, Callable[..., View]] = {
     "faceted": _faceted,
     "prism": _prism,
     "floor": _floor,
+    "fan": _fan,
 }
 OF_SCENE = ("crease_angle_deg", "cage")  # what a scene is made with
 
