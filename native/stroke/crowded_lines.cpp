@@ -8,15 +8,15 @@
 namespace illustrate {
 namespace {
 
-// Of the paper that lines may cover. Parallel lines reach it where the gaps between them are about
-// one and a half of their widths: with half of it hulls of ships lose their weight, with double
-// the gaps are closed by the roundness of pens and pixels.
+// Of the paper that lines may cover: parallel ones do where the gaps between them are one and a
+// half of their widths. With half of it lines would thin out that are four widths apart, as in any
+// door frame; with double, only where gaps are a quarter of a width, which pens and pixels close.
 constexpr double readable_share = 0.4;
 
 // No line is thinner than this share of its width: a hair that can still be printed.
 constexpr double least_width = 0.2;
 
-constexpr int cells_in_reach = 2;
+constexpr int cells_in_reach = 2;  // four take a millisecond more and look the same
 constexpr double aside_cells = 1;  // from a line to its two sides
 
 // A short piece of a path.
