@@ -25,14 +25,14 @@ struct Piece {
   double width;
 };
 
-// Calls visit(piece) for pieces of at most `step_px`, or 4096 of them to a segment.
+// Calls visit(piece) for the pieces of a path (piece_count).
 template <class Visit>
 void each_piece(const StrokePath& path, double step_px, const Visit& visit) {
   const std::size_t count = path.points.size();
   for (std::size_t i = path.closed ? 0 : 1; i < count; ++i) {
     const StrokePoint &a = path.points[i == 0 ? count - 1 : i - 1], &b = path.points[i];
     const Vec2 whole = b.image - a.image;
-    const double pieces = std::min(std::ceil(whole.norm() / step_px), 4096.0);
+    const double pieces = piece_count(whole, step_px);
     for (int k = 0; k < pieces; ++k) {
       const double at = (k + 0.5) / pieces;
       visit(Piece{a.image + at * whole, whole / pieces, a.width + at * (b.width - a.width)});
@@ -47,7 +47,7 @@ class InkMap {
       : cell_px_(reach_px / cells_in_reach),
         columns_(cell_count(camera.width_px())),
         rows_(cell_count(camera.height_px())),
-        ink_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0) {}
+        ink_(idx(columns_) * idx(rows_), 0) {}
 
   double cell_px() const { return cell_px_; }
 

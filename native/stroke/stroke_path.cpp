@@ -193,6 +193,10 @@ double thinned(double share_of_taper) {
 
 }  // namespace
 
+double piece_count(const Vec2& segment, double step_px) {
+  return std::min(std::ceil(segment.norm() / step_px), most_pieces);
+}
+
 StrokePath with_close_points(const StrokePath& path, double step_px, const Camera& camera) {
   StrokePath result = path;
   result.points.clear();
@@ -202,7 +206,7 @@ StrokePath with_close_points(const StrokePath& path, double step_px, const Camer
     result.points.push_back(a);
     if (i + 1 == count && !path.closed) break;
     const StrokePoint& b = path.points[(i + 1) % count];
-    const double pieces = std::min(std::ceil((b.image - a.image).norm() / step_px), most_pieces);
+    const double pieces = piece_count(b.image - a.image, step_px);
     for (int k = 1; k < pieces; ++k) {
       result.points.push_back(point_between(a, b, k / pieces, camera));
     }

@@ -25,7 +25,10 @@ struct StrokePath {
 StrokePoint point_between(const StrokePoint& a, const StrokePoint& b, double t,
                           const Camera& camera);
 
-// With points between those that are more than `step_px` apart; at most 4096 in one segment.
+// How many pieces of at most `step_px` a segment of the image has; 4096 where they would be more.
+double piece_count(const Vec2& segment, double step_px);
+
+// With points between those that are more than `step_px` apart: between such pieces.
 StrokePath with_close_points(const StrokePath& path, double step_px, const Camera& camera);
 
 // In the image, of an open path.

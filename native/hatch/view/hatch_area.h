@@ -36,8 +36,8 @@ class HatchArea {
         pixel_per_w_(scene.camera.pixel_per_w()) {}
 
   bool wanted(int cell, Area area) const {
-    const Region region = region_of(tone_.level[idx(cell)], tone_.band[idx(cell)]);
-    return region == Region::undercut || (area == Area::hatched && region != Region::neither);
+    if (area == Area::hatched) return is_hatched(tone_, idx(cell));
+    return region_of(tone_.level[idx(cell)], tone_.band[idx(cell)]) == Region::undercut;
   }
 
   // Whether a hatch may pass a point of the surface: in the frame, in a wanted cell, and not deeper

@@ -15,6 +15,7 @@ inline Region region_of(Tone level, Band band) {
   return level == Tone::shadow ? Region::shadow : Region::neither;
 }
 
+// Whether a cell takes any.
 inline bool is_hatched(const ToneMap& tone, std::size_t cell) {
   return region_of(tone.level[cell], tone.band[cell]) != Region::neither;
 }

@@ -15,6 +15,7 @@ int MinCut::add_edge(int from, int to, std::int64_t cost) {
 // The search goes from node to node over all half-edges of each: side by side they take a fifth
 // less time.
 void MinCut::lay_out_edges() {
+  if (edges_.empty()) return;
   for (const Edge& edge : edges_) ++nodes_[idx(edge.from)].first, ++nodes_[idx(edge.to)].first;
   int end = 0;
   for (Node& node : nodes_) node.first = end += node.first;
@@ -32,6 +33,7 @@ void MinCut::add_cost(int node, std::int64_t cost) { change_room(node, -cost); }
 
 // Flow that has no room any more stays with the nodes at both ends.
 void MinCut::set_edge(int edge, std::int64_t cost) {
+  lay_out_edges();
   const int half = half_of_edge_[idx(edge)];
   Half& ahead = halves_[idx(half)];
   Half& back = halves_[idx(ahead.other)];
@@ -95,7 +97,7 @@ void MinCut::plant(int node) {
 }
 
 void MinCut::solve() {
-  if (time_ == 0) lay_out_edges();
+  lay_out_edges();
   ++time_;
   adopt_orphans();
   while (!active_.empty()) {

@@ -24,8 +24,8 @@ class MinCut {
 
   // Of a node, to what it has; also after `solve`, like the next but one.
   void add_cost(int node, std::int64_t cost);
-  // Returns the number of the edge. cost >= 0; more edges between two nodes add up. Not after
-  // `solve`.
+  // Returns the number of the edge. cost >= 0; more edges between two nodes add up. All of
+  // them before the first `set_edge` or `solve`.
   int add_edge(int from, int to, std::int64_t cost);
   void set_edge(int edge, std::int64_t cost);
 
