@@ -14,8 +14,8 @@ std::vector<std::uint8_t> shows_back(const Surface& surface,
   }
   for (const IntersectionPoint& p : intersections.curves.values) {
     if (p.a.triangle == none || p.b.triangle == none) continue;
-    const int object = surface.triangle_objects[idx(p.a.triangle)];
-    if (object == surface.triangle_objects[idx(p.b.triangle)]) shows[idx(object)] = 1;
+    const int object = surface.object_of(p.a.triangle);
+    if (object == surface.object_of(p.b.triangle)) shows[idx(object)] = 1;
   }
   // An eye inside the box is on the wrong side of the near plane too.
   for (std::size_t object = 0; object < shows.size(); ++object) {

@@ -8,7 +8,7 @@ namespace {
 std::vector<EdgeSide> all_sides(const Surface& surface) {
   std::vector<EdgeSide> sides;
   for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
-    if (surface.object_is_smooth[idx(surface.triangle_objects[idx(t)])]) continue;
+    if (surface.is_smooth_at(t)) continue;
     for (int k = 0; k < 3; ++k) sides.push_back({t, k});
   }
   return sides;

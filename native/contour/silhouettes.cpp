@@ -201,7 +201,7 @@ SilhouetteSearch scan(const Surface& surface, const ContourFunctions& functions)
   for (int v = 0; v < static_cast<int>(front.size()); ++v) front[idx(v)] = functions.g(v) >= 0;
   SilhouetteSearch result;
   for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
-    if (!surface.object_is_smooth[idx(surface.triangle_objects[idx(t)])]) continue;
+    if (!surface.is_smooth_at(t)) continue;
     ++result.visited;
     const Triangle& v = surface.triangles[idx(t)];
     int fronts = surface.flips[idx(t)] & 7;  // a bit for each corner

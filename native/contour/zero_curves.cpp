@@ -89,7 +89,7 @@ class Linker {
       most = std::max(most, points[i].strength);
       if (i > 0) length += (points[i].position - points[i - 1].position).norm();
     }
-    const int object = surface_.triangle_objects[idx(points.front().on.triangle)];
+    const int object = surface_.object_of(points.front().on.triangle);
     return most >= limits_.strong && length >= limits_.shortest[idx(object)];
   }
 

@@ -30,7 +30,7 @@ Points corner_weights(const SoundMesh& mesh, const Faces& faces) {
 
 // The mean of the sector's shading normals; zero where one of them is far from it.
 Vec3 agreed_normal(const Points& normals, Span<const int> corners) {
-  static const double same = std::cos(crease_normals_deg * pi / 180);
+  static const double same = std::cos(radians(crease_normals_deg));
   Vec3 sum = Vec3::Zero();
   for (const int c : corners) {
     const Vec3& n = normals[idx(c)];

@@ -149,7 +149,7 @@ class FoldFinder {
     // A cubic spline's limit is a sixth of its control polygon's second difference inside it.
     const double height = std::min(reach_of_face(edges_, mesh_.positions, h),
                                    reach_of_face(edges_, mesh_.positions, mate));
-    const double rounding = px_ * height * std::sin(std::min(turn.degrees, 90.) * pi / 180) / 6;
+    const double rounding = px_ * height * std::sin(radians(std::min(turn.degrees, 90.))) / 6;
     if (!(rounding > rounding_px)) return 0;
     return share * std::min(sharpest_fold, std::log(rounding / rounding_px) / std::log(2.));
   }

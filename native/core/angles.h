@@ -13,6 +13,8 @@ inline double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
+constexpr double radians(double degrees) { return degrees * pi / 180; }
+
 inline double degrees_between(const Vec3& a, const Vec3& b) {
   return angle_between(a, b) * 180 / pi;
 }

@@ -168,7 +168,7 @@ class CreaseFinder {
     if (sharp.count != 2) return false;
     const Points& p = sound_.positions;
     const double turn = angle_between(p[v] - p[sharp.ends[0]], p[sharp.ends[1]] - p[v]);
-    return turn > (sharp.is_boundary ? boundary_corner_deg : crease_corner_deg) * pi / 180;
+    return turn > radians(sharp.is_boundary ? boundary_corner_deg : crease_corner_deg);
   }
 
   // Copies of a vertex stand side by side.
@@ -205,7 +205,7 @@ class CreaseFinder {
     for (std::size_t v = 0; v < means.size(); ++v) {
       if (sharp_[v].count > 0 || creases_.sharp_vertices[v]) continue;
       const double limit = all_flat[v] ? std::min(tip_deg, mesh_.crease_angle_deg) : tip_deg;
-      if (least[v] > limit * pi / 180) add_tip(v);
+      if (least[v] > radians(limit)) add_tip(v);
     }
   }
 
@@ -231,7 +231,7 @@ class CreaseFinder {
 }  // namespace
 
 bool turns_more(const Vec3& a, const Vec3& b, double angle_deg) {
-  return angle_deg < 180 && angle_between(a, b) > std::max(0.0, angle_deg - tie_deg) * pi / 180;
+  return angle_deg < 180 && angle_between(a, b) > radians(std::max(0.0, angle_deg - tie_deg));
 }
 
 Creases find_creases(const PolygonMesh& mesh, const Faces& faces, const Ragged<int>& edges,

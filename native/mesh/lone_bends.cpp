@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/pi.h"
+#include "core/angles.h"
 #include "mesh/flat_pieces.h"
 #include "mesh/mesh_size.h"
 #include "mesh/polygons.h"
@@ -115,7 +115,7 @@ class BendFinder {
   double height(const BendLine& line) const {
     const int h = line.half_edges[0];
     const double area = std::min(areas_[piece(h)], areas_[piece(turns_.mate(h))]);
-    return line.length > 0 ? area / line.length * line.turn_deg * pi / 180 / 8 : 0;
+    return line.length > 0 ? area / line.length * radians(line.turn_deg) / 8 : 0;
   }
 
   bool is_alone(const BendLine& line) const {

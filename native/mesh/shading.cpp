@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/pi.h"
+#include "core/angles.h"
 #include "mesh/mesh_size.h"
 
 namespace illustrate {
@@ -15,7 +15,7 @@ namespace {
 constexpr double coordinate_noise = 1e-6;
 
 // A face is a sliver where noise at its tips turns its plane by more than what counts as flat...
-const double noisy_height = 2 * coordinate_noise / (flat_shading_deg * pi / 180);
+const double noisy_height = 2 * coordinate_noise / radians(flat_shading_deg);
 // ...and whose shape is that of a needle: small faces of good shape are detail.
 constexpr double needle_aspect = 0.01;
 
@@ -253,7 +253,7 @@ class ShadingReader {
   }
 
   bool agrees_with_neighbour(int f, const std::vector<int>& mates) const {
-    static const double same = std::cos(crease_normals_deg * pi / 180);
+    static const double same = std::cos(radians(crease_normals_deg));
     const Points& normals = shading_.corner_normals;
     for (int h = faces_.offsets[f]; h < faces_.offsets[f + 1]; ++h) {
       const int mate = mates[h];
@@ -267,7 +267,7 @@ class ShadingReader {
 
   // Whichever side its normal is seen from.
   bool is_flat(int f) const {
-    static const double flat = std::cos(flat_shading_deg * pi / 180);
+    static const double flat = std::cos(radians(flat_shading_deg));
     for (int h = faces_.offsets[f]; h < faces_.offsets[f + 1]; ++h) {
       if (!(std::abs(shading_.corner_normals[h].dot(shading_.face_normals[f])) >= flat))
         return false;
@@ -284,7 +284,7 @@ class ShadingReader {
 };
 
 bool differ(const Faces& faces, int corner, int other, const Shading& shading) {
-  static const double same = std::cos(crease_normals_deg * pi / 180);
+  static const double same = std::cos(radians(crease_normals_deg));
   const double cosine = shading.corner_normals[corner].dot(shading.corner_normals[other]);
   const bool same_winding = shading.is_reversed[faces.corner_faces[corner]] ==
                             shading.is_reversed[faces.corner_faces[other]];

@@ -11,7 +11,7 @@
 #include "hatch/even_hatches.h"
 #include "hatch/reduce_hatches.h"
 #include "hatch/small_parts.h"
-#include "hatch/view/hatch_area.h"
+#include "hatch/view/hatch_runs.h"
 #include "occlusion/visible_image.h"
 #include "pipeline/casters.h"
 #include "pipeline/hatch_passes.h"
@@ -140,7 +140,7 @@ class View {
     last_tiles_ = previous.tiles;
     follows_.assign(scene_.meshes().size(), 0);
     for (const SurfacePoint& on : previous_.values) {
-      follows_[idx(scene_.surface().triangle_objects[idx(on.triangle)])] = 1;
+      follows_[idx(scene_.surface().object_of(on.triangle))] = 1;
     }
   }
 
@@ -160,15 +160,15 @@ class View {
         small.finer(spacing_scales(options_.styles), options_.hatch);
     const Lightness lightness(surface, scene_.meshes());
     result_.tone = timed(result_.timings["tone"], [&] {
-      ToneMap tone = tone_regions(surface, visible, result_.graph, camera_, lights, tone_options,
-                                  &casters_.bvh(), unhatched, &lightness, tone_progress,
-                                  shadow_catchers(options_.styles));
+      ToneMap tone =
+          tone_regions({surface, visible, result_.graph, camera_, lights, &casters_.bvh(),
+                        unhatched, shadow_catchers(options_.styles), &lightness, &scene_.parts()},
+                       tone_options, tone_progress);
       blank_unhatched(visible, materials_.unhatched, tone);
       blank_unhatched(visible, small.too_narrow(spacing_scale, options_.hatch), tone);
       return tone;
     });
-    const Mask hatched = hatched_objects(surface, visible, result_.tone);
-    if (std::count(hatched.begin(), hatched.end(), 1) == 0) return;
+    if (!is_hatched_anywhere(result_.tone)) return;
     const Families& families = scene_.families(progress.part(0.2, 0.3, "field"));
     const CriticalCurves curves = timed(result_.timings["hatch"], [&] {
       return CriticalCurves(result_.graph, camera_.width_px(), camera_.height_px());

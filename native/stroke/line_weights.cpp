@@ -61,7 +61,7 @@ class SeenObjects {
     const auto nearest =
         std::max_element(hits_.begin(), hits_.end(),
                          [](const RayHit& a, const RayHit& b) { return a.distance < b.distance; });
-    return nearest == hits_.end() ? none : surface_.triangle_objects[idx(nearest->triangle)];
+    return nearest == hits_.end() ? none : surface_.object_of(nearest->triangle);
   }
 
  private:

@@ -47,7 +47,7 @@ bool agree(const Vec3& a, const Vec3& b) { return (a - b).norm() <= tolerance::f
 // is flat, the cylinder is not: its normals turn across the strip.
 Vec3 flat_normal(const Surface& surface, int t) {
   const Triangle& triangle = surface.triangles[idx(t)];
-  const bool smooth = surface.object_is_smooth[idx(surface.triangle_objects[idx(t)])];
+  const bool smooth = surface.is_smooth_at(t);
   const auto own = [&](int k) -> Vec3 {
     return surface.corner_sign(t, k) * surface.normals[idx(triangle[idx(k)])];
   };
@@ -149,7 +149,7 @@ class FlatAreas {
   }
 
   bool is_cage(int t) const {
-    return surface_.controls[idx(surface_.triangle_objects[idx(t)])].mesh->mesh.cage;
+    return surface_.controls[idx(surface_.object_of(t))].mesh->mesh.cage;
   }
 
   void take_in_neighbours(int t, std::vector<int>& found) {

@@ -31,7 +31,7 @@ class SameObjects {
   // Where a point of the last surface has come to: whether it is still there, its position, and
   // the triangle there.
   bool has(const SurfacePoint& last) const {
-    return now_objects_[idx(last_.triangle_objects[idx(last.triangle)])] != none;
+    return now_objects_[idx(last_.object_of(last.triangle))] != none;
   }
   Vec3 position(const SurfacePoint& last) const;
   SurfacePoint point(const SurfacePoint& last) const;
@@ -41,7 +41,7 @@ class SameObjects {
     return is_same_[idx(object)] ? static_cast<int>(number) - shifts_[idx(object)][kind] : none;
   }
   const std::array<int, 2>& shifts_of(const SurfacePoint& last) const {
-    return shifts_[idx(now_objects_[idx(last_.triangle_objects[idx(last.triangle)])])];
+    return shifts_[idx(now_objects_[idx(last_.object_of(last.triangle))])];
   }
 
   const Surface& last_;

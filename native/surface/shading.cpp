@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "core/pi.h"
 #include "core/tolerances.h"
 #include "mesh/polygons.h"
 
@@ -21,7 +22,7 @@ Vec3 corner_normal(const RefinedMesh& mesh, const std::vector<Vec3>& face_normal
   const Vec3 b = unit_or_zero(mesh.point(mesh.previous(corner)) - mesh.point(corner));
   const Vec3 across = a.cross(b);
   const double angle = std::atan2(across.norm(), a.dot(b));
-  return (across.dot(normal) < 0 ? 2 * 3.14159265358979323846 - angle : angle) * normal;
+  return (across.dot(normal) < 0 ? 2 * pi - angle : angle) * normal;
 }
 
 Points face_normals(const RefinedMesh& mesh, int threads) {

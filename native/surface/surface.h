@@ -105,6 +105,13 @@ struct Surface {
   double diagonal = 0;                   // how large it is (core/spread.h)
   std::vector<double> object_diagonals;  // (objects) how large each of them is
 
+  int object_of(int triangle) const { return triangle_objects[idx(triangle)]; }
+  bool is_smooth_at(int triangle) const { return object_is_smooth[idx(object_of(triangle))] != 0; }
+  // Whether the triangle's object is one of a mask of them; an empty mask has none.
+  bool is_of(const std::vector<std::uint8_t>& mask, int triangle) const {
+    return !mask.empty() && mask[idx(object_of(triangle))] != 0;
+  }
+
   bool is_tip(int vertex) const {
     return !tips.empty() && std::binary_search(tips.begin(), tips.end(), vertex);
   }

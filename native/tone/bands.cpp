@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "contour/contour_functions.h"
-#include "surface/parts.h"
 #include "tone/fold_extents.h"
 #include "tone/fold_sides.h"
 #include "tone/step_along.h"
@@ -53,21 +52,21 @@ Vec2 left_of(const Vec2& heading) { return {heading.y(), -heading.x()}; }
 
 class BandMarker {
  public:
-  BandMarker(const Surface& surface, const VisibleImage& visible, const LabelledGraph& graph,
-             const Camera& camera, const std::vector<Light>& lights, const ToneOptions& options,
+  BandMarker(const ToneScene& scene, const ToneOptions& options,
              const std::vector<float>& brightness, std::vector<Band>& band)
-      : surface_(surface),
-        visible_(visible),
-        graph_(graph),
-        camera_(camera),
-        lights_(lights),
+      : surface_(scene.surface),
+        visible_(scene.visible),
+        graph_(scene.graph),
+        camera_(scene.camera),
+        lights_(scene.lights),
         options_(options),
         brightness_(brightness),
         band_(band),
-        map_(image_map(camera)),
+        map_(image_map(camera_)),
         is_anywhere_(!options.undercuts || options.undercut_contact == 0),
-        parts_(is_anywhere_ ? SurfaceParts{} : surface_parts(surface)),
-        extents_(is_anywhere_ ? FoldExtents{} : fold_extents(graph, camera)),
+        own_parts_(is_anywhere_ || scene.parts ? SurfaceParts{} : surface_parts(surface_)),
+        parts_(scene.parts ? *scene.parts : own_parts_),
+        extents_(is_anywhere_ ? FoldExtents{} : fold_extents(graph_, camera_)),
         nearest_(band.size(), std::numeric_limits<float>::infinity()) {}
 
   void mark(int arc) {
@@ -264,19 +263,19 @@ class BandMarker {
   const std::vector<float>& brightness_;
   std::vector<Band>& band_;
   ImageMap map_;
-  bool is_anywhere_;    // undercuts are the same beyond all folds
-  SurfaceParts parts_;  // empty then, as are the extents
-  FoldExtents extents_;
+  bool is_anywhere_;              // undercuts are the same beyond all folds
+  const SurfaceParts own_parts_;  // empty then, and where they are known
+  const SurfaceParts& parts_;
+  FoldExtents extents_;         // empty where undercuts are the same anywhere
   std::vector<float> nearest_;  // distance to the curve that marked a cell
 };
 
 }  // namespace
 
-void mark_bands(const Surface& surface, const VisibleImage& visible, const LabelledGraph& graph,
-                const Camera& camera, const std::vector<Light>& lights, const ToneOptions& options,
+void mark_bands(const ToneScene& scene, const ToneOptions& options,
                 const std::vector<float>& brightness, std::vector<Band>& band) {
-  BandMarker marker(surface, visible, graph, camera, lights, options, brightness, band);
-  const int count = static_cast<int>(graph.arcs.size());
+  BandMarker marker(scene, options, brightness, band);
+  const int count = static_cast<int>(scene.graph.arcs.size());
   for (int arc = 0; arc < count; ++arc) marker.mark(arc);
   for (int arc = 0; arc < count; ++arc) marker.clear_beside_crease(arc);
   for (Band& mark : band) {

@@ -40,8 +40,7 @@ struct Across {
 
   bool is_same_part(int a, int b, double most_step) const {
     if (triangle(b) == none) return false;
-    if (surface.triangle_objects[idx(triangle(a))] != surface.triangle_objects[idx(triangle(b))])
-      return false;
+    if (surface.object_of(triangle(a)) != surface.object_of(triangle(b))) return false;
     const int plane = surface.triangle_planes[idx(triangle(a))];
     const int other = surface.triangle_planes[idx(triangle(b))];
     return (plane == none || other == none || plane == other) &&

@@ -121,12 +121,8 @@ class Illumination {
       sum += share * (soft_shares_[i].empty() ? reaching(lights_[i], place)
                                               : static_cast<double>(soft_shares_[i][cell]));
     }
-    if (is_catcher(corners.triangle)) return all > 0 ? sum / all : 1;
+    if (surface_.is_of(scene_.catchers, corners.triangle)) return all > 0 ? sum / all : 1;
     return corners.lightness ? sum * thrown_back(*corners.lightness, place) : sum;
-  }
-
-  bool is_catcher(int triangle) const {
-    return !scene_.catchers.empty() && scene_.catchers[idx(surface_.triangle_objects[triangle])];
   }
 
   // A texture is seen as far as a cell reaches on the surface.

@@ -1,6 +1,7 @@
 // Lights and the brightness they give a point (paper section 6.1).
 #pragma once
 
+#include "core/pi.h"
 #include "view/camera.h"
 
 namespace illustrate {
@@ -20,7 +21,7 @@ struct Light {
   bool cosine = true;  // spot: weaker by the cosine from its axis; else by `blend` only
   // area: its light stays within this angle from where it shines to, as between slats, pi: all
   // before it; as much light in all, in (0, pi].
-  double spread_rad = 3.14159265358979323846;
+  double spread_rad = pi;
   double radius = 0;  // point, spot: of what shines; it softens the fall-off, not the shadows
   // point, spot, area: the distance at which it is as strong as `strength` (with a radius: at which
   // a point would be), which falls with the square of the distance; 0: as strong everywhere.

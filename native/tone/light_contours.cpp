@@ -46,7 +46,7 @@ class Terminators {
     result.on = p.on;
     result.edge = p.edge;
     result.fraction = p.fraction;
-    const int object = scene_.surface.triangle_objects[idx(p.on.triangle)];
+    const int object = scene_.surface.object_of(p.on.triangle);
     result.unseen = !shows_back_[idx(object)] &&
                     normal_at(scene_.surface, p.on).dot(camera_.to_eye(p.position)) < 0;
     return result;

@@ -95,7 +95,7 @@ Lightness::Lightness(const Surface& surface,
 }
 
 std::optional<FaceLightness> Lightness::of_triangle(int triangle) const {
-  const auto object = idx(surface_.triangle_objects[idx(triangle)]);
+  const auto object = idx(surface_.object_of(triangle));
   const int face = surface_.triangle_faces[idx(triangle)];
   if (first_corners_[object].empty() || face == none) return {};
   return FaceLightness(*meshes_[object], idx(face), first_corners_[object][idx(face)]);

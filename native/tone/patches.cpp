@@ -57,8 +57,7 @@ class Patches {
   Patches(const Surface& surface, const VisibleImage& visible, ToneMap& tone)
       : width_(tone.width), height_(tone.height), level_(tone.level) {
     object_.reserve(visible.triangle.size());
-    for (const int t : visible.triangle)
-      object_.push_back(t == none ? none : surface.triangle_objects[idx(t)]);
+    for (const int t : visible.triangle) object_.push_back(t == none ? none : surface.object_of(t));
     for (const int object : object_) {
       if (object == none) continue;
       if (idx(object) >= object_area_.size()) object_area_.resize(idx(object) + 1);

@@ -133,11 +133,11 @@ class SparseCells {
     const std::array<int, 4> cells = corners(s);
     const int first = visible_.triangle[idx(cells[0])];
     if (first == none) return false;
-    const int object = surface_.triangle_objects[idx(first)];
+    const int object = surface_.object_of(first);
     for (int y = s.y0; y <= s.y1; ++y) {
       for (int x = s.x0; x <= s.x1; ++x) {
         const int triangle = visible_.triangle[idx(visible_.index(x, y))];
-        if (triangle == none || surface_.triangle_objects[idx(triangle)] != object) return false;
+        if (triangle == none || surface_.object_of(triangle) != object) return false;
       }
     }
     const auto at = [&](int k) { return values_[idx(cells[idx(k)])]; };

@@ -19,11 +19,6 @@ void require(bool good, const char* message) {
 
 bool is_share(const std::optional<double>& share) { return !share || (*share >= 0 && *share <= 1); }
 
-// Whether the object of a triangle is one of a mask of them; an empty mask has none.
-bool is_of(const std::vector<std::uint8_t>& mask, const Surface& surface, int triangle) {
-  return !mask.empty() && mask[idx(surface.triangle_objects[idx(triangle)])];
-}
-
 Tone level_of(double light, const Thresholds& thresholds) {
   if (light > thresholds.highlight) return Tone::highlight;
   return light <= thresholds.shadow ? Tone::shadow : Tone::midtone;
@@ -35,49 +30,47 @@ std::uint8_t extra_level(double light, const Thresholds& thresholds) {
       std::count_if(extra.begin(), extra.end(), [&](double t) { return light <= t; }));
 }
 
-// The light of all visible cells whose objects are hatched, in order.
-std::vector<double> counted_light(const Surface& surface, const VisibleImage& visible,
-                                  const std::vector<double>& light,
-                                  const std::vector<std::uint8_t>& unhatched) {
+std::vector<double> light_at_cells(const ToneScene& scene, const ToneOptions& options,
+                                   const Progress& progress) {
+  if (options.image) {
+    return light_of_image(*options.image, scene.visible, scene.camera, options.threads, progress);
+  }
+  const LitScene lit{scene.surface, options.cast_shadows ? scene.casters : nullptr, scene.lightness,
+                     options.reflectance, scene.catchers};
+  return light_of_cells(lit, scene.visible, scene.camera, scene.lights, options.threads, progress);
+}
+
+// The light of all visible cells whose objects count, in order.
+std::vector<double> counted_light(const ToneScene& scene, const std::vector<double>& light) {
   std::vector<double> counted;
   for (std::size_t cell = 0; cell < light.size(); ++cell) {
-    const int triangle = visible.triangle[cell];
-    if (triangle == none) continue;
-    if (is_of(unhatched, surface, triangle)) continue;
+    const int triangle = scene.visible.triangle[cell];
+    if (triangle == none || scene.surface.is_of(scene.unhatched, triangle) ||
+        scene.surface.is_of(scene.catchers, triangle)) {
+      continue;
+    }
     counted.push_back(light[cell]);
   }
   return counted;
 }
 
 // Multiplies the light; returns by how much.
-double expose(const Surface& surface, const VisibleImage& visible, const ToneOptions& options,
-              const std::vector<std::uint8_t>& unhatched, std::vector<double>& light) {
+double expose(const ToneScene& scene, const ToneOptions& options, std::vector<double>& light) {
   double factor = options.exposure;
-  if (options.auto_exposure) {
-    factor *= suitable_exposure(options, counted_light(surface, visible, light, unhatched));
-  }
+  if (options.auto_exposure) factor *= suitable_exposure(options, counted_light(scene, light));
   if (factor == 1) return factor;
   for (double& value : light) value *= factor;
   return factor;
 }
 
-// Of two masks of objects, of which one may be empty.
-std::vector<std::uint8_t> either(const std::vector<std::uint8_t>& a,
-                                 const std::vector<std::uint8_t>& b) {
-  if (b.empty()) return a;
-  std::vector<std::uint8_t> both = b;
-  for (std::size_t i = 0; i < a.size(); ++i) both[i] |= a[i];
-  return both;
-}
-
 // Calls visit(cell) where objects of a mask are seen.
 template <class Visit>
-void for_cells_of(const std::vector<std::uint8_t>& mask, const Surface& surface,
-                  const VisibleImage& visible, const Visit& visit) {
+void for_cells_of(const std::vector<std::uint8_t>& mask, const ToneScene& scene,
+                  const Visit& visit) {
   if (mask.empty()) return;
-  for (std::size_t cell = 0; cell < visible.triangle.size(); ++cell) {
-    const int triangle = visible.triangle[cell];
-    if (triangle != none && is_of(mask, surface, triangle)) visit(cell);
+  for (std::size_t cell = 0; cell < scene.visible.triangle.size(); ++cell) {
+    const int triangle = scene.visible.triangle[cell];
+    if (triangle != none && scene.surface.is_of(mask, triangle)) visit(cell);
   }
 }
 
@@ -102,6 +95,18 @@ ToneMap levels_of(const VisibleImage& visible, const std::vector<double>& light,
       tone.extra[cell] = extra_level(light[cell], thresholds);
     }
   }
+  return tone;
+}
+
+ToneMap levels_in(const ToneScene& scene, const ToneOptions& options, std::vector<double>& light) {
+  const double exposure = expose(scene, options, light);
+  // The share of light that reaches a catcher is no light that could be exposed.
+  for_cells_of(scene.catchers, scene, [&](std::size_t cell) { light[cell] /= exposure; });
+  const bool by_share = options.highlight_share || options.shadow_share;
+  const Thresholds thresholds =
+      find_thresholds(options, by_share ? counted_light(scene, light) : std::vector<double>{});
+  ToneMap tone = levels_of(scene.visible, light, thresholds, options);
+  tone.exposure = exposure;
   return tone;
 }
 
@@ -132,39 +137,19 @@ int ToneMap::cell_of(const Vec2& image) const {
   return static_cast<int>(row) * width + static_cast<int>(column);
 }
 
-ToneMap tone_regions(const Surface& surface, const VisibleImage& visible,
-                     const LabelledGraph& graph, const Camera& camera,
-                     const std::vector<Light>& lights, const ToneOptions& options,
-                     const Bvh* casters, const std::vector<std::uint8_t>& unhatched,
-                     const Lightness* lightness, const Progress& progress,
-                     const std::vector<std::uint8_t>& catchers) {
+ToneMap tone_regions(const ToneScene& scene, const ToneOptions& options, const Progress& progress) {
   validate(options);
-  for (std::size_t i = 0; i < lights.size(); ++i) validate(lights[i], i);
-  require(casters || !options.cast_shadows, "cast_shadows needs what casts them");
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) validate(scene.lights[i], i);
+  require(scene.casters || !options.cast_shadows, "cast_shadows needs what casts them");
   progress.report(0);
-  const LitScene scene{surface, options.cast_shadows ? casters : nullptr, lightness,
-                       options.reflectance, catchers};
-  const Progress lighting = progress.part(0, 0.7);
-  std::vector<double> light =
-      options.image ? light_of_image(*options.image, visible, camera, options.threads, lighting)
-                    : light_of_cells(scene, visible, camera, lights, options.threads, lighting);
+  std::vector<double> light = light_at_cells(scene, options, progress.part(0, 0.7));
   progress.report(0.7);
-  const std::vector<std::uint8_t> uncounted = either(unhatched, catchers);
-  const double exposure = expose(surface, visible, options, uncounted, light);
-  // The share of light that reaches a catcher is no light that could be exposed.
-  for_cells_of(catchers, surface, visible, [&](std::size_t cell) { light[cell] /= exposure; });
-  const bool by_share = options.highlight_share || options.shadow_share;
-  const Thresholds thresholds =
-      find_thresholds(options, by_share ? counted_light(surface, visible, light, uncounted)
-                                        : std::vector<double>{});
-  ToneMap tone = levels_of(visible, light, thresholds, options);
-  tone.exposure = exposure;
-  settle_patches(surface, visible, options.patch_px, tone);
+  ToneMap tone = levels_in(scene, options, light);
+  settle_patches(scene.surface, scene.visible, options.patch_px, tone);
   if (options.mach_bands || options.undercuts) {
-    mark_bands(surface, visible, graph, camera, lights, options, tone.brightness, tone.band);
-    for_cells_of(catchers, surface, visible,
-                 [&](std::size_t cell) { tone.band[cell] = Band::nothing; });
-    drop_small_undercuts(surface, visible, options.patch_px, tone);
+    mark_bands(scene, options, tone.brightness, tone.band);
+    for_cells_of(scene.catchers, scene, [&](std::size_t cell) { tone.band[cell] = Band::nothing; });
+    drop_small_undercuts(scene.surface, scene.visible, options.patch_px, tone);
   }
   progress.report(1);
   return tone;

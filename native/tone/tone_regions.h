@@ -11,6 +11,7 @@
 #include "core/progress.h"
 #include "mesh/bvh.h"
 #include "occlusion/visible_image.h"
+#include "surface/parts.h"
 #include "tone/light.h"
 #include "tone/lightness.h"
 #include "visibility/labelled_graph.h"
@@ -65,16 +66,26 @@ struct ToneMap {
   int cell_of(const Vec2& image) const;
 };
 
-// `casters`: what casts shadows, needed where the options ask for them. `unhatched`: objects whose
-// area does not count towards the shares and the exposure, empty: none. lightness: of the surface;
-// null: white. `catchers`: objects, nor do these count, that are as light as the share of the light
-// that others let through to them, and have no bands; empty: none.
-ToneMap tone_regions(const Surface& surface, const VisibleImage& visible,
-                     const LabelledGraph& graph, const Camera& camera,
-                     const std::vector<Light>& lights, const ToneOptions& options,
-                     const Bvh* casters = nullptr, const std::vector<std::uint8_t>& unhatched = {},
-                     const Lightness* lightness = nullptr, const Progress& progress = {},
-                     const std::vector<std::uint8_t>& catchers = {});
+// What a tone map is of: a surface, what is seen of it, and what lights it.
+struct ToneScene {
+  const Surface& surface;
+  const VisibleImage& visible;
+  const LabelledGraph& graph;
+  const Camera& camera;
+  const std::vector<Light>& lights;  // none: a headlight
+  // What casts shadows; needed where the options ask for them.
+  const Bvh* casters = nullptr;
+  // (objects) 1: its area does not count towards the shares and the exposure; empty: all count.
+  std::vector<std::uint8_t> unhatched{};
+  // (objects) 1: does not count either, is as light as the share of the light that others let
+  // through to it, and has no bands; empty: none.
+  std::vector<std::uint8_t> catchers{};
+  const Lightness* lightness = nullptr;  // of the surface; null: white
+  const SurfaceParts* parts = nullptr;   // of the surface; null: they are looked for
+};
+
+ToneMap tone_regions(const ToneScene& scene, const ToneOptions& options,
+                     const Progress& progress = {});
 
 // The extra levels of a map as levels of their own: the first as midtone, the second as shadow, the
 // third as undercut, and nothing elsewhere.

@@ -92,7 +92,7 @@ Items items_of(const std::vector<int>& ids, const CornersOf& corners_of, int thr
 std::vector<std::vector<int>> ids_of(const Surface& surface) {
   std::vector<std::vector<int>> ids(surface.object_is_smooth.size());
   for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
-    const auto object = idx(surface.triangle_objects[idx(t)]);
+    const auto object = idx(surface.object_of(t));
     if (surface.object_is_smooth[object]) {
       ids[object].push_back(t);
       continue;

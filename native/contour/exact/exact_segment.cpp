@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/angles.h"
+
 namespace illustrate {
 namespace {
 
 constexpr int most_halvings = 12;
 constexpr double shortest_px = 0.02;
-constexpr double largest_turn_rad = 20 * 3.14159265358979323846 / 180;
+constexpr double largest_turn_rad = radians(20);
 // A mid-point is looked for this far from the chord, in lengths of the chord.
 constexpr double search_reach = 0.7;
 constexpr double at_cusp = 1e-4;       // |kappa|

@@ -288,7 +288,7 @@ void Patchwork::publish() {
     surface_.neighbours[i] = p.neighbours;
     surface_.edge_kinds[i] = p.kinds;
     surface_.patches[i] = p.patch;
-    surface_.triangle_objects[i] = whole_.triangle_objects[idx(p.source)];
+    surface_.triangle_objects[i] = whole_.object_of(p.source);
   }
 }
 

@@ -57,7 +57,7 @@ class PieceMaker {
                      end_node == none ? place(first, 1) : none};
     result.nodes = {start_node, end_node};
     result.strand.kind = line_kind(edge.kind);
-    result.strand.object = surface_.triangle_objects[idx(first.triangle)];
+    result.strand.object = surface_.object_of(first.triangle);
     result.from_polygons = is_polygonal(first);
     set_layers(edge, cuts, (from + to) / 2, result.strand);
     if (result.strand.left_layers < result.strand.right_layers) reverse(result);
@@ -84,9 +84,7 @@ class PieceMaker {
     }
   }
 
-  bool is_polygonal(const EdgeSide& side) const {
-    return !surface_.object_is_smooth[idx(surface_.triangle_objects[idx(side.triangle)])];
-  }
+  bool is_polygonal(const EdgeSide& side) const { return !surface_.is_smooth_at(side.triangle); }
 
   // `fraction` runs along the edge's first side, as the cuts do.
   bool is_front(const EdgeSide& side, bool along, Span<const EdgeCut> cuts, double fraction) const {

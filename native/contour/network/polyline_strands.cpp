@@ -94,7 +94,7 @@ std::vector<int> add_strands(const CutPolyline& line, Strand strand, CurveNetwor
 std::vector<int> add_polyline(const Surface& surface, const Polyline& line,
                               Span<const CurveCut> cuts, Strand strand, CurveNetwork& network) {
   if (line.points.size() < 2) return {};
-  strand.object = surface.triangle_objects[idx(line.points.front().on.triangle)];
+  strand.object = surface.object_of(line.points.front().on.triangle);
   if (cuts.empty()) {
     network.points.add(line.points);
     network.strands.push_back(strand);

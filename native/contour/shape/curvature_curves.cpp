@@ -64,7 +64,7 @@ struct SeenSurface {
     }
   }
 
-  std::size_t object(int triangle) const { return idx(surface.triangle_objects[idx(triangle)]); }
+  std::size_t object(int triangle) const { return idx(surface.object_of(triangle)); }
   bool is_unseen(int triangle, bool front) const { return !front && !shows_back[object(triangle)]; }
 
   const Surface& surface;

@@ -141,7 +141,7 @@ class LevelBuilder {
     return {position.cast<float>(),
             tangent.cast<float>(),
             normal_at(surface_, on).cast<float>(),
-            surface_.triangle_objects[idx(on.triangle)],
+            surface_.object_of(on.triangle),
             static_cast<int>(count_ + lines_.size()),
             index};
   }

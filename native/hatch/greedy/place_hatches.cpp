@@ -104,14 +104,14 @@ class Placer {
     const int cell = visible_.cell_of(image);
     if (cell == none || !area_.wanted(cell, area) || visible_.triangle[idx(cell)] == none)
       return {};
-    const int object = surface_.triangle_objects[idx(visible_.triangle[idx(cell)])];
+    const int object = surface_.object_of(visible_.triangle[idx(cell)]);
     return scene_.is_hatched(object) ? area_.visible_point(image) : SurfacePoint{};
   }
 
   // A new hatch, where it is clear of parallel ones and long enough; whether there is one.
   bool grow(const SurfacePoint& seed, const Vec3& towards, double clearance, Area area) {
     if (hatches_.curves.values.size() > most_points) return false;
-    const int object = surface_.triangle_objects[idx(seed.triangle)];
+    const int object = surface_.object_of(seed.triangle);
     const Style style = style_of(seed.triangle, area);
     const HatchSample first{walker_.point(seed), walker_.start(seed, towards).tangent};
     if (!area_.may_pass(first.point, area) || !area_.suits(first.point, first.tangent))
@@ -175,8 +175,7 @@ class Placer {
     const double of_one = alignment(one), of_other = alignment(other);
     const double slant = std::max(of_one, of_other);
     apart += step * slant;
-    const double spacing =
-        style_of(surface_.triangle_objects[idx(seed.triangle)], Area::hatched).spacing_px;
+    const double spacing = style_of(surface_.object_of(seed.triangle), Area::hatched).spacing_px;
     if (apart < spacing || slant < least_slant) return;
     const Vec3& towards = of_one >= of_other ? one : other;
     if (grow(seed, towards, queue_clearance, Area::hatched)) apart = 0;

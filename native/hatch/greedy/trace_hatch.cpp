@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/angles.h"
+
 namespace illustrate {
 namespace {
-
-constexpr double radians = 3.14159265358979323846 / 180;
 
 // Samples nearer than this share of a step have no direction between them.
 constexpr double least_step = 0.05;
@@ -49,7 +49,7 @@ bool Tracer::closes_in(const HatchLine& line, const HatchSample& sample,
 // sample lies at it.
 void Tracer::extend(HatchLine& line, Walk walk, const HatchRules& rules, double& rest_px) const {
   const Vec3 first_tangent = walk.tangent;
-  const double least_cosine = std::cos(options_.max_turn_deg * radians);
+  const double least_cosine = std::cos(radians(options_.max_turn_deg));
   const bool may_turn = options_.max_turn_deg >= 180;
   while (rest_px > least_step * rules.step_px) {
     const Walk before = walk;

@@ -4,12 +4,11 @@
 #include <cmath>
 #include <map>
 
+#include "core/angles.h"
 #include "hatch/view/hatch_runs.h"
 
 namespace illustrate {
 namespace {
-
-constexpr double radians = 3.14159265358979323846 / 180;
 
 // Between points of a finished hatch, in spacings.
 constexpr double point_step = 0.2;
@@ -60,7 +59,7 @@ class Finisher {
     length += (nodes()[next].image - nodes()[last].image).norm();
     const double turn = nodes()[middle].tangent.dot(nodes()[next].tangent);
     return length <= most && (view_.options.max_turn_deg >= 180 ||
-                              turn >= std::cos(view_.options.max_turn_deg * radians));
+                              turn >= std::cos(radians(view_.options.max_turn_deg)));
   }
 
   void add_piece(std::size_t from, std::size_t to) {

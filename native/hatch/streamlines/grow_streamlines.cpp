@@ -88,7 +88,7 @@ Pace whole_steps(double spacing, double test) {
 void grow_new(StreamlineSet& set, const HatchView& view, const StreamlineNode& first,
               const GrowRules& rules) {
   const Surface& surface = view.walker.on_surface().surface();
-  const int object = surface.triangle_objects[idx(first.on.triangle)];
+  const int object = surface.object_of(first.on.triangle);
   const double spacing = view.spacing_on(first.on.triangle);
   const int number = static_cast<int>(set.streamlines.size());
   if (view.is_near(set.grid, first, spacing, rules.clear * spacing, number, 0)) return;
@@ -130,7 +130,7 @@ std::vector<StreamlineNode> seed_nodes(const HatchView& view,
   const Surface& surface = view.walker.on_surface().surface();
   std::vector<StreamlineNode> nodes;
   for (const SurfacePoint& on : seeds) {
-    if (!view.is_hatched(surface.triangle_objects[idx(on.triangle)])) continue;
+    if (!view.is_hatched(surface.object_of(on.triangle))) continue;
     StreamlineNode one = view.node_at(on);
     if (!view.lies_well(one)) continue;
     const Vec3 normal = normal_at(surface, on);

@@ -14,7 +14,7 @@ std::vector<std::size_t> seen_cells(const HatchScene& scene) {
   std::vector<std::size_t> cells(scene.surface.object_is_smooth.size(), 0);
   for (const int triangle : scene.visible.triangle) {
     if (triangle == none) continue;
-    const int object = scene.surface.triangle_objects[idx(triangle)];
+    const int object = scene.surface.object_of(triangle);
     if (scene.is_hatched(object)) ++cells[idx(object)];
   }
   return cells;

@@ -20,7 +20,7 @@ class CurvePlacer {
 
   void place(Span<const SurfacePoint> curve) {
     if (curve.size() < 2) return;
-    object_ = surface_.triangle_objects[idx(curve[0].triangle)];
+    object_ = surface_.object_of(curve[0].triangle);
     if (!view_.is_hatched(object_)) return;
     spacing_ = view_.spacing_on(curve[0].triangle);
     run_.clear();

@@ -47,7 +47,7 @@ std::vector<SurfacePoint> lattice_places(const HatchScene& scene, const HatchVie
   }
   const auto is_asked = [&](int triangle) {
     return triangle != none &&
-           scene.scale_on(triangle) < below[idx(scene.surface.triangle_objects[idx(triangle)])];
+           scene.scale_on(triangle) < below[idx(scene.surface.object_of(triangle))];
   };
   visit_lattice(scene.camera.width_px(), scene.camera.height_px(),
                 surface_lattice_step * view.spacing_px(), [&](std::int64_t, const Vec2& image) {
@@ -83,7 +83,7 @@ ObjectSpacings object_spacings(const HatchScene& scene, double spacing_px) {
   double spacing = 0;
   for (const int triangle : scene.visible.triangle) {
     if (triangle == none) continue;
-    const std::size_t object = idx(scene.surface.triangle_objects[idx(triangle)]);
+    const std::size_t object = idx(scene.surface.object_of(triangle));
     if (!scene.is_hatched(static_cast<int>(object))) continue;
     if (triangle != last) {
       const Vec3& p = scene.surface.positions[idx(scene.surface.triangles[idx(triangle)][0])];

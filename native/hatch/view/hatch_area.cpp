@@ -29,7 +29,7 @@ std::vector<std::uint8_t> hatched_objects(const Surface& surface, const VisibleI
   for (std::size_t cell = 0; cell < tone.level.size(); ++cell) {
     const int triangle = visible.triangle[cell];
     if (triangle == none || !is_hatched(tone, cell)) continue;
-    hatched[idx(surface.triangle_objects[idx(triangle)])] = 1;
+    hatched[idx(surface.object_of(triangle))] = 1;
   }
   return hatched;
 }
@@ -78,7 +78,7 @@ bool HatchArea::is_seen_at(int centre, const HatchPoint& point) const {
 // Of sheets that are nearer to each other than cells tell apart, a sheet of paper and the table,
 // the triangles decide.
 bool HatchArea::is_covered_at(int centre, const HatchPoint& point) const {
-  const int own = surface_.triangle_objects[idx(point.on.triangle)];
+  const int own = surface_.object_of(point.on.triangle);
   int last = none;
   const auto covers = [&](int cell) {
     const int triangle = visible_.triangle[idx(cell)];
@@ -87,7 +87,7 @@ bool HatchArea::is_covered_at(int centre, const HatchPoint& point) const {
     return passes_before(triangle, point);
   };
   const int seen = visible_.triangle[idx(centre)];
-  if (seen == none || surface_.triangle_objects[idx(seen)] == own) return covers(centre);
+  if (seen == none || surface_.object_of(seen) == own) return covers(centre);
   return any_around(point.image, covers);
 }
 

@@ -20,6 +20,12 @@ inline bool is_hatched(const ToneMap& tone, std::size_t cell) {
   return region_of(tone.level[cell], tone.band[cell]) != Region::neither;
 }
 
+inline bool is_hatched_anywhere(const ToneMap& tone) {
+  for (std::size_t cell = 0; cell < tone.level.size(); ++cell)
+    if (is_hatched(tone, cell)) return true;
+  return false;
+}
+
 inline bool is_crossed(Region region) {
   return region == Region::shadow || region == Region::undercut;
 }

@@ -49,8 +49,7 @@ class HatchView {
   // The triangle that is seen at an image point, `none` where it is not to be hatched.
   int triangle_at(const Vec2& image) const {
     const int triangle = area.wanted_triangle(image, where_);
-    const bool is_wanted =
-        triangle != none && is_hatched(scene_.surface.triangle_objects[idx(triangle)]);
+    const bool is_wanted = triangle != none && is_hatched(scene_.surface.object_of(triangle));
     return is_wanted ? triangle : none;
   }
   const Camera& camera() const { return scene_.camera; }

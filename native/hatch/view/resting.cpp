@@ -121,7 +121,7 @@ class TileMarker {
  private:
   std::uint64_t triangle_number(int triangle) const {
     Mixed mixed;
-    const int object = scene_.surface.triangle_objects[idx(triangle)];
+    const int object = scene_.surface.object_of(triangle);
     mixed.add(std::uint64_t{scene_.is_hatched(object)}).add(scene_.scale_on(triangle));
     for (const int v : scene_.surface.triangles[idx(triangle)]) mixed.add(vertices_[idx(v)]);
     return mixed.number();

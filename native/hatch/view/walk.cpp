@@ -54,7 +54,7 @@ void Walker::fetch(const SurfacePoint& on) const {
 // on a polygon's.
 double Walker::facing_at(const SurfacePoint& on) const {
   const Triangle& corner = surface_.triangles[idx(on.triangle)];
-  if (surface_.object_is_smooth[idx(surface_.triangle_objects[idx(on.triangle)])]) {
+  if (surface_.is_smooth_at(on.triangle)) {
     const std::array<double, 3> weight = weights_of(on);
     double sum = 0;
     for (int k = 0; k < 3; ++k) {

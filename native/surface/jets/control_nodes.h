@@ -63,9 +63,7 @@ class ControlNodes {
   template <class Visit>  // visit(slot, slot) of every edge of a grid
   static void for_each_edge(const Grid& grid, Visit&& visit);
 
-  int level_of_triangle(int triangle) const {
-    return levels_[idx(surface_.triangle_objects[idx(triangle)])];
-  }
+  int level_of_triangle(int triangle) const { return levels_[idx(surface_.object_of(triangle))]; }
   int vertex_of(int corner) const { return surface_.triangles[idx(corner / 3)][idx(corner % 3)]; }
   int node_of(int corner) const { return nodes_[idx(vertex_of(corner))]; }
   double sign_of(int corner) const { return surface_.corner_sign(corner / 3, corner % 3); }

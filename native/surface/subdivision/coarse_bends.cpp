@@ -11,7 +11,7 @@ namespace {
 
 // Of the longest edge, which the add-on asks to be three pixels: .4 pixels.
 constexpr double chord_share = 1.0 / 8;
-constexpr double curve_rad = curve_deg * pi / 180;
+constexpr double curve_rad = radians(curve_deg);
 
 class CoarseBends {
  public:

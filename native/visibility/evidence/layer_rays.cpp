@@ -25,8 +25,7 @@ constexpr int most_steps = 64;  // from the triangle that a ray met to where the
 
 // An edge of a polygon object is where it is.
 bool LayerRays::is_interpolated(const Strand& strand, int triangle) const {
-  return strand.kind == Kind::silhouette &&
-         surface_.object_is_smooth[idx(surface_.triangle_objects[idx(triangle)])] != 0;
+  return strand.kind == Kind::silhouette && surface_.is_smooth_at(triangle);
 }
 
 // Image x runs along the view's first row, image y against its second.
@@ -42,7 +41,7 @@ double LayerRays::blind_distance(const Strand& strand, int triangle, const Vec3&
   const double pixels = reaches.blind * camera_.pixel_size(p);
   if (!is_interpolated(strand, triangle)) return pixels;
   const double edges = blind_edges * longest_edge(surface_, triangle);
-  const double object = surface_.object_diagonals[idx(surface_.triangle_objects[idx(triangle)])];
+  const double object = surface_.object_diagonals[idx(surface_.object_of(triangle))];
   const double most = std::min(blind_diagonals * surface_.diagonal, blind_object * object);
   return std::max(pixels, std::min(edges, most));
 }

@@ -5,13 +5,13 @@
 #include <limits>
 #include <utility>
 
+#include "core/pi.h"
 #include "visibility/reaches.h"
 
 namespace illustrate {
 namespace {
 
 constexpr int directions = 4;
-constexpr double half_turn = 3.141592653589793;
 constexpr int most_rows = 8192;  // a larger frame gets wider rows
 constexpr int finer_rows = 16;   // in a row where they are
 
@@ -224,7 +224,7 @@ std::vector<std::vector<StrandPlace>> outline_places(const CurveNetwork& network
     points.insert(points.end(), cut.begin(), cut.end());
   }
   OutlineScan scan(segments, points, frame);
-  for (int d = 0; d < directions; ++d) scan.scan(half_turn * (d + 0.137) / directions);
+  for (int d = 0; d < directions; ++d) scan.scan(pi * (d + 0.137) / directions);
   for (std::size_t i = 0; i < of_strands; ++i) {
     const double fraction = scan.hits()[i];
     if (fraction < 0) continue;

@@ -79,8 +79,7 @@ TEST(TriplePoints, ACurveThatPassesASheetAgainComesBack) {
   std::map<std::pair<int, int>, std::map<std::pair<int, double>, bool>> passages;
   for (const TriplePoint& point : found_on(surface).triple_points)
     for (const Passage& p : point.passages)
-      passages[{p.curve, surface.triangle_objects[idx(p.through)]}][{p.segment, p.fraction}] =
-          p.along_normal;
+      passages[{p.curve, surface.object_of(p.through)}][{p.segment, p.fraction}] = p.along_normal;
   std::size_t most = 0;
   for (const auto& [curve, of_curve] : passages) {
     most = std::max(most, of_curve.size());

@@ -37,8 +37,8 @@ class Step {
 
  private:
   int undercuts(const LabelledGraph& graph) const {
-    const ToneMap tone =
-        tone_regions(surface_, render_visible(surface_, camera_, 1, {}, 1), graph, camera_, {}, {});
+    const ToneMap tone = tone_regions(
+        {surface_, render_visible(surface_, camera_, 1, {}, 1), graph, camera_, {}}, {});
     return static_cast<int>(std::count(tone.band.begin(), tone.band.end(), Band::undercut));
   }
 

@@ -23,7 +23,7 @@ FoldSides seen_across(double plate_px, float plate_light, float floor_light, dou
   const VisibleImage visible = render_visible(surface, camera, 1, {}, 1);
   std::vector<float> brightness;
   for (const int t : visible.triangle) {
-    brightness.push_back(surface.triangle_objects[idx(t)] == 1 ? plate_light : floor_light);
+    brightness.push_back(surface.object_of(t) == 1 ? plate_light : floor_light);
   }
   return fold_sides(surface, visible, brightness, camera.project(Vec3(0, 0, 0.5)).xy, Vec2::UnitX(),
                     most_px, 6 * px);

@@ -86,7 +86,7 @@ TEST(SparseCells, ObjectsDoNotMixWithWhatIsBehind) {
       cameras::orthographic(Vec3(0.3, 0.2, 1), 1, image_px));
   const auto value = [&](int x, int y) {
     const int triangle = seen.visible.triangle[idx(y * image_px + x)];
-    return seen.surface.triangle_objects[idx(triangle)] == 0 ? 0.5 : 0.55;
+    return seen.surface.object_of(triangle) == 0 ? 0.5 : 0.55;
   };
   EXPECT_EQ(seen.sparsely(value), seen.all(value));
 }

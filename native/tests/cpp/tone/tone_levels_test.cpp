@@ -26,7 +26,7 @@ struct Scene {
 
   ToneMap tone(const std::vector<Light>& lights, const ToneOptions& options,
                const std::vector<std::uint8_t>& unhatched = {}) const {
-    return tone_regions(surface, visible, {}, camera, lights, options, &bvh, unhatched);
+    return tone_regions({surface, visible, {}, camera, lights, &bvh, unhatched}, options);
   }
 };
 
@@ -79,7 +79,7 @@ TEST(Levels, ShadowOfABoxHasItsOutline) {
   const ToneMap tone = scene.tone({sun(Vec3(1, 0, 1))}, options);
   int shadowed = 0;
   for (int cell = 0; cell < 200 * 200; ++cell) {
-    if (scene.surface.triangle_objects[idx(scene.visible.triangle[idx(cell)])] != 0) continue;
+    if (scene.surface.object_of(scene.visible.triangle[idx(cell)]) != 0) continue;
     const int row = cell / 200, column = cell % 200;
     const double x = (column + 0.5) / 100 - 1, y = 1 - (row + 0.5) / 100;
     const bool is_inside = x > -1 && x < -0.3 && std::abs(y) < 0.3;  // from -.3 - .7
@@ -162,7 +162,7 @@ TEST(Levels, ObjectsThatAreNotHatchedDoNotCount) {
   const auto floor_highlights = [&](const ToneMap& tone) {
     int count = 0;
     for (std::size_t cell = 0; cell < tone.level.size(); ++cell) {
-      const int object = scene.surface.triangle_objects[idx(scene.visible.triangle[cell])];
+      const int object = scene.surface.object_of(scene.visible.triangle[cell]);
       count += object == 0 && tone.level[cell] == Tone::highlight ? 1 : 0;
     }
     return count;

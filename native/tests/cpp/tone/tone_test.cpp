@@ -210,7 +210,7 @@ TEST(ToneRegions, LevelsOfASphereUnderAHeadlight) {
   const Camera camera = cameras::orthographic(Vec3::UnitZ(), 1.25, 400);
   const VisibleImage image = render_visible(sphere, camera, 1, {}, 1);
   ToneOptions options;
-  const ToneMap tone = tone_regions(sphere, image, {}, camera, {}, options);
+  const ToneMap tone = tone_regions({sphere, image, {}, camera, {}}, options);
   const double area = pi * 160 * 160;
   const auto share = [&](Tone level) {
     return double(std::count(tone.level.begin(), tone.level.end(), level)) / area;
@@ -224,7 +224,7 @@ TEST(ToneRegions, LevelsOfASphereUnderAHeadlight) {
   EXPECT_EQ(tone.cell_of(Vec2(399.5, 1.5)), 799);
 
   options.highlight_threshold = options.shadow_threshold = 1;
-  const ToneMap dark = tone_regions(sphere, image, {}, camera, {}, options);
+  const ToneMap dark = tone_regions({sphere, image, {}, camera, {}}, options);
   EXPECT_EQ(std::count(dark.level.begin(), dark.level.end(), Tone::midtone), 0);
   EXPECT_EQ(std::count(dark.level.begin(), dark.level.end(), Tone::highlight), 0);
 }
@@ -263,8 +263,8 @@ struct Fold {
 
   ToneMap tone(const LabelledGraph& graph, ToneOptions options = {}) const {
     options.undercut_contact = contact;
-    return tone_regions(surface, render_visible(surface, camera, 1, hidden, 1), graph, camera,
-                        lights, options);
+    return tone_regions(
+        {surface, render_visible(surface, camera, 1, hidden, 1), graph, camera, lights}, options);
   }
 };
 
@@ -384,9 +384,12 @@ TEST(Bands, IntersectionDarkensTheSheetTurnedAway) {
   for (std::size_t v = 0; v < flat.positions.size(); ++v) {
     if (flat.positions[v].x() > 0) flat.normals[v] = Vec3(2, 0, 1).normalized();
   }
-  const ToneMap tone =
-      tone_regions(flat, render_visible(flat, camera, 1, {}, 1),
-                   straight_arc(camera, Kind::intersection, 0, 0, 0), camera, {}, {});
+  const ToneMap tone = tone_regions({flat,
+                                     render_visible(flat, camera, 1, {}, 1),
+                                     straight_arc(camera, Kind::intersection, 0, 0, 0),
+                                     camera,
+                                     {}},
+                                    {});
   EXPECT_EQ(columns(tone, Band::undercut), std::make_pair(100, 113));
   EXPECT_EQ(columns(tone, Band::mach_band), std::make_pair(94, 99));
 }
