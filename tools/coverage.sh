@@ -13,8 +13,8 @@ PACKAGE=illustrate_native
 cpp() {
     "$ROOT/tools/setup_system.sh" build test
     say "building for coverage"
-    configure "$BUILD/native" "$VENV/bin/python" -DCMAKE_BUILD_TYPE=Unoptimised \
-        -DILLUSTRATE_TESTS=ON "-DCMAKE_CXX_FLAGS=--coverage"
+    configure "$BUILD/native" "$VENV/bin/python" -DCMAKE_BUILD_TYPE=Coverage \
+        -DILLUSTRATE_TESTS=ON
     compile "$BUILD/native" illustrate_tests
     find "$BUILD/native" -name '*.gcda' -delete
     say "C++ tests"
