@@ -7,12 +7,11 @@
 #include <map>
 #include <utility>
 
+#include "core/pi.h"
 #include "mesh/polygon_mesh.h"
 #include "surface/surface.h"
 
 namespace illustrate::shapes {
-
-constexpr double pi = 3.14159265358979323846;
 
 // --- polygon meshes
 // -------------------------------------------------------------------------------

@@ -29,7 +29,7 @@ PolygonMesh prism(Random& random) {
   PolygonMesh mesh;
   std::vector<int> bottom, top;
   for (int i = 0; i < n; ++i) {
-    const double radius = 1 - (i % 2) * dent, angle = 2 * shapes::pi * i / n;
+    const double radius = 1 - (i % 2) * dent, angle = 2 * pi * i / n;
     for (const double z : {0.0, 1.0})
       mesh.positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
     const int next = (i + 1) % n;

@@ -14,7 +14,6 @@ using curvature_lines::crest;
 using curvature_lines::everything;
 using curvature_lines::ridges_and_valleys;
 using curvature_lines::wave;
-using shapes::pi;
 
 constexpr double torus_core = 1, torus_tube = 0.4;
 

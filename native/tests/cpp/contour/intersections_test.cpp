@@ -183,7 +183,7 @@ TEST(Intersections, CrossingSpheresMeetInOneCircle) {
     EXPECT_TRUE(found.curves.closed[0]);
     EXPECT_EQ(found.report.at("intersection_ties"), 0);
     const double radius = std::sqrt(1 - Vec3(1.2, 0.1, 0.05).squaredNorm() / 4);
-    const double error = std::abs(length(found, 0) - 2 * shapes::pi * radius);
+    const double error = std::abs(length(found, 0) - 2 * pi * radius);
     if (last_error > 0) {
       EXPECT_LT(error, last_error / 3);
     }
@@ -203,7 +203,7 @@ TEST(Intersections, MirroredSpheresMeetThoughTheirPointsCoincide) {
   const Found found = find(shapes::joined(a, b));
   ASSERT_EQ(found.count(), 1u);
   EXPECT_TRUE(found.curves.closed[0]);
-  EXPECT_NEAR(length(found, 0), 2 * shapes::pi * std::sqrt(0.75), 0.1);
+  EXPECT_NEAR(length(found, 0), 2 * pi * std::sqrt(0.75), 0.1);
 }
 
 TEST(Intersections, KleinBottleCrossesItselfAlongACircle) {
@@ -211,7 +211,7 @@ TEST(Intersections, KleinBottleCrossesItselfAlongACircle) {
     const Found found = find(shapes::plain_surface(shapes::klein_mesh(24, n)));
     ASSERT_EQ(found.count(), 1u) << n;
     EXPECT_TRUE(found.curves.closed[0]);
-    EXPECT_NEAR(length(found, 0), 2 * shapes::pi * 2, 0.5);
+    EXPECT_NEAR(length(found, 0), 2 * pi * 2, 0.5);
   }
 }
 

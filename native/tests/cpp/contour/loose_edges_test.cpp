@@ -13,8 +13,6 @@
 namespace illustrate {
 namespace {
 
-using shapes::pi;
-
 constexpr double px = 125;  // of a unit, in the view from the front
 
 Camera front() { return cameras::orthographic(Vec3(0, -1, 0), 4); }

@@ -111,7 +111,7 @@ PolygonMesh lidded_tube(int n) {
   PolygonMesh tube;
   std::vector<int> lid;
   for (int i = 0; i < n; ++i) {
-    const double u = 2 * shapes::pi * i / n;
+    const double u = 2 * pi * i / n;
     for (const double z : {0.0, .1}) tube.positions.emplace_back(std::cos(u), std::sin(u), z);
     const int next = (i + 1) % n;
     shapes::add_face(tube, {2 * i, 2 * next, 2 * next + 1, 2 * i + 1});

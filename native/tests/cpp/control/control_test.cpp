@@ -12,8 +12,6 @@
 namespace illustrate {
 namespace {
 
-using shapes::pi;
-
 Points refined(SoundMesh mesh, Scheme scheme, int level) {
   mesh.cage = true;
   mesh.scheme = scheme;

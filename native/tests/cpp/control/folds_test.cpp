@@ -9,8 +9,6 @@
 namespace illustrate {
 namespace {
 
-using shapes::pi;
-
 SoundMesh mended(PolygonMesh mesh) {
   mesh.cage = false;
   mesh.boundary = BoundaryRule::edges;

@@ -11,8 +11,6 @@
 
 namespace illustrate::field_checks {
 
-using shapes::pi;
-
 inline FieldOptions all_free() {
   FieldOptions options;
   options.parabolic_ratio = 0;

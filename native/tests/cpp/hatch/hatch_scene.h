@@ -219,7 +219,7 @@ inline void check_limits(Scene& scene, double most_px, const Place& place) {
   for (std::size_t h = 0; h < hatches.curves.size(); ++h) {
     const auto curve = hatches.curves[h];
     const Vec3 last = field_tangent(scene, curve, curve.size() - 1);
-    EXPECT_GT(field_tangent(scene, curve, 0).dot(last), std::cos(63 * shapes::pi / 180))
+    EXPECT_GT(field_tangent(scene, curve, 0).dot(last), std::cos(63 * pi / 180))
         << "30 degrees each way, and a step";
   }
 }

@@ -7,8 +7,6 @@
 namespace illustrate {
 namespace {
 
-using shapes::pi;
-
 struct Shaded {
   SoundMesh mesh;
   Counts report;

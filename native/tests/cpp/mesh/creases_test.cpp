@@ -7,8 +7,6 @@
 namespace illustrate {
 namespace {
 
-using shapes::pi;
-
 constexpr double blender_angle_deg = 30;
 
 // Normals by face and corner.

@@ -10,8 +10,6 @@
 namespace illustrate {
 namespace {
 
-using shapes::pi;
-
 // As one drawn so that a line is `reach` wide.
 PolygonMesh drawn(PolygonMesh mesh, double reach) {
   mesh.cage = false;

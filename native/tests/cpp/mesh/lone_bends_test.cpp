@@ -7,8 +7,6 @@
 namespace illustrate {
 namespace {
 
-using shapes::pi;
-
 PolygonMesh flat(PolygonMesh mesh) {
   mesh.cage = false;
   mesh.crease_angle_deg = 30;

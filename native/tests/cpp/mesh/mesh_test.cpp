@@ -148,8 +148,7 @@ TEST(Mesh, VerticesWithTooManyFacesComeApart) {
   fan.positions.emplace_back(0, 0, 0);
   const int count = 66000;
   for (int i = 0; i < count; ++i) {
-    fan.positions.emplace_back(std::cos(2 * shapes::pi * i / count),
-                               std::sin(2 * shapes::pi * i / count), 0);
+    fan.positions.emplace_back(std::cos(2 * pi * i / count), std::sin(2 * pi * i / count), 0);
     shapes::add_face(fan, {0, 1 + i, 1 + (i + 1) % count});
   }
   const Mended mended = mend(fan);

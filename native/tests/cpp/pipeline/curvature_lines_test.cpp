@@ -14,7 +14,6 @@ using curvature_lines::check_curves;
 using curvature_lines::everything;
 using curvature_lines::ridges_and_valleys;
 using curvature_lines::wave;
-using shapes::pi;
 
 MeshPointer pointer(PolygonMesh mesh) {
   return std::make_shared<const PolygonMesh>(std::move(mesh));

@@ -49,7 +49,7 @@ TEST(Simplify, StaysWithinToleranceAndNeedsFewerPoints) {
   StrokePath path;
   path.closed = true;
   for (int i = 0; i < 2000; ++i) {
-    const double angle = 2 * shapes::pi * i / 2000;
+    const double angle = 2 * pi * i / 2000;
     const Vec2 p = Vec2(50, 50) + 40 * Vec2(std::cos(angle), std::sin(angle));
     path.points.push_back({Vec3::Zero(), {}, p, 1});
   }
@@ -60,7 +60,7 @@ TEST(Simplify, StaysWithinToleranceAndNeedsFewerPoints) {
       EXPECT_LE(farthest_from(simple.points, p.image), tolerance + 1e-12);
     }
     // Chords of sagitta s on radius r span 2 sqrt(2 s / r); twice as many points are generous.
-    const double fewest = shapes::pi / std::sqrt(2 * tolerance / 40);
+    const double fewest = pi / std::sqrt(2 * tolerance / 40);
     EXPECT_LE(static_cast<double>(simple.points.size()), 2 * fewest + 3);
     EXPECT_LT(simple.points.size(), last_count);
     last_count = simple.points.size();

@@ -3,12 +3,12 @@
 
 #include <cmath>
 
+#include "core/pi.h"
 #include "stroke/make_strokes.h"
 
 namespace illustrate::stroke_scene {
 
 inline constexpr int size_px = 100;
-inline const double pi = std::acos(-1.0);
 
 // World x, y in [0, 100] are the image's, y up; looks down -z.
 inline Camera flat_camera() {

@@ -7,8 +7,6 @@
 namespace illustrate {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 // A pixel is a unit of the world.
 const Camera camera = cameras::orthographic(Vec3::UnitZ(), 500);
 

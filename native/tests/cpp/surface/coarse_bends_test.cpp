@@ -20,8 +20,7 @@ PolygonMesh coarse_tube(int n) {
   PolygonMesh mesh;
   for (const double z : {-1., 1.})
     for (int i = 0; i < n; ++i)
-      mesh.positions.emplace_back(std::cos(2 * shapes::pi * i / n),
-                                  std::sin(2 * shapes::pi * i / n), z);
+      mesh.positions.emplace_back(std::cos(2 * pi * i / n), std::sin(2 * pi * i / n), z);
   for (int i = 0; i < n; ++i) shapes::add_face(mesh, {i, (i + 1) % n, n + (i + 1) % n, n + i});
   return mesh;
 }
@@ -31,7 +30,7 @@ PolygonMesh coarse_tube(int n) {
 TEST(CoarseBends, AskForTheLevelWhoseChordsAreShort) {
   constexpr double median = .01;
   for (const int n : {8, 16, 32}) {
-    const double chord = 2 * std::sin(shapes::pi / n), sagitta = chord * 2 * shapes::pi / n / 8;
+    const double chord = 2 * std::sin(pi / n), sagitta = chord * 2 * pi / n / 8;
     for (const double longest : {.5, .1, .02}) {
       const double levels = std::log2(sagitta / (longest / 8)) / 2;
       const int expected = std::max(0, static_cast<int>(std::ceil(levels)));
@@ -42,7 +41,7 @@ TEST(CoarseBends, AskForTheLevelWhoseChordsAreShort) {
 }
 
 TEST(CoarseBends, AreNoneInAMeshOfOneSizeNorInFlatOrSharpOnes) {
-  const double edge = 2 * std::sin(shapes::pi / 8);
+  const double edge = 2 * std::sin(pi / 8);
   EXPECT_EQ(level_for_coarse_bends(sound_cage(coarse_tube(8)), edge, .01, 7), 0);
   EXPECT_EQ(level_for_coarse_bends(sound_cage(shapes::plane(3, 3)), .001, .01, 7), 0);
   PolygonMesh cube = shapes::cube();

@@ -7,8 +7,6 @@
 namespace illustrate {
 namespace {
 
-using shapes::pi;
-
 constexpr double torus_core = 1, torus_tube = 0.4;
 
 // On a torus only C(tube, around, around) is not 0: R sin v / (r (R + r cos v)^2).

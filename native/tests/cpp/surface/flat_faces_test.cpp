@@ -46,7 +46,7 @@ PolygonMesh frame(int sides, double wobble) {
   for (const double z : {0., .3}) {
     for (const double size : {1., .5}) {
       for (int k = 0; k < sides; ++k) {
-        const double a = 2 * shapes::pi * k / sides, r = size * (1 + wobble * std::sin(5. * k * k));
+        const double a = 2 * pi * k / sides, r = size * (1 + wobble * std::sin(5. * k * k));
         positions.emplace_back(r * std::cos(a), r * std::sin(a), z);
       }
     }
@@ -137,7 +137,7 @@ TEST(FlatFaces, OfQuadsDoNotFold) {
 std::vector<Vec2> gear_outline(int teeth) {
   std::vector<Vec2> outline;
   for (int k = 0; k < 4 * teeth; ++k) {
-    const double a = 2 * shapes::pi * k / (4 * teeth), r = k % 4 < 2 ? 1 : .8;
+    const double a = 2 * pi * k / (4 * teeth), r = k % 4 < 2 ? 1 : .8;
     outline.emplace_back(r * std::cos(a), r * std::sin(a));
   }
   return outline;
@@ -219,7 +219,7 @@ TEST(Untangle, PutsTheMiddleOfAFanBack) {
   std::vector<Vec2> points{{3, 1}};
   std::vector<Triangle> triangles;
   for (int k = 0; k < 6; ++k) {
-    points.emplace_back(std::cos(shapes::pi * k / 3), std::sin(shapes::pi * k / 3));
+    points.emplace_back(std::cos(pi * k / 3), std::sin(pi * k / 3));
     triangles.push_back({0, 1 + k, 1 + (k + 1) % 6});
   }
   EXPECT_GT(count_clockwise(triangles, points), 0U);

@@ -60,7 +60,7 @@ std::vector<Vec2> rounded_outline(double width, double height, double radius, in
     const Vec2 corner(quarter == 1 || quarter == 2 ? -half.x() : half.x(),
                       quarter < 2 ? half.y() : -half.y());
     for (int k = 0; k <= strips; ++k) {
-      const double a = shapes::pi / 2 * (quarter + double(k) / strips);
+      const double a = pi / 2 * (quarter + double(k) / strips);
       outline.push_back(corner + radius * Vec2(std::cos(a), std::sin(a)));
     }
   }
@@ -70,7 +70,7 @@ std::vector<Vec2> rounded_outline(double width, double height, double radius, in
 std::vector<Vec2> circle(int sides) {
   std::vector<Vec2> outline;
   for (int k = 0; k < sides; ++k) {
-    const double a = 2 * shapes::pi * k / sides;
+    const double a = 2 * pi * k / sides;
     outline.emplace_back(std::cos(a), std::sin(a));
   }
   return outline;
@@ -80,7 +80,7 @@ std::vector<Vec2> circle(int sides) {
 double off_cross(const Vec3& direction, const Vec3& normal, const Vec3& cross) {
   const double along = std::abs(cross.dot(direction));
   const double aside = std::abs(normal.cross(cross).dot(direction));
-  return std::atan2(std::min(along, aside), std::max(along, aside)) * 180 / shapes::pi;
+  return std::atan2(std::min(along, aside), std::max(along, aside)) * 180 / pi;
 }
 
 TEST(PlaneFaces, SidesOfACubeAreSix) {
@@ -126,13 +126,13 @@ PolygonMesh drum_with_round_rim(double radius) {
   Points positions;
   const auto add_ring = [&](double r, double z) {
     for (int k = 0; k < sides; ++k) {
-      const double a = 2 * shapes::pi * k / sides;
+      const double a = 2 * pi * k / sides;
       positions.emplace_back(r * std::cos(a), r * std::sin(a), z);
     }
   };
   add_ring(1, -1);
   for (int s = 0; s <= strips; ++s) {
-    const double a = s * shapes::pi / 2 / strips;
+    const double a = s * pi / 2 / strips;
     add_ring(1 - radius + radius * std::cos(a), radius * std::sin(a) - radius);
   }
   std::vector<std::vector<int>> faces(2);
@@ -173,15 +173,15 @@ TEST(PlaneFaces, ARimIsMeasuredWhereItIsStraight) {
   // A half disc, its chord turned by 20 degrees.
   std::vector<Vec2> outline;
   for (int k = 0; k <= 20; ++k) {
-    const double a = shapes::pi * (k / 20. + 20 / 180.);
+    const double a = pi * (k / 20. + 20 / 180.);
     outline.emplace_back(std::cos(a), std::sin(a));
   }
   const Found found = found_in(prism_of_triangles(outline, 1));
-  const Vec3 chord(std::cos(shapes::pi / 9), std::sin(shapes::pi / 9), 0);
+  const Vec3 chord(std::cos(pi / 9), std::sin(pi / 9), 0);
   for (const PlaneFace& plane : found.planes) {
     if (std::abs(plane.normal.z()) < .9) continue;
     EXPECT_LT(off_cross(chord, plane.normal, plane.direction), .5);
-    EXPECT_NEAR(plane.agreement, 2 / (2 + shapes::pi), .01);
+    EXPECT_NEAR(plane.agreement, 2 / (2 + pi), .01);
   }
 }
 
@@ -236,7 +236,7 @@ PolygonMesh bevelled_hole() {
   PolygonMesh mesh;
   const auto add_ring = [&](double radius, double z, double squareness) {
     for (int i = 0; i < n; ++i) {
-      const Vec2 on_circle(std::cos(2 * shapes::pi * i / n), std::sin(2 * shapes::pi * i / n));
+      const Vec2 on_circle(std::cos(2 * pi * i / n), std::sin(2 * pi * i / n));
       const double to_square = 1 / on_circle.cwiseAbs().maxCoeff();
       const Vec2 p = radius * std::pow(to_square, squareness) * on_circle;
       mesh.positions.emplace_back(p.x(), p.y(), z);

@@ -126,7 +126,7 @@ PolygonMesh creased_cylinder(int sides, int rows) {
   PolygonMesh mesh;
   for (int j = 0; j <= rows; ++j) {
     for (int i = 0; i < sides; ++i) {
-      const double a = 2 * shapes::pi * i / sides;
+      const double a = 2 * pi * i / sides;
       mesh.positions.emplace_back(std::cos(a), std::sin(a), .25 * j);
     }
   }

@@ -205,7 +205,7 @@ TEST(Limit, LevelZeroOfNgonsLiesOnTheLimit) {
   PolygonMesh prism;
   std::vector<int> top, bottom;
   for (int i = 0; i < 6; ++i) {
-    prism.positions.emplace_back(std::cos(i * shapes::pi / 3), std::sin(i * shapes::pi / 3), 1);
+    prism.positions.emplace_back(std::cos(i * pi / 3), std::sin(i * pi / 3), 1);
     top.push_back(i);
     bottom.push_back(11 - i);
   }

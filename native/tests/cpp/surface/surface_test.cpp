@@ -124,7 +124,7 @@ TEST(Refine, VertexOfVeryManyFaces) {
   PolygonMesh cone;
   const int n = 70000;
   for (int i = 0; i < n; ++i) {
-    const double angle = 2 * shapes::pi * i / n;
+    const double angle = 2 * pi * i / n;
     cone.positions.emplace_back(std::cos(angle), std::sin(angle), 0);
     shapes::add_face(cone, {n, i, (i + 1) % n});
   }

@@ -13,8 +13,6 @@
 namespace illustrate {
 namespace {
 
-using shapes::pi;
-
 std::shared_ptr<const Prepared> prepared(const std::vector<PolygonMesh>& meshes, int level) {
   std::vector<MeshPointer> pointers;
   for (const PolygonMesh& mesh : meshes) pointers.push_back(std::make_shared<PolygonMesh>(mesh));

@@ -11,8 +11,6 @@
 namespace illustrate {
 namespace {
 
-using shapes::pi;
-
 const Camera& above() {
   static const Camera camera = cameras::orthographic(Vec3::UnitZ(), 2);
   return camera;

@@ -10,8 +10,6 @@
 namespace illustrate {
 namespace {
 
-using shapes::pi;
-
 double share_of(const ToneMap& tone, Tone level) {
   const auto seen = std::count_if(tone.level.begin(), tone.level.end(),
                                   [](Tone other) { return other != Tone::nothing; });

@@ -165,7 +165,7 @@ TEST(Outline, HasWhatStandsOutBetweenScanLines) {
 TEST(Crossings, AreNoneWherePointsOfACurveCoincide) {
   const Camera camera = cameras::orthographic(Vec3(0, 0, 1), 1);
   for (int direction = 0; direction < 16; ++direction) {
-    const double angle = shapes::pi * (direction + 0.3) / 8;
+    const double angle = pi * (direction + 0.3) / 8;
     for (const double side : {-0.5, 0.5}) {
       CurveNetwork network;
       network.nodes = {{NodeKind::end, Vec3::Zero()}, {NodeKind::end, Vec3::Zero()}};
@@ -232,7 +232,7 @@ TEST(Labels, OfABallBehindASheetDoNotDependOnAHugeWall) {
 TEST(Labels, NearAnotherOutlineAreNotThoseBeyondIt) {
   const double pixel = 1.5 / 500, bead = 4 * pixel;
   for (int i = 0; i < 12; ++i) {
-    const double angle = 2 * shapes::pi * i / 12, reach = 1 - bead - 1.4 * pixel;
+    const double angle = 2 * pi * i / 12, reach = 1 - bead - 1.4 * pixel;
     const Vec3 centre(reach * std::cos(angle), 5, reach * std::sin(angle));
     const Surface pair = shapes::joined(shapes::sphere_surface(1, 5, Vec3(0, 0, 0)),
                                         shapes::sphere_surface(bead, 2, centre));
