@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/errors.h"
+#include "core/parallel.h"
 #include "tone/bands.h"
 #include "tone/exposure.h"
 #include "tone/illumination.h"
@@ -145,9 +146,13 @@ ToneMap tone_regions(const ToneScene& scene, const ToneOptions& options, const P
   std::vector<double> light = light_at_cells(scene, options, progress.part(0, 0.7));
   progress.report(0.7);
   ToneMap tone = levels_in(scene, options, light);
-  settle_patches(scene.surface, scene.visible, options.patch_px, tone);
-  if (options.mach_bands || options.undercuts) {
-    mark_bands(scene, options, tone.brightness, tone.band);
+  const bool has_bands = options.mach_bands || options.undercuts;
+  // Neither asks for what the other changes.
+  parallel_each(2, options.threads, {}, [&](std::size_t task) {
+    if (task == 0) settle_patches(scene.surface, scene.visible, options.patch_px, tone);
+    if (task == 1 && has_bands) mark_bands(scene, options, tone.brightness, tone.band);
+  });
+  if (has_bands) {
     for_cells_of(scene.catchers, scene, [&](std::size_t cell) { tone.band[cell] = Band::nothing; });
     drop_small_undercuts(scene.surface, scene.visible, options.patch_px, tone);
   }
