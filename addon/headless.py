@@ -19,6 +19,10 @@ import traceback
 from types import ModuleType
 from typing import Any
 
+# Of the library that numpy multiplies matrices with, which bpy loads: its threads wait for more by
+# spinning, on the cores that the next frame is drawn on.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
 import bpy
 
 PACKAGE = "illustrate"

@@ -73,10 +73,11 @@ def to_svg(
     if regions:
         lines += [_GROUP.format(id="fill", title="Fill", paint='stroke="none"')]
         lines += [*map(_region, regions), "</g>"]
+    paths = _Paths(drawing, style, tracks)
     for group in line_groups(drawing):
         name = group.title.lower().replace(" ", "-")
         lines.append(_GROUP.format(id=name, title=group.title, paint=_PAINT[style]))
-        lines.extend(_paths(drawing, group, style, tracks))
+        lines.extend(paths.of(group))
         lines.append("</g>")
     return "\n".join([*lines, _END, ""])
 
@@ -89,23 +90,33 @@ def read_made_by(text: str) -> dict[str, Any]:
     return dict(json.loads(unescape(found[1])))
 
 
-def _paths(drawing: DrawingArrays, group: LineGroup, style: str, tracks: bool) -> Iterator[str]:
-    """One path element per stroke; strokes without a point give none."""
-    image, widths = np.asarray(drawing.image, float), np.asarray(drawing.widths, float)
-    for stroke in group.strokes:
-        span = slice(int(drawing.offsets[stroke]), int(drawing.offsets[stroke + 1]))
-        points, closed = image[span], bool(drawing.closed[stroke])
-        if not len(points):
-            continue
-        told = _track(drawing, int(stroke)) if tracks else ""
-        if style == "centerline":
-            end = "Z" if closed else ""
-            yield (
-                f'<path {told}stroke-width="{number(_mean(widths[span], points, closed))}" '
-                f'd="M{polyline(points)}{end}"/>'
-            )
-        else:
-            yield f'<path {told}d="{_outline(points, widths[span] / 2, closed)}"/>'
+class _Paths:
+    """The path elements of a drawing's strokes."""
+
+    def __init__(self, drawing: DrawingArrays, style: str, tracks: bool) -> None:
+        self.drawing = drawing
+        self.tracks = tracks
+        self.image = np.asarray(drawing.image, float)
+        self.widths = np.asarray(drawing.widths, float)
+        # What takes arrays takes all strokes at once: most are short.
+        self.centres = style == "centerline"
+        self.texts = _pairs(self.image) if self.centres else []
+        self.means = _mean_widths(drawing) if self.centres else np.empty(0)
+
+    def of(self, group: LineGroup) -> Iterator[str]:
+        """One element per stroke; strokes without a point give none."""
+        for stroke in map(int, group.strokes):
+            span = slice(int(self.drawing.offsets[stroke]), int(self.drawing.offsets[stroke + 1]))
+            if span.start == span.stop:
+                continue
+            told = _track(self.drawing, stroke) if self.tracks else ""
+            closed = bool(self.drawing.closed[stroke])
+            if self.centres:
+                width, end = number(self.means[stroke]), "Z" if closed else ""
+                yield f'<path {told}stroke-width="{width}" d="M{" ".join(self.texts[span])}{end}"/>'
+            else:
+                outline = _outline(self.image[span], self.widths[span] / 2, closed)
+                yield f'<path {told}d="{outline}"/>'
 
 
 def _region(region: Any) -> str:
@@ -120,14 +131,25 @@ def _track(drawing: DrawingArrays, stroke: int) -> str:
     return f'data-id="{int(drawing.stroke_ids[stroke])}" data-start="{start}" '
 
 
-def _mean(widths: NDArray[np.float64], points: NDArray[np.float64], closed: bool) -> float:
-    """The width at which the stroke has as much ink: the mean over its length."""
-    ends = np.append(np.arange(len(points)), 0) if closed else np.arange(len(points))
-    lengths = np.hypot(*np.diff(points[ends], axis=0).T)
-    if not lengths.sum() > 0:
-        return float(widths.mean())
-    between = (widths[ends[1:]] + widths[ends[:-1]]) / 2
-    return float(np.average(between, weights=lengths))
+def _mean_widths(drawing: DrawingArrays) -> NDArray[np.float64]:
+    """(s,) the width at which a stroke has as much ink: the mean over its length."""
+    image, widths = np.asarray(drawing.image, float), np.asarray(drawing.widths, float)
+    offsets = np.asarray(drawing.offsets, int)
+    counts = np.diff(offsets)
+    following = np.arange(1, len(image) + 1)  # the point after each; itself at an open end
+    some = counts > 0
+    last = offsets[1:][some] - 1
+    following[last] = np.where(np.asarray(drawing.closed, bool)[some], offsets[:-1][some], last)
+    lengths = np.hypot(*(image[following] - image).T)
+    stroke = np.repeat(np.arange(len(counts)), counts)
+
+    def sums(values: NDArray[np.float64]) -> NDArray[np.float64]:
+        return np.bincount(stroke, values, len(counts)).astype(float, copy=False)
+
+    ink, length = sums(lengths * (widths[following] + widths) / 2), sums(lengths)
+    means: NDArray[np.float64] = sums(widths) / np.maximum(counts, 1)
+    np.divide(ink, length, out=means, where=length > 0)
+    return means
 
 
 def _outline(points: NDArray[np.float64], radii: NDArray[np.float64], closed: bool) -> str:
@@ -175,5 +197,9 @@ def number(value: float) -> str:
 
 def polyline(points: NDArray[np.float64]) -> str:
     """Points as 'x,y x,y', to a hundredth of a pixel."""
+    return " ".join(_pairs(points))
+
+
+def _pairs(points: NDArray[np.float64]) -> list[str]:
     flat = (np.round(points, 2) + 0.0).ravel().tolist()
-    return " ".join(f"{x:.10g},{y:.10g}" for x, y in zip(flat[::2], flat[1::2], strict=True))
+    return [f"{x:.10g},{y:.10g}" for x, y in zip(flat[::2], flat[1::2], strict=True)]
