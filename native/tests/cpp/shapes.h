@@ -14,7 +14,6 @@
 namespace illustrate::shapes {
 
 // --- polygon meshes
-// -------------------------------------------------------------------------------
 
 inline void add_face(PolygonMesh& mesh, const std::vector<int>& corners) {
   mesh.face_sizes.push_back(static_cast<int>(corners.size()));
@@ -254,7 +253,6 @@ inline PolygonMesh unwelded(const PolygonMesh& mesh) {
 }
 
 // --- surfaces
-// -------------------------------------------------------------------------------------
 
 // Fills neighbours, and edge_kinds with boundary (one triangle) and smooth. Edges are matched by
 // places.
