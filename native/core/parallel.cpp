@@ -66,16 +66,16 @@ void parallel_for(std::size_t count, int threads,
     return;
   }
   std::vector<std::exception_ptr> failures(shares);
+  const auto work = [&](std::size_t s) {
+    try {
+      body(count * s / shares, count * (s + 1) / shares);
+    } catch (...) {
+      failures[s] = std::current_exception();
+    }
+  };
   std::vector<std::thread> workers;
-  for (std::size_t s = 0; s < shares; ++s) {
-    workers.emplace_back([&, s] {
-      try {
-        body(count * s / shares, count * (s + 1) / shares);
-      } catch (...) {
-        failures[s] = std::current_exception();
-      }
-    });
-  }
+  for (std::size_t s = 1; s < shares; ++s) workers.emplace_back(work, s);
+  work(0);
   for (std::thread& worker : workers) worker.join();
   rethrow_first(failures);
 }
