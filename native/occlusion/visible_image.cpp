@@ -136,7 +136,7 @@ void draw_clipped(RowPainter& painter, const Projector& project, const Surface& 
 void draw_all(RowPainter& painter, const Projector& project, const Surface& surface,
               const std::vector<GridVertex>& vertices, const std::vector<std::uint8_t>& hidden) {
   for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
-    if (!hidden.empty() && hidden[surface.triangle_objects[t]]) continue;
+    if (surface.is_of(hidden, t)) continue;
     const Triangle& corner = surface.triangles[t];
     const GridVertex& a = vertices[corner[0]];
     const GridVertex& b = vertices[corner[1]];
