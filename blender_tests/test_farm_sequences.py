@@ -77,14 +77,14 @@ def test_frames_that_are_all_there_cost_nothing(tmp_path: Any, seeds: list[Any])
 def seeds(monkeypatch: Any) -> list[Any]:
     """Drawings that others were started from, None for each that was not."""
     ill, found = illustrate.native.load(), []
-    start = ill.start_draw
+    start = ill.View.start_draw
 
-    def watched(*arguments: Any, **named: Any) -> Any:
-        job = start(*arguments, **named)
-        found.append((named.get("previous"), job))
+    def watched(view: Any, previous: Any = None) -> Any:
+        job = start(view, previous)
+        found.append((previous, job))
         return job
 
-    monkeypatch.setattr(ill, "start_draw", watched)
+    monkeypatch.setattr(ill.View, "start_draw", watched)
     return found
 
 

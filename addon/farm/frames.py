@@ -2,8 +2,8 @@
 
 A frame that cannot be drawn is named and gone past. All frames of a command have the exposure of
 the first one; where the scene keeps strokes, each starts from the strokes of the one before. While
-one is drawn, the one before is written, and the next read and prepared (ahead.py), unless what is
-written asks Blender.
+one is hatched, the one before is written, and the next begun (ahead.py), unless what is written
+asks Blender.
 """
 
 import os
@@ -158,16 +158,18 @@ class Sequence:
         begun, self._begun = self._begun, None
         if begun is None or begun.frame != frame:
             begun = ahead.begin(frame, self._read)
-        if begun.request is not None:
-            begun.request.expose(self._exposure)
-            begun.request.previous = self._last
+        request = ahead.view(begun, self._progress)
+        request.previous = self._last
+        if self._exposure is None:
+            self._exposure = begun.exposure
 
-        def begin_following() -> None:
+        def begin_next() -> ahead.Begun | None:
             self._write_last()
             if following is not None:
                 self._begun = ahead.begin(following, self._read_following)
+            return self._begun
 
-        made = ahead.drawn(begun, self._progress, begin_following)
+        made = ahead.drawn(request, self._progress, begin_next)
         if self._exposure is None:
             self._exposure = made.drawing.tone.exposure
         self._last = made.drawing if self._follows else None
@@ -181,6 +183,7 @@ class Sequence:
             rendered = render_now(self._scene, tone_of)
         request = read_request(self._scene, bpy.context.evaluated_depsgraph_get(), rendered)
         request.follows = self._last is not None
+        request.expose(self._exposure)
         return request
 
     def _read_following(self, frame: int) -> Request:

@@ -24,7 +24,8 @@ from . import remarks
 from .cache import CACHE, Cache, digest, split_widths
 from .jobs import Progress, Step, Steps, run
 
-PREPARING = 0.6  # share of the progress of a drawing that preparing has
+# Shares of the progress of a drawing, by the end of preparing, and of the view
+PREPARED, VIEWED = 0.6, 0.8
 
 TURNS_WAY_OUT = "Change the Turns of the empties among the guides, in their object properties"
 
@@ -42,6 +43,7 @@ class Request:
     read_seconds: float = 0.0
     previous: Any = None  # the drawing whose strokes the new one starts from
     follows: bool = False  # it is to start from a drawing that may not be there yet
+    view: Any = None  # illustrate_native.View, where it was made ahead of the drawing
     prepare_seconds: dict[str, float] = field(default_factory=dict)  # if it was prepared anew
 
     def expose_as(self, drawing: Any) -> None:
@@ -198,7 +200,7 @@ def computing(
 ) -> Steps[Illustration]:
     """The same in steps, whose progress is a share of all. What the cache has is taken over."""
     is_prepared, (start, end) = cache.has(request.prepared_key), share
-    between = start if is_prepared else start + PREPARING * (end - start)
+    between = start if is_prepared else start + PREPARED * (end - start)
     prepared = yield from preparing(request, (start, between), title, cache)
     with _explained(request):
         # Strokes that start from a previous frame's are no function of the request alone.
@@ -215,6 +217,19 @@ def computing(
     warnings = remarks.of_meshes(request.arrays, prepared.reports) + request.warnings
     warnings += remarks.of_crowding(drawing.counts, prepared)
     return Illustration(drawing, prepared, request.arrays, warnings, seconds)
+
+
+def viewing(
+    request: Request, share: tuple[float, float] = (0.0, 1.0), title: str = "", cache: Cache = CACHE
+) -> Steps[None]:
+    """Makes the view of a request ahead of its drawing, where that is not in the cache."""
+    start, end = share
+    between = start + PREPARED / VIEWED * (end - start)
+    prepared = yield from preparing(request, (start, between), title, cache)
+    if not request.follows and cache.drawing(request.drawing_key, request.widths) is not None:
+        return
+    with _explained(request):
+        request.view = yield Step(start_view(request, prepared), between, end, title)
 
 
 def preparing(
@@ -246,15 +261,26 @@ def start_preparing(request: Request, previous: Any) -> Any:
     return ill.start_prepare(native_meshes(ill, request.arrays), options, previous=previous)
 
 
+def start_view(request: Request, prepared: Any) -> Any:
+    """The job that finds lines and tones of a request."""
+    return native.load().start_view(prepared, *_view_arguments(request))
+
+
 def start_drawing(request: Request, prepared: Any) -> Any:
     """The job that draws a request."""
+    previous = getattr(request.previous, "original", request.previous)
+    if request.view is not None:
+        return request.view.start_draw(previous)
+    return native.load().start_draw(prepared, *_view_arguments(request), previous=previous)
+
+
+def _view_arguments(request: Request) -> tuple[Any, Any, list[Any]]:
+    """Camera, options and lights, for the native module."""
     ill, arrays = native.load(), request.arrays
-    return ill.start_draw(
-        prepared,
+    return (
         ill.Camera(**vars(arrays.camera)),
         settings.draw_options(request.draw, arrays.styles),
-        lights=[ill.Light(**vars(light)) for light in arrays.lights],
-        previous=getattr(request.previous, "original", request.previous),
+        [ill.Light(**vars(light)) for light in arrays.lights],
     )
 
 

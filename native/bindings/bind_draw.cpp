@@ -152,43 +152,122 @@ std::vector<Light> read_lights(const py::object& lights) {
   return read;
 }
 
-// All that a view is drawn from, without a Python object.
-struct View {
+std::shared_ptr<DrawingHandle> handle_of(DrawResult drawing) {
+  return std::make_shared<DrawingHandle>(
+      DrawingHandle{std::make_shared<const DrawingArrays>(std::move(drawing))});
+}
+
+// Null: none.
+const Drawing* drawn(const DrawingPointer& drawing) {
+  return drawing ? &drawing->result.drawing : nullptr;
+}
+
+DrawingPointer drawing_of(const DrawingHandle* handle) {
+  return handle ? handle->drawing : nullptr;
+}
+
+// A view, and what it refers to.
+struct ViewHandle {
+  std::shared_ptr<Prepared> prepared;
+  std::shared_ptr<const View> view;
+};
+
+// All that a view is made from, without a Python object.
+struct ViewInput {
   std::shared_ptr<Prepared> prepared;
   Camera camera;
   DrawOptions options;
   std::vector<Light> lights;
-  DrawingPointer previous;
 
-  std::shared_ptr<DrawingHandle> operator()(const Progress& progress) const {
-    auto drawing =
-        std::make_shared<const DrawingArrays>(draw(*prepared, camera, options, lights, progress,
-                                                   previous ? &previous->result.drawing : nullptr));
-    return std::make_shared<DrawingHandle>(DrawingHandle{std::move(drawing)});
+  ViewHandle operator()(const Progress& progress) const {
+    return {prepared,
+            std::make_shared<const View>(view_of(*prepared, camera, options, lights, progress))};
   }
 };
 
-View view_from(const std::shared_ptr<Prepared>& prepared, const Camera& camera,
-               const PythonDrawOptions* options, const py::object& lights,
-               const DrawingHandle* previous) {
+// The same of a drawing.
+struct DrawingInput {
+  ViewInput view;
+  DrawingPointer previous;
+
+  std::shared_ptr<DrawingHandle> operator()(const Progress& progress) const {
+    return handle_of(
+        draw(*view.prepared, view.camera, view.options, view.lights, progress, drawn(previous)));
+  }
+};
+
+// Of a drawing of a view that is there.
+struct ViewDrawingInput {
+  ViewHandle view;
+  DrawingPointer previous;
+
+  std::shared_ptr<DrawingHandle> operator()(const Progress& progress) const {
+    return handle_of(draw(*view.view, progress, drawn(previous)));
+  }
+};
+
+template <class Input>
+auto made_from(const Input& input, const py::object& progress) {
+  const Progress reported = progress_of(progress);
+  const py::gil_scoped_release release;
+  return input(reported);
+}
+
+ViewInput input_from(const std::shared_ptr<Prepared>& prepared, const Camera& camera,
+                     const PythonDrawOptions* options, const py::object& lights) {
   return {prepared, camera, options ? read_draw_options(*options) : DrawOptions{},
-          read_lights(lights), previous ? previous->drawing : nullptr};
+          read_lights(lights)};
 }
 
 std::shared_ptr<DrawingHandle> draw_view(const std::shared_ptr<Prepared>& prepared,
                                          const Camera& camera, const PythonDrawOptions* options,
                                          const py::object& lights, const py::object& progress,
                                          const DrawingHandle* previous) {
-  const View view = view_from(prepared, camera, options, lights, previous);
-  const Progress reported = progress_of(progress);
-  const py::gil_scoped_release release;
-  return view(reported);
+  const ViewInput view = input_from(prepared, camera, options, lights);
+  return made_from(DrawingInput{view, drawing_of(previous)}, progress);
 }
 
 JobPointer start_drawing(const std::shared_ptr<Prepared>& prepared, const Camera& camera,
                          const PythonDrawOptions* options, const py::object& lights,
                          const DrawingHandle* previous) {
-  return start_job(view_from(prepared, camera, options, lights, previous));
+  const ViewInput view = input_from(prepared, camera, options, lights);
+  return start_job(DrawingInput{view, drawing_of(previous)});
+}
+
+void bind_view(py::module_& m) {
+  using namespace py::literals;
+  const py::none none;
+  py::class_<ViewHandle>(m, "View", "A view before it is hatched: its lines and tones.")
+      .def_property_readonly("exposure",
+                             [](const ViewHandle& handle) { return handle.view->tone.exposure; })
+      .def(
+          "draw",
+          [](const ViewHandle& view, const py::object& progress, const DrawingHandle* previous) {
+            return made_from(ViewDrawingInput{view, drawing_of(previous)}, progress);
+          },
+          "progress"_a = none, "previous"_a = none, "The drawing of the view.")
+      .def(
+          "start_draw",
+          [](const ViewHandle& view, const DrawingHandle* previous) {
+            return start_job(ViewDrawingInput{view, drawing_of(previous)});
+          },
+          "previous"_a = none, "The same as a Job.");
+  m.def(
+      "view",
+      [](const std::shared_ptr<Prepared>& prepared, const Camera& camera,
+         const PythonDrawOptions* options, const py::object& lights, const py::object& progress) {
+        return made_from(input_from(prepared, camera, options, lights), progress);
+      },
+      "prepared"_a.none(false), "camera"_a, "options"_a = none, "lights"_a = none,
+      "progress"_a = none, "Lines and tones of a view.");
+  m.def(
+      "start_view",
+      [](const std::shared_ptr<Prepared>& prepared, const Camera& camera,
+         const PythonDrawOptions* options, const py::object& lights) {
+        return start_job(input_from(prepared, camera, options, lights));
+      },
+      "prepared"_a.none(false), "camera"_a, "options"_a = none, "lights"_a = none,
+      "The same as a Job.");
 }
 
 struct SilhouetteTriangles {
@@ -233,6 +312,7 @@ void bind_draw(py::module_& m) {
   bind_graph(m);
   bind_tone(m);
   bind_drawing(m);
+  bind_view(m);
   py::class_<SilhouetteTriangles>(m, "Silhouettes", "Where the surface turns away from the eye.")
       .def_property_readonly("triangles", [](const SilhouetteTriangles& found) {
         return view_of(found.triangles, *found.triangles);

@@ -31,6 +31,7 @@ from ._core import (
     Surface,
     Texture,
     ToneMap,
+    View,
     draw,
     prepare,
     rasterise,
@@ -40,7 +41,9 @@ from ._core import (
     solve_cross_field,
     start_draw,
     start_prepare,
+    start_view,
     stop_jobs,
+    view,
 )
 from .millimetres import lengths_in_pixels
 from .sequence import draw_sequence
@@ -70,6 +73,7 @@ __all__ = [
     "Surface",
     "Texture",
     "ToneMap",
+    "View",
     "draw",
     "draw_sequence",
     "lengths_in_pixels",
@@ -81,5 +85,7 @@ __all__ = [
     "solve_cross_field",
     "start_draw",
     "start_prepare",
+    "start_view",
     "stop_jobs",
+    "view",
 ]

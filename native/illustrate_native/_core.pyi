@@ -973,6 +973,56 @@ def start_draw(
 ) -> Job:
     """`draw` as a job, whose result is a Drawing. What it is given may be changed meanwhile."""
 
+def view(
+    prepared: Prepared,
+    camera: Camera,
+    options: DrawOptions | None = None,
+    lights: Iterable[Light] | None = None,
+    progress: _Progress | None = None,
+) -> View:
+    """Lines and tones of a view: the first half of `draw`, which needs no previous drawing.
+
+    In a sequence it may be made while the frame before is still being drawn.
+
+    Args:
+        prepared: as in `draw`, like all the others.
+        camera: the view.
+        options: None: the defaults.
+        lights: none: one headlight.
+        progress: told how far it is.
+
+    Raises:
+        InvalidInput: as `draw`.
+        Cancelled: progress returned False. What progress raises passes through.
+    """
+
+def start_view(
+    prepared: Prepared,
+    camera: Camera,
+    options: DrawOptions | None = None,
+    lights: Iterable[Light] | None = None,
+) -> Job:
+    """`view` as a job, whose result is a View. What it is given may be changed meanwhile."""
+
+class View:
+    """A view before it is hatched: its lines, labelled, and its tones. It does not change."""
+
+    @property
+    def exposure(self) -> float:
+        """What the light was multiplied by; 1 where nothing is hatched."""
+    def draw(self, progress: _Progress | None = None, previous: Drawing | None = None) -> Drawing:
+        """The drawing of the view, the same that `draw` makes at once.
+
+        Args:
+            progress: told how far it is.
+            previous: the drawing of the frame before, as in `draw`.
+
+        Raises:
+            Cancelled: progress returned False. What progress raises passes through.
+        """
+    def start_draw(self, previous: Drawing | None = None) -> Job:
+        """`draw` as a job, whose result is a Drawing."""
+
 def rough_silhouettes(prepared: Prepared, camera: Camera) -> _Singles:
     """Silhouettes for a viewer that redraws while it moves: quick, not exact, hidden ones too.
 

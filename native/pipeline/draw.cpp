@@ -1,133 +1,32 @@
 #include "pipeline/draw.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "contour/network/network.h"
 #include "contour/shape/loose_curves.h"
 #include "contour/silhouettes.h"
 #include "core/errors.h"
 #include "hatch/crumbs.h"
 #include "hatch/even_hatches.h"
 #include "hatch/reduce_hatches.h"
-#include "hatch/small_parts.h"
 #include "hatch/view/hatch_runs.h"
-#include "occlusion/visible_image.h"
-#include "pipeline/casters.h"
 #include "pipeline/hatch_passes.h"
 #include "pipeline/last_drawing.h"
-#include "pipeline/material_styles.h"
 #include "pipeline/see_through.h"
-#include "pipeline/seen_scene.h"
 #include "pipeline/stopwatch.h"
 #include "pipeline/style_masks.h"
 #include "stroke/tracks.h"
-#include "tone/light_contours.h"
-#include "visibility/label_network.h"
 #include "visibility/loose_labels.h"
-#include "visibility/vote.h"
 
 namespace illustrate {
 namespace {
 
-// What is decided in the image (how near to cusps points are exact, what is a twist, how far beside
-// a curve rays start) is so in units of paper, of which the larger side of the image has so many:
-// lines, and the hatches that end at them, are then the same at any number of pixels. In images of
-// over 4096 px it has more: what a unit leaves out is to stay near the size of a pixel.
-constexpr double units_across = 1024;
-constexpr double most_pixels = 4;  // of a unit
-
-// Of the tone map. So many cells take some 300 MB, depths and tones together.
-constexpr double most_cells = 16e6;
-constexpr double least_cell_px = 0.25;
-constexpr double cells_in_spacing = 8;
-constexpr double cells_in_band = 6;
-
-// In proportion to hatches and bands: tones then look the same at any number of pixels.
-double cell_size(const Camera& camera, const DrawOptions& options) {
-  const ToneOptions& tone = options.tone;
-  double cell = std::min(options.cell_px, options.hatch.spacing_px / cells_in_spacing);
-  if (tone.mach_bands && tone.mach_band_px > 0) {
-    cell = std::min(cell, tone.mach_band_px / cells_in_band);
-  }
-  if (tone.undercuts && tone.undercut_px > 0) {
-    cell = std::min(cell, tone.undercut_px / cells_in_band);
-  }
-  const double area = static_cast<double>(camera.width_px()) * camera.height_px();
-  return std::max({cell, least_cell_px, std::sqrt(area / most_cells)});
-}
-
-// Pixels of the unit in which lines are decided.
-double line_unit(const Camera& camera) {
-  return std::min(std::max(camera.width_px(), camera.height_px()) / units_across, most_pixels);
-}
-
-// From images in units to pixels.
-void to_pixels(LabelledGraph& graph, double unit) {
-  for (GraphNode& node : graph.nodes) node.image *= unit;
-  for (Vec2& image : graph.image.values) image *= unit;
-  graph.repair_max_px *= unit;
-  graph.unit_px = unit;
-}
-
-// The stages of one view, each with its time.
-class View {
+// The stages that finish one view, each with its time.
+class Finisher {
  public:
-  // casters: what keeps the light from the scene.
-  View(const SeenScene& scene, const SeenScene& casters, const Camera& camera,
-       const DrawOptions& options)
-      : scene_(scene),
-        casters_(casters),
-        camera_(camera),
-        options_(options),
-        materials_(material_marks(scene.surface(), scene.meshes(), options.styles)) {
-    result_.timings = {{"contour", 0}, {"visibility", 0}, {"tone", 0}, {"hatch", 0}, {"stroke", 0}};
-  }
-
-  void label_curves(const std::vector<Light>& lights, const Progress& progress) {
-    const StrokeOptions& stroke = options_.stroke;
-    const bool by_vote = options_.visibility == VisibilityMethod::vote;
-    // The vote is there for comparison: it gets all curves, also those that are hidden for certain.
-    const NetworkOptions network_options{stroke.marks,
-                                         stroke.materials,
-                                         stroke.flat_outlines,
-                                         options_.curvature_curves,
-                                         !stroke.hidden_lines && !by_vote,
-                                         options_.threads};
-    const double unit = line_unit(camera_);
-    const Camera on_paper = camera_.in_units_of(unit);
-    const Progress search = progress.part(0, 0.2, "contour");
-    ContourScene contour_scene = contour_scene_of(scene_, search);
-    if (options_.curvature_curves.any()) {
-      contour_scene.derivative = &scene_.curvature_derivative(progress.part(0.2, 0.3));
-    }
-    const CurveNetwork network = timed(result_.timings["contour"], [&] {
-      FreeLines of_light;
-      if (options_.light_contours.any()) {
-        of_light = lines_of_light(contour_scene, lights, search);
-        contour_scene.light_contours = &of_light;
-      }
-      return build_network(contour_scene, on_paper, network_options, result_.counts,
-                           progress.part(0.3, 0.6, "contour"));
-    });
-    result_.graph = timed(result_.timings["visibility"], [&] {
-      const Progress visibility = progress.part(0.6, 1, "visibility");
-      return by_vote
-                 ? vote_network(network, scene_.surface(), scene_.bvh(), on_paper, result_.counts,
-                                visibility)
-                 : label_network(network, scene_.surface(), scene_.bvh(), on_paper, result_.counts,
-                                 visibility, options_.threads, scene_.intersections().insets);
-    });
-    to_pixels(result_.graph, unit);
-  }
-
-  // Edges of no face hide nothing, and no tone depends on them.
-  void add_loose_edges() {
-    result_.graph = timed(result_.timings["visibility"], [&] {
-      const Mask wanted = loose_objects(options_, scene_.meshes().size());
-      return with_loose_curves(std::move(result_.graph), loose_curves(scene_.meshes(), wanted),
-                               scene_.surface(), scene_.bvh(), camera_);
-    });
+  explicit Finisher(const View& view)
+      : view_(view), scene_(*view.scene), camera_(view.camera), options_(view.options) {
+    result_.counts = view.counts;
+    result_.timings = view.timings;
   }
 
   void follow(const Drawing& previous, const Surface& whole) {
@@ -144,39 +43,19 @@ class View {
     }
   }
 
-  void hatch(const CrossField& field, const std::vector<Light>& lights, const Progress& progress) {
-    const Surface& surface = scene_.surface();
-    const Progress tone_progress = progress.part(0, 0.2, "tone");
-    tone_progress.report(0);
-    const VisibleImage visible = timed(result_.timings["tone"], [&] {
-      return render_visible(surface, camera_, cell_size(camera_, options_), {}, options_.threads);
-    });
-    ToneOptions tone_options = options_.tone;
-    tone_options.threads = options_.threads;
-    tone_options.patch_px = options_.smallest_tone * options_.hatch.spacing_px;
-    const Mask unhatched = unhatched_objects(options_.styles);
-    const SmallParts small(surface, scene_.parts(), camera_);
-    const std::vector<float> spacing_scale =
-        small.finer(spacing_scales(options_.styles), options_.hatch);
-    const Lightness lightness(surface, scene_.meshes());
-    result_.tone = timed(result_.timings["tone"], [&] {
-      ToneMap tone =
-          tone_regions({surface, visible, result_.graph, camera_, lights, &casters_.bvh(),
-                        unhatched, shadow_catchers(options_.styles), &lightness, &scene_.parts()},
-                       tone_options, tone_progress);
-      blank_unhatched(visible, materials_.unhatched, tone);
-      blank_unhatched(visible, small.too_narrow(spacing_scale, options_.hatch), tone);
-      return tone;
-    });
-    if (!is_hatched_anywhere(result_.tone)) return;
-    const Families& families = scene_.families(progress.part(0.2, 0.3, "field"));
+  void hatch(const Progress& progress) {
+    if (!is_hatched_anywhere(view_.tone)) return;
+    const CrossField& field = view_.prepared.field(progress.part(0, 0.1));
+    const Families& families = scene_.families(progress.part(0.1, 0.2, "field"));
     const CriticalCurves curves = timed(result_.timings["hatch"], [&] {
-      return CriticalCurves(result_.graph, camera_.width_px(), camera_.height_px());
+      return CriticalCurves(view_.graph, camera_.width_px(), camera_.height_px());
     });
-    HatchScene whole{surface,      field,         families, camera_,       visible,
-                     result_.tone, result_.graph, curves,   spacing_scale, unhatched};
+    const Mask unhatched = unhatched_objects(options_.styles);
+    HatchScene whole{scene_.surface(),    field,      families,    camera_,
+                     view_.visible,       view_.tone, view_.graph, curves,
+                     view_.spacing_scale, unhatched};
     // Which pass a streamline is of nobody remembers: those of passes are evened out anew.
-    if (materials_.groups.empty()) {
+    if (view_.materials.groups.empty()) {
       tiles_ = timed(result_.timings["hatch"], [&] {
         return std::make_shared<const ImageTiles>(
             image_tiles(whole, options_.hatch, options_.threads));
@@ -188,20 +67,23 @@ class View {
     if (last_drawn_) {
       whole.last = &last.emplace(*last_drawn_, camera_, options_.hatch.spacing_px, whole.resting);
     }
-    hatch_in_passes(whole, small, progress.part(0.3, 1));
+    hatch_in_passes(whole, progress.part(0.2, 1));
   }
 
-  DrawResult strokes(const std::vector<Light>& lights, const Progress& progress) && {
+  DrawResult strokes(const Progress& progress) && {
     progress.report(0);
+    result_.tone = view_.tone;
+    result_.graph = with_loose_edges();
     const LineWeightOptions& weight = options_.stroke.line_weight;
     result_.drawing = timed(result_.timings["stroke"], [&] {
-      StrokeStyles places{
-          {}, materials_.hatch_widths, pens_of(scene_.surface(), scene_.meshes(), options_.styles)};
+      StrokeStyles places{{},
+                          view_.materials.hatch_widths,
+                          pens_of(scene_.surface(), scene_.meshes(), options_.styles)};
       if (weight.any()) {
-        places.line_widths =
-            line_weights(result_.graph, scene_.surface(), scene_.bvh(), camera_, lights, weight);
+        places.line_widths = line_weights(result_.graph, scene_.surface(), scene_.bvh(), camera_,
+                                          view_.lights, weight);
       }
-      weigh_by_material(result_.graph, materials_, places.line_widths);
+      weigh_by_material(result_.graph, view_.materials, places.line_widths);
       return make_strokes(result_.graph, hatches_, result_.tone, camera_,
                           width_scales(options_.styles), undrawn_objects(options_.styles),
                           options_.stroke, places);
@@ -216,29 +98,23 @@ class View {
   }
 
  private:
-  ContourScene contour_scene_of(const SeenScene& scene, const Progress& progress) const {
-    return {scene.surface(), scene.limit_surface(), scene.features(), scene.intersections(),
-            options_.scan_silhouettes ? nullptr : &scene.dual_surface(progress)};
-  }
-
-  FreeLines lines_of_light(const ContourScene& seen, const std::vector<Light>& lights,
-                           const Progress& progress) const {
-    const auto lines = [&](const LightCasters& casters) {
-      return light_contours(seen, casters, lights, camera_, options_.light_contours,
-                            options_.threads, progress);
-    };
-    if (&casters_ == &scene_) return lines({seen, scene_.bvh()});
-    const ContourScene casting = contour_scene_of(casters_, progress);
-    return lines({casting, casters_.bvh(), casters_.triangles_in(scene_)});
+  // Edges of no face hide nothing, and no tone depends on them.
+  LabelledGraph with_loose_edges() {
+    return timed(result_.timings["visibility"], [&] {
+      const Mask wanted = loose_objects(options_, scene_.meshes().size());
+      return with_loose_curves(view_.graph, loose_curves(scene_.meshes(), wanted), scene_.surface(),
+                               scene_.bvh(), camera_);
+    });
   }
 
   // Once, or for each group of faces that is hatched by itself.
-  void hatch_in_passes(const HatchScene& whole, const SmallParts& small, const Progress& progress) {
-    const std::vector<HatchPass> passes = hatch_passes(whole, materials_, [&](double group_scale) {
-      std::vector<double> scales = spacing_scales(options_.styles);
-      for (double& scale : scales) scale *= group_scale;
-      return small.finer(scales, options_.hatch);
-    });
+  void hatch_in_passes(const HatchScene& whole, const Progress& progress) {
+    const std::vector<HatchPass> passes =
+        hatch_passes(whole, view_.materials, [&](double group_scale) {
+          std::vector<double> scales = spacing_scales(options_.styles);
+          for (double& scale : scales) scale *= group_scale;
+          return view_.small->finer(scales, options_.hatch);
+        });
     std::vector<HatchScene> scenes;
     for (const HatchPass& pass : passes) scenes.push_back(scene_of(pass, whole));
     if (passes.empty()) scenes.push_back(whole);
@@ -273,8 +149,8 @@ class View {
     if (options_.hatch.seeding == HatchSeeding::critical_curves) {
       return place_hatches(scene, options_.hatch, result_.counts, progress);
     }
-    const Hatches hatches = even_hatches(scene, curves_, previous, options_.hatch, options_.threads,
-                                         result_.counts, progress);
+    const Hatches hatches = even_hatches(scene, curves_.of_objects, previous, options_.hatch,
+                                         options_.threads, result_.counts, progress);
     for (std::size_t c = 0; c < hatches.placed.size(); ++c) placed_.add(hatches.placed[c]);
     return hatches;
   }
@@ -301,70 +177,52 @@ class View {
     made.add(extra);
   }
 
+  const View& view_;
   const SeenScene& scene_;
-  const SeenScene& casters_;
   const Camera& camera_;
   const DrawOptions& options_;
-  const MaterialMarks materials_;
   Ragged<SurfacePoint> previous_, placed_;
   std::optional<Ragged<Vec3>> last_drawn_;  // hatches
   std::vector<std::uint8_t> follows_;       // (objects) 1: has hatches of the last drawing
   std::shared_ptr<const ImageTiles> last_tiles_, tiles_;
-  CurvesOfObjects curves_;
+  SeenCurves curves_;
   Hatches hatches_;
   DrawResult result_;
 };
 
-// `casters`: null: all that is seen.
-DrawResult draw_seen(const Prepared& prepared, const Camera& camera, const DrawOptions& options,
-                     const std::vector<Light>& lights, const SeenScene* casters,
-                     const Progress& progress, const Drawing* previous) {
-  const bool hatching = anything_is_hatched(options);
-  const SeenScene scene(prepared, options.styles, options.threads, progress.part(0, 0.1));
-  const CrossField* field = hatching ? &prepared.field(progress.part(0.1, 0.3)) : nullptr;
-  View view(scene, casters ? *casters : scene, camera, options);
-  if (hatching && previous) view.follow(*previous, prepared.surface());
-  view.label_curves(lights, progress.part(0.3, hatching ? 0.5 : 0.95));
-  if (hatching) view.hatch(*field, lights, progress.part(0.5, 0.95));
-  // After the tones, which know nothing of them.
-  view.add_loose_edges();
-  return std::move(view).strokes(lights, progress.part(0.95, 1, "stroke"));
-}
-
-// With what the styles leave out, and through what they let see.
-DrawResult draw_styled(const Prepared& prepared, const Camera& camera, const DrawOptions& options,
-                       const std::vector<Light>& lights, const Progress& progress,
-                       const Drawing* previous) {
-  if (any_is_seen_through(options.styles)) {
-    return draw_seen_through(prepared, camera, options, lights, progress, previous);
+DrawResult finished(const View& view, const Progress& progress, const Drawing* previous) {
+  Finisher finisher(view);
+  if (anything_is_hatched(view.options)) {
+    if (previous) finisher.follow(*previous, view.prepared.surface());
+    finisher.hatch(progress.part(0, 0.9));
   }
-  if (!any_is_shadow_only(options.styles)) {
-    return draw_seen(prepared, camera, options, lights, nullptr, progress, previous);
-  }
-  const SeenScene casters(prepared, options.styles, options.threads, progress.part(0, 0.1));
-  return draw_seen(prepared, camera, without_unseen(options), lights, &casters,
-                   progress.part(0.1, 1), previous);
+  DrawResult result = std::move(finisher).strokes(progress.part(0.9, 1, "stroke"));
+  if (view.glass) add_glass(result, finished(*view.glass, {}, nullptr));
+  return result;
 }
 
 }  // namespace
 
-DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOptions& options,
-                const std::vector<Light>& lights, const Progress& progress,
-                const Drawing* previous) {
-  validate(options, prepared.object_count());
-  for (std::size_t i = 0; i < lights.size(); ++i) validate(lights[i], i);
-  DrawResult result = draw_styled(prepared, camera, options, lights, progress, previous);
+DrawResult draw(const View& view, const Progress& progress, const Drawing* previous) {
+  DrawResult result = finished(view, progress, previous);
   Drawing& drawing = result.drawing;
-  drawing.surface = prepared.shared_surface();
-  drawing.object_names = names_of(prepared.meshes());
+  drawing.surface = view.prepared.shared_surface();
+  drawing.object_names = names_of(view.prepared.meshes());
   if (previous) {
     const Stopwatch watch;
-    follow_strokes(drawing, *previous, *drawing.surface, camera, line_unit(camera));
+    follow_strokes(drawing, *previous, *drawing.surface, view.camera, line_unit(view.camera));
     result.timings["stroke"] += watch.seconds();
   } else {
     drawing.tracks = first_tracks(drawing);
   }
   return result;
+}
+
+DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOptions& options,
+                const std::vector<Light>& lights, const Progress& progress,
+                const Drawing* previous) {
+  return draw(view_of(prepared, camera, options, lights, progress.part(0, 0.6)),
+              progress.part(0.6, 1), previous);
 }
 
 std::vector<int> silhouette_triangles(const Prepared& prepared, const Camera& camera,

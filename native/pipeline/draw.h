@@ -1,9 +1,7 @@
-// One view of a prepared scene: lines, tone, hatches, strokes.
+// One view of a prepared scene: lines, tone (pipeline/view.h), hatches, strokes.
 #pragma once
 
-#include "pipeline/prepare.h"
-#include "tone/light.h"
-#include "view/camera.h"
+#include "pipeline/view.h"
 
 namespace illustrate {
 
@@ -22,6 +20,9 @@ struct DrawResult {
 DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOptions& options,
                 const std::vector<Light>& lights = {}, const Progress& progress = {},
                 const Drawing* previous = nullptr);
+
+// The same from a view that is there.
+DrawResult draw(const View& view, const Progress& progress = {}, const Drawing* previous = nullptr);
 
 // The triangles that carry silhouettes, by the dual search, or `brute_force` from the signs at the
 // corners of every triangle.

@@ -5,26 +5,6 @@
 namespace illustrate {
 namespace {
 
-// The second drawing has no hatches, which take most of the time.
-constexpr double first_share = 0.75;  // of the progress
-
-DrawOptions without_glass(DrawOptions options) {
-  for (ObjectStyle& style : options.styles) {
-    style.ignore |= style.see_through;
-    style.see_through = false;
-  }
-  return options;
-}
-
-DrawOptions glass_alone(DrawOptions options) {
-  options.hatching = false;
-  for (ObjectStyle& style : options.styles) {
-    style.occlude_only |= !style.see_through;
-    style.see_through = false;
-  }
-  return options;
-}
-
 template <class T>
 void append(std::vector<T>& values, const std::vector<T>& more) {
   values.insert(values.end(), more.begin(), more.end());
@@ -53,17 +33,27 @@ bool any_is_seen_through(const std::vector<ObjectStyle>& styles) {
                      [](const ObjectStyle& s) { return s.see_through && !s.ignore; });
 }
 
-DrawResult draw_seen_through(const Prepared& prepared, const Camera& camera,
-                             const DrawOptions& options, const std::vector<Light>& lights,
-                             const Progress& progress, const Drawing* previous) {
-  DrawResult result = draw(prepared, camera, without_glass(options), lights,
-                           progress.part(0, first_share), previous);
-  const DrawResult glass =
-      draw(prepared, camera, glass_alone(options), lights, progress.part(first_share, 1));
+DrawOptions without_glass(DrawOptions options) {
+  for (ObjectStyle& style : options.styles) {
+    style.ignore |= style.see_through;
+    style.see_through = false;
+  }
+  return options;
+}
+
+DrawOptions glass_alone(DrawOptions options) {
+  options.hatching = false;
+  for (ObjectStyle& style : options.styles) {
+    style.occlude_only |= !style.see_through;
+    style.see_through = false;
+  }
+  return options;
+}
+
+void add_glass(DrawResult& result, const DrawResult& glass) {
   append(result.drawing, glass.drawing);
   for (const auto& [name, count] : glass.counts) result.counts[name] += count;
   for (const auto& [name, seconds] : glass.timings) result.timings[name] += seconds;
-  return result;
 }
 
 }  // namespace illustrate

@@ -118,20 +118,17 @@ SurfaceCurves SeenScene::renumbered(const CurvesOfObject& whole) const {
   return part;
 }
 
-CurvesOfObjects SeenScene::hatch_curves(const std::vector<double>& radii,
-                                        const std::vector<std::uint8_t>& seeds_only,
-                                        const Progress& progress) const {
-  CurvesOfObjects curves = prepared_.hatch_curves(radii, seeds_only, progress);
+SeenCurves SeenScene::hatch_curves(const std::vector<double>& radii,
+                                   const std::vector<std::uint8_t>& seeds_only,
+                                   const Progress& progress) const {
+  SeenCurves curves;
+  curves.of_objects = prepared_.hatch_curves(radii, seeds_only, progress);
   if (!part_) return curves;
-  const std::vector<SurfaceCurves>& parts = part_->hatch_curves.get([&] {
-    std::vector<SurfaceCurves> made;
-    for (const CurvesOfObject& whole : curves) {
-      made.push_back(whole ? renumbered(whole) : SurfaceCurves{});
-    }
-    return made;
-  });
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    if (curves[i]) curves[i] = {&parts[i]};
+  for (const CurvesOfObject& whole : curves.of_objects) {
+    curves.own.push_back(whole ? renumbered(whole) : SurfaceCurves{});
+  }
+  for (std::size_t i = 0; i < curves.own.size(); ++i) {
+    if (curves.of_objects[i]) curves.of_objects[i] = {&curves.own[i]};
   }
   return curves;
 }

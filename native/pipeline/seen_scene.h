@@ -5,6 +5,16 @@
 
 namespace illustrate {
 
+// The curves that hatches start from. They may be moved, not copied: some are `own`.
+struct SeenCurves {
+  SeenCurves() = default;
+  SeenCurves(SeenCurves&&) = default;
+  SeenCurves& operator=(SeenCurves&&) = default;
+
+  CurvesOfObjects of_objects;
+  std::vector<SurfaceCurves> own;  // (objects) with the numbers of a part of the scene
+};
+
 // Refers to `prepared` where nothing is ignored, else owns a copy without those triangles (vertices
 // keep their numbers, so field and curvature still fit).
 class SeenScene {
@@ -44,10 +54,10 @@ class SeenScene {
   // Curves on the whole surface, as far as their triangles are in this scene, with their numbers in
   // it.
   Ragged<SurfacePoint> seen_parts(const Ragged<SurfacePoint>& curves) const;
-  // As those of the whole scene. Asked once.
-  CurvesOfObjects hatch_curves(const std::vector<double>& radii,
-                               const std::vector<std::uint8_t>& seeds_only,
-                               const Progress& progress) const;
+  // As those of the whole scene.
+  SeenCurves hatch_curves(const std::vector<double>& radii,
+                          const std::vector<std::uint8_t>& seeds_only,
+                          const Progress& progress) const;
 
   // (t) what the triangles of this scene are in another one of the same, none: not there.
   std::vector<int> triangles_in(const SeenScene& other) const;
@@ -65,7 +75,6 @@ class SeenScene {
     Lazy<SurfaceParts> parts;
     std::vector<FeatureEdge> features;
     IntersectionCurves intersections;
-    Lazy<std::vector<SurfaceCurves>> hatch_curves;  // (objects)
   };
   SurfaceCurves renumbered(const CurvesOfObject& whole) const;
 

@@ -47,11 +47,46 @@ def test_a_job_follows_a_previous_drawing() -> None:
     assert job.wait(PATIENCE_S) and job.result().frame == 1
 
 
+def test_a_view_is_made_before_the_drawing_that_it_follows() -> None:
+    prepared, lights = prepared_of(torus()), [ill.Light("head")]
+    job = ill.start_view(prepared, look_at(), lights=lights)
+    first = ill.draw(prepared, look_at(), lights=lights)
+    assert job.wait(PATIENCE_S)
+    view = job.result()
+    assert view.exposure == first.tone.exposure == 1
+    drawing = view.start_draw(first)
+    assert drawing.wait(PATIENCE_S)
+    at_once = ill.draw(prepared, look_at(), lights=lights, previous=first)
+    assert digest(drawing.result()) == digest(at_once) == digest(view.draw(previous=first))
+    assert drawing.result().frame == 1
+    other = ill.view(prepared, look_at(), lights=lights)
+    assert digest(other.draw()) == digest(first)
+
+
+def test_a_view_keeps_what_it_is_of() -> None:
+    view = ill.view(prepared_of(torus()), look_at())
+    assert len(view.draw().kinds)
+
+
+def test_views_tell_how_far_they_are_and_stop() -> None:
+    prepared, told = prepared_of(torus()), []
+    ill.view(prepared, look_at(), progress=lambda f, s: told.append((f, s)) is None)
+    assert {"contour", "visibility", "tone"} <= {stage for _, stage in told}
+    with pytest.raises(ill.Cancelled):
+        ill.view(prepared, look_at(), progress=lambda _f, _s: False)
+    view = ill.view(prepared, look_at())
+    with pytest.raises(ill.Cancelled):
+        view.draw(progress=lambda _f, _s: False)
+    assert len(view.draw().kinds)
+
+
 def test_what_is_wrong_is_told_at_once_or_as_the_result() -> None:
     with pytest.raises(ill.InvalidInput, match=r"meshes\[0\]"):
         ill.start_prepare([None])  # type: ignore[list-item]
     with pytest.raises(TypeError):
         ill.start_draw(None, look_at())  # type: ignore[arg-type]
+    with pytest.raises(TypeError):
+        ill.view(None, look_at())  # type: ignore[arg-type]
     options = ill.PrepareOptions(level=2)
     options.triangle_budget = -5
     job = ill.start_prepare([cube().mesh()], options)
