@@ -20,6 +20,7 @@
 #include "hatch/undercut_hatches.h"
 #include "hatch/view/broad_tone.h"
 #include "hatch/view/hatch_area.h"
+#include "hatch/view/passable_triangles.h"
 
 namespace illustrate {
 namespace {
@@ -136,6 +137,7 @@ class GroupHatcher {
                scene.graph, scene.curves, scene.spacing_scale, scene.unhatched, nullptr,
                scene.resting},
               options),
+        passable_(passable_triangles(view_.scene(), Area::hatched)),
         undercuts_(scene, options) {}
 
   // What all objects have of the view.
@@ -146,7 +148,7 @@ class GroupHatcher {
   Hatches hatches(const HatchGroup& group, int threads, std::int64_t& steps,
                   const Progress& progress) const {
     const std::vector<StreamlineNode> seeds =
-        without_resting(surface_seeds(view_, group.curves, group.hatched), view_);
+        without_resting(surface_seeds(view_, group.curves, group.hatched, passable_), view_);
     StreamlineSet set(view_);
     const Progress placing = progress.part(0.1, 0.7);
     if (follows_) {
@@ -169,6 +171,7 @@ class GroupHatcher {
   const bool follows_;
   const ToneMap tone_;  // what is hatched broadened
   const HatchView view_;
+  const std::vector<std::uint8_t> passable_;
   const UndercutHatcher undercuts_;
 };
 

@@ -8,6 +8,7 @@
 #include "hatch/streamlines/finish_streamlines.h"
 #include "hatch/streamlines/grow_streamlines.h"
 #include "hatch/streamlines/relax_streamlines.h"
+#include "hatch/view/passable_triangles.h"
 
 namespace illustrate {
 namespace {
@@ -42,7 +43,9 @@ void fix_all(StreamlineSet& set) {
 }  // namespace
 
 UndercutHatcher::UndercutHatcher(const HatchScene& scene, const HatchOptions& options)
-    : scene_(scene), is_needed_(has_undercuts(scene.tone)), view_(scene, options, Area::undercut) {}
+    : scene_(scene), is_needed_(has_undercuts(scene.tone)), view_(scene, options, Area::undercut) {
+  if (is_needed_) passable_ = passable_triangles(scene, Area::undercut);
+}
 
 SeedPlaces UndercutHatcher::places(const CurvesOfObjects& curves) const {
   return is_needed_ ? seed_places(scene_, view_, curves) : SeedPlaces();
@@ -52,7 +55,8 @@ void UndercutHatcher::add(Hatches& hatches, StreamlineSet& set, const HatchGroup
                           int threads, const Progress& progress) const {
   if (!is_needed_) return;
   fix_all(set);
-  const std::vector<StreamlineNode> seeds = surface_seeds(view_, group.curves, group.undercuts);
+  const std::vector<StreamlineNode> seeds =
+      surface_seeds(view_, group.curves, group.undercuts, passable_);
   fill_streamlines(set, view_, seeds, gaps, progress.part(0, 0.3));
   relax_streamlines(set, view_, first_sweeps, threads, progress.part(0.3, 0.6));
   const std::vector<StreamlineNode> strips = edge_seeds(set, view_, group.undercuts.strips);

@@ -26,6 +26,7 @@ class UndercutHatcher {
   const HatchScene& scene_;
   const bool is_needed_;
   const HatchView view_;
+  std::vector<std::uint8_t> passable_;  // (t) passable_triangles.h
 };
 
 }  // namespace illustrate

@@ -16,6 +16,11 @@ struct CurvesOfObject {
   explicit operator bool() const { return shared != nullptr; }
   double area() const { return scale * scale * shared->area; }
   Ragged<SurfacePoint> curves() const;
+  // A seed of `shared` on the object.
+  SurfacePoint placed(SurfacePoint seed) const {
+    seed.triangle += first_triangle;
+    return seed;
+  }
   // Whether a curve is among those down to this radius.
   bool is_needed(std::size_t curve, double radius) const {
     return radius / scale < shared->needed_below[curve];

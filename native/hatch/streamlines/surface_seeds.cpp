@@ -58,14 +58,18 @@ std::vector<SurfacePoint> lattice_places(const HatchScene& scene, const HatchVie
   return places;
 }
 
-// The first places on an object, everywhere as many as its spacing there asks for.
+// The first places on an object, everywhere as many as its spacing there asks for, where hatches
+// may pass.
 std::vector<SurfacePoint> wanted_places(const HatchView& view, const CurvesOfObject& curves,
-                                        double plain_spacing) {
-  const std::vector<SurfacePoint> seeds = curves.seeds();
+                                        double plain_spacing,
+                                        const std::vector<std::uint8_t>& passable) {
+  const std::vector<SurfacePoint>& seeds = curves.shared->seeds;
   std::vector<SurfacePoint> wanted;
   for (std::size_t i = 0; i < seeds.size(); ++i) {
-    const double spacing = plain_spacing * view.scale_on(seeds[i].triangle);
-    if (i < seed_count(curves.area(), spacing)) wanted.push_back(seeds[i]);
+    const SurfacePoint seed = curves.placed(seeds[i]);
+    if (!passable[idx(seed.triangle)]) continue;
+    const double spacing = plain_spacing * view.scale_on(seed.triangle);
+    if (i < seed_count(curves.area(), spacing)) wanted.push_back(seed);
   }
   return wanted;
 }
@@ -113,11 +117,12 @@ SeedPlaces seed_places(const HatchScene& scene, const HatchView& view,
 }
 
 std::vector<StreamlineNode> surface_seeds(const HatchView& view, const CurvesOfObjects& curves,
-                                          const SeedPlaces& places) {
+                                          const SeedPlaces& places,
+                                          const std::vector<std::uint8_t>& passable) {
   std::vector<StreamlineNode> seeds;
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    if (curves[i])
-      append(seeds, seed_nodes(view, wanted_places(view, curves[i], places.spacings[i])));
+    if (!curves[i]) continue;
+    append(seeds, seed_nodes(view, wanted_places(view, curves[i], places.spacings[i], passable)));
   }
   append(seeds, seed_nodes(view, places.lattice));
   return seeds;

@@ -25,8 +25,10 @@ SeedPlaces seed_places(const HatchScene& scene, const HatchView& view,
                        const CurvesOfObjects& curves);
 
 // Along both directions of the cross, where the view's hatches may run: at places fixed on the
-// objects that have curves, and those of the lattice.
+// objects that have curves, and those of the lattice. `passable`: of the view
+// (passable_triangles.h).
 std::vector<StreamlineNode> surface_seeds(const HatchView& view, const CurvesOfObjects& curves,
-                                          const SeedPlaces& places);
+                                          const SeedPlaces& places,
+                                          const std::vector<std::uint8_t>& passable);
 
 }  // namespace illustrate

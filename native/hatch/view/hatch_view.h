@@ -52,6 +52,7 @@ class HatchView {
     const bool is_wanted = triangle != none && is_hatched(scene_.surface.object_of(triangle));
     return is_wanted ? triangle : none;
   }
+  const HatchScene& scene() const { return scene_; }
   const Camera& camera() const { return scene_.camera; }
   // The flat face that a node lies on (surface/planes/plane_faces.h), or none.
   int plane_of(const StreamlineNode& node) const {
