@@ -82,6 +82,13 @@ class EvenPlaces {
   EvenPlaces(std::vector<int> triangles, const std::vector<double>& areas)
       : triangles_(std::move(triangles)), area_to_(areas.size()) {
     std::partial_sum(areas.begin(), areas.end(), area_to_.begin());
+    const auto count = static_cast<double>(areas.size());
+    std::size_t at = 0;
+    for (std::size_t k = 0; k <= areas.size(); ++k) {
+      const double share_end = area() * (static_cast<double>(k) / count);
+      while (at + 1 < areas.size() && area_to_[at] <= share_end) ++at;
+      firsts_.push_back(at);
+    }
   }
 
   double area() const { return area_to_.empty() ? 0 : area_to_.back(); }
@@ -90,15 +97,27 @@ class EvenPlaces {
     const auto turn = [&](std::size_t k) {
       return fraction(0.5 + seed_steps[k] * static_cast<double>(i));
     };
-    const auto found = std::upper_bound(area_to_.begin(), area_to_.end() - 1, turn(0) * area());
+    const std::size_t found = triangle_at(turn(0));
     double b1 = turn(1), b2 = turn(2);
     if (b1 + b2 > 1) b1 = 1 - b1, b2 = 1 - b2;
-    return {triangles_[static_cast<std::size_t>(found - area_to_.begin())], b1, b2};
+    return {triangles_[found], b1, b2};
   }
 
  private:
+  // Where a share of the area ends. A step to both sides is for the rounding of shares.
+  std::size_t triangle_at(double share) const {
+    const std::size_t last = area_to_.size() - 1;
+    const auto k = static_cast<std::size_t>(share * static_cast<double>(area_to_.size()));
+    const auto at = [&](std::size_t i) {
+      return area_to_.begin() + static_cast<std::ptrdiff_t>(firsts_[std::min(i, last + 1)]);
+    };
+    const auto found = std::upper_bound(at(k > 0 ? k - 1 : 0), at(k + 2), share * area());
+    return static_cast<std::size_t>(found - area_to_.begin());
+  }
+
   std::vector<int> triangles_;
-  std::vector<double> area_to_;  // of all triangles up to and with each one
+  std::vector<double> area_to_;      // of all triangles up to and with each one
+  std::vector<std::size_t> firsts_;  // where equal shares of the area begin, as many as triangles
 };
 
 // The curves of one radius between those of all greater ones. Radius, steps and nodes are in finest
