@@ -51,6 +51,7 @@ class CreaseFinder {
       sharpen_lone_bends();
       if (mesh_.edge_length) sharpen_fine_bends(*mesh_.edge_length * line_share);
     }
+    find_flat_vertices();
     gather_sharp_edges();
     if (!mesh_.cage) find_corners();
     find_pointed_tips();
@@ -149,6 +150,13 @@ class CreaseFinder {
     }
   };
 
+  void find_flat_vertices() {
+    is_all_flat_.assign(sound_.positions.size(), 1);
+    for (int c = 0; c < faces_.corner_count(); ++c) {
+      is_all_flat_[faces_.corners[c]] &= shading_.is_flat[faces_.corner_faces[c]];
+    }
+  }
+
   void gather_sharp_edges() {
     sharp_.resize(sound_.positions.size());
     for (std::size_t e = 0; e < edges_.size(); ++e) {
@@ -161,14 +169,29 @@ class CreaseFinder {
   }
 
   bool is_corner(std::size_t v) const {
-    const SharpEdges& sharp = sharp_[v];
     // Splitting opened that edge; the artist's surface goes on across it.
-    if (sharp.is_seam) return false;
-    if (is_touch(v)) return true;
+    if (sharp_[v].is_seam) return is_flat_corner_of_seam(v);
+    return is_touch(v) || turns_at(v);
+  }
+
+  bool turns_at(std::size_t v) const {
+    const SharpEdges& sharp = sharp_[v];
     if (sharp.count != 2) return false;
     const Points& p = sound_.positions;
     const double turn = angle_between(p[v] - p[sharp.ends[0]], p[sharp.ends[1]] - p[v]);
     return turn > radians(sharp.is_boundary ? boundary_corner_deg : crease_corner_deg);
+  }
+
+  // Where blocks stand on each other their edges have four faces: flat sides on both keep their
+  // corners there, and all copies of one stay together.
+  bool is_flat_corner_of_seam(std::size_t v) const {
+    const std::vector<int>& sources = sound_.source_vertices;
+    std::size_t first = v;
+    while (first > 0 && sources[first - 1] == sources[v]) --first;
+    for (std::size_t copy = first; copy < sources.size() && sources[copy] == sources[v]; ++copy) {
+      if (sharp_[copy].is_seam && is_all_flat_[copy] && turns_at(copy)) return true;
+    }
+    return false;
   }
 
   // Copies of a vertex stand side by side.
@@ -196,15 +219,13 @@ class CreaseFinder {
       means[faces_.corners[c]] += angle * shading_.face_normals[faces_.corner_faces[c]];
     }
     std::vector<double> least(means.size(), pi);
-    std::vector<std::uint8_t> all_flat(means.size(), 1);
     for (int c = 0; c < faces_.corner_count(); ++c) {
       const int v = faces_.corners[c], f = faces_.corner_faces[c];
       least[v] = std::min(least[v], angle_between(shading_.face_normals[f], means[v]));
-      all_flat[v] &= shading_.is_flat[f];
     }
     for (std::size_t v = 0; v < means.size(); ++v) {
       if (sharp_[v].count > 0 || creases_.sharp_vertices[v]) continue;
-      const double limit = all_flat[v] ? std::min(tip_deg, mesh_.crease_angle_deg) : tip_deg;
+      const double limit = is_all_flat_[v] ? std::min(tip_deg, mesh_.crease_angle_deg) : tip_deg;
       if (least[v] > radians(limit)) add_tip(v);
     }
   }
@@ -225,7 +246,8 @@ class CreaseFinder {
   const SoundMesh& sound_;
   Creases& creases_;
   Counts& report_;
-  std::vector<SharpEdges> sharp_;  // (n)
+  std::vector<SharpEdges> sharp_;          // (n)
+  std::vector<std::uint8_t> is_all_flat_;  // (n) 1: all faces around are shaded flat
 };
 
 }  // namespace

@@ -19,7 +19,7 @@
 // a vertex: a boundary that turns more than 50 degrees, a crease that turns more than 80 (a crease
 // has faces on both sides that say more about it). A vertex amid a straight border is none, and a
 // plane has four, however it is cut. Copies of a vertex where parts touch only there are corners,
-// so that they stay together.
+// so that they stay together. Of flat faces so are those where an edge of more than two turns.
 #pragma once
 
 #include "core/report.h"

@@ -188,6 +188,40 @@ TEST(Creases, CornersOfCreasesTurnMore) {
   }
 }
 
+// Two prisms over an outline, one on the other, that share the vertices between.
+PolygonMesh stack(const std::vector<Vec2>& outline) {
+  const int n = static_cast<int>(outline.size());
+  PolygonMesh mesh;
+  for (const double z : {0.0, 1.0, 2.0}) {
+    for (const Vec2& p : outline) mesh.positions.emplace_back(p.x(), p.y(), z);
+  }
+  for (const int low : {0, n}) {
+    std::vector<int> bottom, top;
+    for (int i = 0; i < n; ++i) {
+      const int next = (i + 1) % n;
+      shapes::add_face(mesh, {low + i, low + next, low + n + next, low + n + i});
+      bottom.insert(bottom.begin(), low + i);
+      top.push_back(low + n + i);
+    }
+    shapes::add_face(mesh, bottom);
+    shapes::add_face(mesh, top);
+  }
+  return mesh;
+}
+
+// The edges between have four faces, and splitting opens them.
+TEST(Creases, BlocksOnEachOtherKeepTheirCornersWhereTheyAreFlat) {
+  const std::vector<Vec2> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const std::vector<Vec2> angle{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+  for (const std::vector<Vec2>& outline : {square, angle}) {
+    PolygonMesh blocks = stack(outline);
+    blocks.cage = false;
+    const Mended flat = mend(shaded(blocks, own_normal));
+    EXPECT_EQ(flat.report.at("split_edges"), static_cast<int>(outline.size()));
+    EXPECT_EQ(flat.report.at("corners"), static_cast<int>(2 * outline.size()));
+  }
+}
+
 TEST(Creases, CagesKeepWhatTheyHave) {
   PolygonMesh cube = shapes::cube();
   cube.edge_vertices = {{0, 1}};
