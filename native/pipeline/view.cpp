@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "contour/network/network.h"
-#include "core/errors.h"
 #include "pipeline/casters.h"
 #include "pipeline/see_through.h"
 #include "pipeline/stopwatch.h"
@@ -169,7 +168,6 @@ View view_of_opaque(const Prepared& prepared, const Camera& camera, const DrawOp
 
 }  // namespace
 
-// Pixels of the unit in which lines are decided.
 double line_unit(const Camera& camera) {
   return std::min(std::max(camera.width_px(), camera.height_px()) / units_across, most_pixels);
 }

@@ -10,13 +10,13 @@ namespace illustrate {
 
 Ragged<SurfacePoint> CurvesOfObject::curves() const {
   Ragged<SurfacePoint> own = shared->curves;
-  for (SurfacePoint& on : own.values) on.triangle += first_triangle;
+  for (SurfacePoint& on : own.values) on = placed(on);
   return own;
 }
 
 std::vector<SurfacePoint> CurvesOfObject::seeds() const {
   std::vector<SurfacePoint> own = shared->seeds;
-  for (SurfacePoint& on : own) on.triangle += first_triangle;
+  for (SurfacePoint& on : own) on = placed(on);
   return own;
 }
 

@@ -16,10 +16,10 @@ struct CurvesOfObject {
   explicit operator bool() const { return shared != nullptr; }
   double area() const { return scale * scale * shared->area; }
   Ragged<SurfacePoint> curves() const;
-  // A seed of `shared` on the object.
-  SurfacePoint placed(SurfacePoint seed) const {
-    seed.triangle += first_triangle;
-    return seed;
+  // A place of `shared` on the object.
+  SurfacePoint placed(SurfacePoint on) const {
+    on.triangle += first_triangle;
+    return on;
   }
   // Whether a curve is among those down to this radius.
   bool is_needed(std::size_t curve, double radius) const {

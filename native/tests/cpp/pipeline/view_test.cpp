@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
-
 #include "core/errors.h"
 #include "pipeline/draw.h"
 #include "tests/cpp/cameras.h"
