@@ -4,6 +4,7 @@
 #include <opensubdiv/bfr/refinerSurfaceFactory.h>
 #include <opensubdiv/bfr/surface.h>
 
+#include <map>
 #include <random>
 
 #include "control/split_faces.h"
@@ -55,6 +56,37 @@ PolygonMesh prism_tower() {
   return mesh;
 }
 
+// A cube of six polygons with three corners along each edge, at which two faces meet.
+PolygonMesh walled() {
+  PolygonMesh mesh = shapes::cube();
+  std::map<std::pair<int, int>, int> between;  // of an edge, in quarters from the lesser end
+  const auto corner = [&](int from, int to, int quarters) {
+    const int low = std::min(from, to), high = std::max(from, to);
+    const int share = from < to ? quarters : 4 - quarters;
+    const auto [found, is_new] =
+        between.try_emplace({8 * low + high, share}, static_cast<int>(mesh.positions.size()));
+    if (is_new) {
+      const Vec3 a = mesh.positions[idx(low)], b = mesh.positions[idx(high)];
+      mesh.positions.push_back(a + share / 4.0 * (b - a));
+    }
+    return found->second;
+  };
+  mesh.cage = false;
+  const std::vector<int> old = std::move(mesh.corner_vertices);
+  mesh.face_sizes.clear();
+  mesh.corner_vertices.clear();
+  for (std::size_t first = 0; first < old.size(); first += 4) {
+    std::vector<int> face;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const int a = old[first + k], b = old[first + (k + 1) % 4];
+      for (const int v : {a, corner(a, b, 1), corner(a, b, 2), corner(a, b, 3)}) face.push_back(v);
+    }
+    std::rotate(face.begin(), face.begin() + 4 * (first / 4 % 4), face.end());
+    shapes::add_face(mesh, face);
+  }
+  return mesh;
+}
+
 std::vector<Case> cases() {
   using shapes::cube, shapes::icosahedron, shapes::torus_mesh;
   return {
@@ -71,6 +103,7 @@ std::vector<Case> cases() {
       {"plane", with_boundary(bumpy_plane(5), BoundaryRule::corners), Scheme::catmull_clark},
       {"rounded plane", with_boundary(bumpy_plane(5), BoundaryRule::edges), Scheme::loop},
       {"tower of pentagons", prism_tower(), Scheme::catmull_clark},
+      {"cube of polygons", walled(), Scheme::catmull_clark},
       {"Klein bottle", shapes::klein_mesh(12, 8), Scheme::catmull_clark},
   };
 }
@@ -173,6 +206,13 @@ class ReferencePatches {
         factory_(*refiner_, Options().SetApproxLevelSmooth(7).SetApproxLevelSharp(10)),
         coordinates_(mesh.positions[0].data()) {}
 
+  std::vector<int> control_points(int face) const {
+    const auto surface = factory_.CreateVertexSurface<double>(face);
+    std::vector<int> found(idx(surface->GetNumControlPoints()));
+    surface->GetControlPointIndices(found.data());
+    return found;
+  }
+
   LimitPoint evaluate(int face, const Vec2& uv) const {
     const auto surface = factory_.CreateVertexSurface<double>(face);
     std::vector<double> points(3 * idx(surface->GetNumPatchPoints()));
@@ -213,6 +253,18 @@ TEST(LimitSurface, PolynomialsAreThePatchesThemselves) {
   }
 }
 
+TEST(LimitSurface, FacesThatSharePatchesHaveTheirOwnControlPoints) {
+  for (const Case& c : cases()) {
+    const SoundMesh mesh = control_mesh(c);
+    const ReferencePatches shared(mesh, c.scheme);
+    for (std::size_t f = 0; f < mesh.face_sizes.size(); ++f) {
+      const ReferencePatches alone(mesh, c.scheme);
+      const int face = static_cast<int>(f);
+      EXPECT_EQ(shared.control_points(face), alone.control_points(face)) << c.name << " " << f;
+    }
+  }
+}
+
 // Beside an extraordinary point curvature goes from one leaf to the next in a step.
 TEST(LimitSurface, RoundingDoesNotChooseTheLeaf) {
   for (const Case& c : cases()) {
@@ -220,8 +272,8 @@ TEST(LimitSurface, RoundingDoesNotChooseTheLeaf) {
     const LimitSurface limit(surface);
     for (int face = 0; face < limit.ptex_faces(); ++face) {
       for (const double border : {0x1p-7, 0x1p-4, .25}) {
-        const Vec2 at = limit.is_triangle(face) ? Vec2(.4 * border, .6 * border)
-                                                : Vec2(.4 * border, border);
+        const Vec2 at =
+            limit.is_triangle(face) ? Vec2(.4 * border, .6 * border) : Vec2(.4 * border, border);
         const LimitPoint inside = *limit.evaluate({face, at * (1 - 4e-16)});
         const LimitPoint beyond = *limit.evaluate({face, at * (1 + 4e-16)});
         const double second = inside.duu.norm() + inside.duv.norm() + inside.dvv.norm();
