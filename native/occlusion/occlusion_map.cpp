@@ -11,9 +11,8 @@ namespace {
 
 // What is larger is seldom covered all over, and takes long to look at.
 constexpr int most_cells_across = 64;  // of a box that is looked at
-constexpr double least_gap_edges = 3;  // between a triangle and what it hides
-// Without it a floor of two triangles would hide nothing below it.
-constexpr double largest_gap = 0.01;  // of everything's diagonal
+// A triangle that is seen from its edge recedes by no more than so many of its edges.
+constexpr double most_recession = 3;
 
 // greatest[i] = max(greatest[i], values[i + shift]) wherever both are there.
 void take_greater(float* greatest, const float* values, std::ptrdiff_t count,
@@ -43,6 +42,13 @@ std::vector<float> greatest_within(const std::vector<float>& values, int width, 
   return result;
 }
 
+// Between a triangle and what it hides. What is flat is where its curves are.
+double gap(const Surface& surface, int triangle) {
+  const bool is_flat =
+      !surface.is_smooth_at(triangle) || surface.triangle_planes[idx(triangle)] != none;
+  return is_flat ? 0 : reach_of_own_curves(surface, triangle);
+}
+
 // Depths from which on each cell's triangle hides, so much behind it; rounded up.
 template <class Slack>
 std::vector<float> hiding_depths(const Surface& surface, const VisibleImage& image,
@@ -52,16 +58,13 @@ std::vector<float> hiding_depths(const Surface& surface, const VisibleImage& ima
   for (std::size_t cell = 0; cell < depths.size(); ++cell) {
     const int triangle = image.triangle[cell];
     if (triangle == none) continue;
-    const double edges = least_gap_edges * longest_edge(surface, triangle);
-    const double gap = std::min(edges, largest_gap * surface.diagonal);
-    const double depth = image.depth[cell] + gap + slack(triangle);
+    const double depth = image.depth[cell] + gap(surface, triangle) + slack(triangle);
     depths[cell] = std::nextafter(static_cast<float>(depth), infinity);
   }
   return depths;
 }
 
-// How far the triangle's plane recedes in so many px; a few of its edges at most, where it is seen
-// from its edge.
+// How far the triangle's plane recedes in so many px.
 double recession(const Surface& surface, const Camera& camera, int triangle, double px) {
   std::array<ImagePoint, 3> p;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -74,7 +77,7 @@ double recession(const Surface& surface, const Camera& camera, int triangle, dou
   const double area = a.x() * b.y() - a.y() * b.x();
   const double slope =
       Vec2(da * b.y() - db * a.y(), db * a.x() - da * b.x()).norm() / std::abs(area);
-  const double most = least_gap_edges * longest_edge(surface, triangle);
+  const double most = most_recession * longest_edge(surface, triangle);
   return slope * px < most ? slope * px : most;
 }
 

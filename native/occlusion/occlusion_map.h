@@ -13,9 +13,8 @@ namespace illustrate {
 class OcclusionMap {
  public:
   // image: of the surface. reach: cells all round a place that have to be covered too, so that
-  // curves are still known a little beyond the edge that they pass behind. A triangle hides what is
-  // a few of its edge lengths behind it, and farther: curves of its own surface do not quite lie on
-  // it.
+  // curves are still known a little beyond the edge that they pass behind. A triangle of a curved
+  // surface hides what is farther behind it than reach_of_own_curves: those do not quite lie on it.
   OcclusionMap(const Surface& surface, const VisibleImage& image, int reach);
   // Without any reach: a triangle begins to hide farther back, by as much as its plane recedes in
   // two cells, so that a steep one does not hide the rim of its own surface.

@@ -59,4 +59,11 @@ double longest_edge(const Surface& surface, int triangle) {
   return longest;
 }
 
+double reach_of_own_curves(const Surface& surface, int triangle) {
+  constexpr double of_edge = 3, of_everything = 0.01, of_object = 0.05;
+  const double object = surface.object_diagonals[idx(surface.object_of(triangle))];
+  return std::min({of_edge * longest_edge(surface, triangle), of_everything * surface.diagonal,
+                   of_object * object});
+}
+
 }  // namespace illustrate

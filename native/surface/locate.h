@@ -37,4 +37,9 @@ SurfacePoint nearest_on(const Surface& surface, int triangle, const Vec3& p);
 // The length of the longest of the triangle's edges.
 double longest_edge(const Surface& surface, int triangle);
 
+// How far from the triangle curves of the curved surface that it stands for may lie: a few of its
+// edges, and never more than a hundredth of everything's size, nor a twentieth of the object's: a
+// ground may be huge, and so may what stands round a small thing.
+double reach_of_own_curves(const Surface& surface, int triangle);
+
 }  // namespace illustrate

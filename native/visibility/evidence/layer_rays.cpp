@@ -11,14 +11,9 @@
 namespace illustrate {
 namespace {
 
-constexpr double blind_edges = 3;  // so may those be that are nearer than so many edges of the
-                                   // curve's triangle, for silhouettes
-// And never more than the first share of everything's diagonal, nor the second of the object's: a
-// ground may be huge.
-constexpr double blind_diagonals = 0.01, blind_object = 0.05;
 // Of the distance within which hits may be the curve's own surface: those nearer than this share
 // are it, before or behind the curve as rounding has it.
-constexpr double rounding = 1e-6;
+constexpr double blind_rounding = 1e-6;
 constexpr int most_steps = 64;  // from the triangle that a ray met to where the line of sight does
 
 }  // namespace
@@ -40,10 +35,7 @@ Vec3 LayerRays::beside(const Vec3& p, const Vec2& along_px, double aside_px) con
 double LayerRays::blind_distance(const Strand& strand, int triangle, const Vec3& p) const {
   const double pixels = reaches.blind * camera_.pixel_size(p);
   if (!is_interpolated(strand, triangle)) return pixels;
-  const double edges = blind_edges * longest_edge(surface_, triangle);
-  const double object = surface_.object_diagonals[idx(surface_.object_of(triangle))];
-  const double most = std::min(blind_diagonals * surface_.diagonal, blind_object * object);
-  return std::max(pixels, std::min(edges, most));
+  return std::max(pixels, reach_of_own_curves(surface_, triangle));
 }
 
 // Of a triangle in whose plane the curve lies, up to rounding. Open where the line of sight would
@@ -123,7 +115,7 @@ LayerCount LayerRays::count_from(const Vec3& origin, double blind, const Touchin
     const Side side = std::abs(distance) < blind ? side_of_touch(hit.triangle, curve) : Side::open;
     if (side == Side::before || (side == Side::open && distance > blind)) {
       ++count.layers;
-    } else if (side == Side::open && distance > rounding * blind) {
+    } else if (side == Side::open && distance > blind_rounding * blind) {
       ++(lies_apart(hit.triangle, curve) ? count.layers : count.unsure);
     } else {
       ++count.behind;

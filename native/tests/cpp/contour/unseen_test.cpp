@@ -44,6 +44,43 @@ TEST(OcclusionMap, HidesWhatIsBehindAllRound) {
   EXPECT_TRUE(map.with_more_reach(6).hides(Vec2(259.5, 500), Vec2(259.5, 500), depth + 1));
 }
 
+// What stands round a small thing says nothing of what that hides: its walls are flat, and hide
+// what is behind them by a few pixels.
+TEST(OcclusionMap, FlatThingsHideWhatIsCloseBehindThemInHugeScenes) {
+  const auto polygons = [](Surface surface) {
+    surface.object_is_smooth.assign(surface.object_is_smooth.size(), 0);
+    return surface;
+  };
+  Surface far = plate(1000);
+  for (Vec3& p : far.positions) p.z() -= 500;
+  for (const Surface& surface :
+       {polygons(plate(1)), polygons(shapes::joined(plate(1), std::move(far)))}) {
+    const VisibleImage image = render_visible(surface, seen_from_above, 1, {}, 1);
+    const double depth = seen_from_above.depth(Vec3::Zero());
+    for (const OcclusionMap& map :
+         {OcclusionMap(surface, image, 2), OcclusionMap(surface, image, seen_from_above)}) {
+      EXPECT_TRUE(map.hides(Vec2(500, 500), Vec2(500, 500), depth + 0.02));
+      EXPECT_FALSE(map.hides(Vec2(500, 500), Vec2(500, 500), depth));
+    }
+  }
+}
+
+// A curved surface does so as far as its own size asks for.
+TEST(OcclusionMap, CurvedThingsHideWhatIsCloseBehindThemInHugeScenes) {
+  const auto gap = [](const Surface& surface) {
+    const OcclusionMap map(surface, render_visible(surface, seen_from_above, 1, {}, 1), 2);
+    const double depth = seen_from_above.depth(Vec3::UnitZ());
+    double behind = 0;
+    while (!map.hides(Vec2(500, 500), Vec2(500, 500), depth + behind)) behind += 0.01;
+    return behind;
+  };
+  Surface far = plate(1000);
+  for (Vec3& p : far.positions) p.z() -= 500;
+  const Surface ball = shapes::sphere_surface(1, 2);
+  EXPECT_LT(gap(ball), 0.05);
+  EXPECT_LT(gap(shapes::joined(ball, std::move(far))), 0.05 * ball.diagonal + 0.02);
+}
+
 // One strand from far left of the plate to under its middle.
 CurveNetwork line_under_plate(double from) {
   CurveNetwork network;
