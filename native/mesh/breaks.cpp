@@ -14,7 +14,7 @@ namespace {
 // Where a line bends by more, or a third edge turns by more, there is a corner: a hexagon has none.
 constexpr double corner_deg = 64;
 // Of the lesser of two edges: what turns less is no third line that meets them.
-constexpr double branch = 2.0 / 3;
+constexpr double third_share = 2.0 / 3;
 // The rim of a hole of twelve sides bends by 30 at each, that of an octagon by 45.
 constexpr double fine_deg = 32;
 // Of an edge: what turns less is as flat as a face beside it.
@@ -127,7 +127,7 @@ class BreakFinder {
   bool passes(std::size_t v) const {
     const Steepest& at = vertices_[v];
     return !at.has_sharp && !at.is_angular && at.degrees[1] >= steep_deg &&
-           at.degrees[2] <= branch * at.degrees[1] && bend(v) <= corner_deg;
+           at.degrees[2] <= third_share * at.degrees[1] && bend(v) <= corner_deg;
   }
 
   void gather_lines() {

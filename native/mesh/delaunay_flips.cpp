@@ -6,7 +6,7 @@ namespace illustrate {
 namespace {
 
 // What the cotangents of two angles sum up to that are 180 degrees together but for rounding.
-constexpr double rounding = 1e-6;
+constexpr double cotangent_rounding = 1e-6;
 
 // A side of a triangle, by its corner before.
 struct Side {
@@ -75,7 +75,7 @@ class Flipper {
   bool is_worse(const Side& side) {
     const Side other = across(side);
     if (other.triangle == none) return false;
-    if (!(cotangent(side) + cotangent(other) < -rounding)) return false;
+    if (!(cotangent(side) + cotangent(other) < -cotangent_rounding)) return false;
     // The other diagonal lies inside.
     const Vec2 &a = point(vertex(side, 0)), &b = point(vertex(side, 1)),
                &c = point(vertex(side, 2)), &d = point(vertex(other, 2));

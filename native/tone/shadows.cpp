@@ -93,14 +93,14 @@ Vec3 shadow_origin(const Surface& surface, const SurfacePoint& at, const Vec3& n
 
 double share_reaching(const Light& light, const Camera& camera, const Bvh& casters,
                       const Vec3& origin, const Vec3& normal) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double endless = std::numeric_limits<double>::infinity();
   switch (light.kind) {
     case LightKind::head:
       return 1;
     case LightKind::sun:
-      return casters.is_hit(origin, light.vector, 0, infinity) ? 0 : 1;
+      return casters.is_hit(origin, light.vector, 0, endless) ? 0 : 1;
     case LightKind::side:
-      return casters.is_hit(origin, side_direction(light, camera), 0, infinity) ? 0 : 1;
+      return casters.is_hit(origin, side_direction(light, camera), 0, endless) ? 0 : 1;
     default:
       break;
   }

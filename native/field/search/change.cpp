@@ -7,7 +7,7 @@
 namespace illustrate {
 namespace {
 
-constexpr std::size_t coarse_size = 500;
+constexpr std::size_t size_of_coarsest = 500;
 constexpr int coarse_sweeps = 100;
 constexpr int sweeps_of_change = 3;
 
@@ -60,7 +60,7 @@ void lengthen(const FieldGraph& graph, const Progress& progress, CrossNumbers& w
 // The change of z that one round finds.
 CrossNumbers change_of(const FieldGraph& graph, const CrossNumbers& z, const Progress& progress) {
   const FieldGraph changes = graph_of_changes(graph, z, progress.part(0, 0.1));
-  const Hierarchy hierarchy(changes, coarse_size, Pairing::unchanged, progress.part(0.1, 0.6));
+  const Hierarchy hierarchy(changes, size_of_coarsest, Pairing::unchanged, progress.part(0.1, 0.6));
   CrossNumbers w(hierarchy.graph(hierarchy.coarsest()).size(), 1);
   sweep(hierarchy.graph(hierarchy.coarsest()), coarse_sweeps, w);
   const Progress finer = progress.part(0.6, 0.6), finest = progress.part(0.6, 1);

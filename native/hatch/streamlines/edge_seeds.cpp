@@ -9,7 +9,7 @@ namespace {
 // In spacings: of the lattice; how far strips reach from a curve; where streamlines are near.
 constexpr double lattice_step = 0.25;
 constexpr double strip_width = 0.9;
-constexpr double near = 0.9;
+constexpr double near_streamlines = 0.9;
 
 // Whether streamlines of both families pass near a point of the image, on its sheet and side of
 // all critical curves.
@@ -69,7 +69,8 @@ std::vector<StreamlineNode> edge_seeds(const StreamlineSet& set, const HatchView
     const ImagePoint seen = camera.project(position);
     const double spacing = view.spacing_on(on.triangle);
     const double world = spacing * camera.pixel_size(position);
-    if (!is_crossed(set, view, seen.xy, seen.depth, world, near * spacing)) open.push_back(on);
+    if (!is_crossed(set, view, seen.xy, seen.depth, world, near_streamlines * spacing))
+      open.push_back(on);
   }
   return seed_nodes(view, open);
 }
