@@ -187,5 +187,5 @@ def test_files_appear_whole_or_not_at_all(scene: Any, tmp_path: Any, monkeypatch
 
 def test_a_folder_that_cannot_be_made_is_named(tmp_path: Any) -> None:
     (tmp_path / "file").write_text("")
-    with pytest.raises(IllustrateError, match=r"file/inside.*choose another"):
+    with pytest.raises(IllustrateError, match=r"file[/\\]inside.*choose another"):
         files.prepare_folder(str(tmp_path / "file" / "inside"))

@@ -216,7 +216,8 @@ def is_artists(stroke: Stroke) -> bool:
 
 def flush() -> None:
     """So that what Blender printed can be read."""
-    ctypes.CDLL(None).fflush(None)
+    library = "ucrtbase" if sys.platform == "win32" else None
+    ctypes.CDLL(library).fflush(None)
 
 
 def snapshot() -> dict[str, Any]:

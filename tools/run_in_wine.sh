@@ -4,5 +4,6 @@
 set -euo pipefail
 
 export WINEPREFIX=${ILLUSTRATE_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/illustrate}/wine WINEDEBUG=-all
-# A console of its own kind is where Python hangs: it gets files and pipes.
-wine "$@" </dev/null 2>&1 | cat
+# Blender renders with OpenGL, which wine has where there is a display. A console of its own kind is
+# where Python hangs: it gets files and pipes.
+xvfb-run -a wine "$@" </dev/null 2>&1 | cat

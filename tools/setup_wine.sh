@@ -2,7 +2,7 @@
 # wine, and a folder of the cache that is its Windows 10. Prints that folder.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-"$ROOT/tools/setup_system.sh" wine >&2
+"$ROOT/tools/setup_system.sh" wine window >&2
 folder=$CACHE/wine
 mkdir -p "$CACHE"
 exec 9>"$folder.lock"
