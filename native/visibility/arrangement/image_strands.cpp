@@ -26,6 +26,17 @@ double farthest_move(const CurveNetwork& network, const Points& decided) {
   return farthest;
 }
 
+// A place on a needle may have any shares of its corners, far beyond it. It moves as far as they
+// do: one that is thought far off would have everything in view touch everything.
+Vec3 inset_at(const Surface& surface, const Points& insets, const SurfacePoint& on) {
+  const Triangle& t = surface.triangles[idx(on.triangle)];
+  const Vec3 shares = Vec3(1 - on.b1 - on.b2, on.b1, on.b2).cwiseMax(0).cwiseMin(1);
+  const Vec3 sum =
+      shares[0] * insets[idx(t[0])] + shares[1] * insets[idx(t[1])] + shares[2] * insets[idx(t[2])];
+  const double all = shares.sum();
+  return all > 0 ? Vec3(sum / all) : insets[idx(t[0])];
+}
+
 // To the nearest, halves away from zero.
 std::int64_t to_grid(double px) {
   const double units = px / tolerance::image_grid_px;
@@ -69,11 +80,8 @@ double within_reach(double px) {
 Points inset_points(const CurveNetwork& network, const Surface& surface, const Points& insets) {
   Points moved;
   if (insets.empty()) return moved;
-  for (const CurvePoint& p : network.points.values) {
-    const Triangle& t = surface.triangles[idx(p.on.triangle)];
-    moved.push_back(p.position + (1 - p.on.b1 - p.on.b2) * insets[idx(t[0])] +
-                    p.on.b1 * insets[idx(t[1])] + p.on.b2 * insets[idx(t[2])]);
-  }
+  for (const CurvePoint& p : network.points.values)
+    moved.push_back(p.position + inset_at(surface, insets, p.on));
   std::vector<const Vec3*> at_nodes(network.nodes.size(), nullptr);
   for (std::size_t s = 0; s < network.strands.size(); ++s) {
     const Strand& strand = network.strands[s];

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/cpp/cameras.h"
+#include "tests/cpp/shapes.h"
 
 namespace illustrate {
 namespace {
@@ -74,6 +75,25 @@ TEST(Arrangement, ApartStrandsCrossAndFollowNothing) {
   const Arrangement arrangement = arrange_apart(network, one_px);
   EXPECT_TRUE(arrangement.crossings().empty());
   EXPECT_EQ(arrangement.paths().size(), network.strands.size());
+}
+
+// Places on needles have shares of their corners far beyond them. One such place that was moved by
+// as much would have all curves of a view touch each other.
+TEST(InsetPoints, MoveNoFartherThanTheSurface) {
+  const Surface surface =
+      shapes::plain_surface(shapes::polygon_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
+  const Points insets{{0, 0, 1e-6}, {0, 0, 2e-6}, {0, 0, 3e-6}};
+  CurveNetwork network;
+  for (const auto& [b1, b2] : {std::array{0., 0.}, {0.25, 0.5}, {1e12, -1e12}, {-3., 2.}})
+    network.points.push({Vec3(1, 2, 3), {0, b1, b2}});
+  network.points.close_list();
+  Strand strand;
+  strand.start_node = strand.end_node = none;
+  network.strands.push_back(strand);
+  const Points moved = inset_points(network, surface, insets);
+  const double expected[] = {1e-6, 2.25e-6, 1.5e-6, 2e-6};
+  for (std::size_t i = 0; i < moved.size(); ++i)
+    EXPECT_NEAR((moved[i] - Vec3(1, 2, 3)).z(), expected[i], 1e-15) << i;
 }
 
 }  // namespace
