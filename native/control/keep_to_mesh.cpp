@@ -53,7 +53,9 @@ class Keeper {
         child_edges_(child_),
         child_sectors_(find_sectors(child_edges_, child_.positions.size())),
         cage_(cage_points(mesh, edges_, scheme)),
-        cage_limits_(limits_of(cage_)) {}
+        cage_limits_(limits_of(cage_)) {
+    straighten_flat_patches();
+  }
 
   std::vector<double> weights() const {
     std::vector<int> patches;
@@ -119,6 +121,40 @@ class Keeper {
   }
 
  private:
+  // (f) 1: on a patch that lies in one plane.
+  std::vector<std::uint8_t> on_flat_patches(const std::vector<int>& patches, int count) const {
+    std::vector<int> planes(idx(count), none - 1);  // not known yet
+    for (std::size_t f = 0; f < patches.size(); ++f) {
+      int& plane = planes[idx(patches[f])];
+      const int own = mesh_.face_planes.empty() ? none : mesh_.face_planes[f];
+      plane = plane == none - 1 || plane == own ? own : none;
+    }
+    std::vector<std::uint8_t> flat;
+    for (const int patch : patches) flat.push_back(planes[idx(patch)] != none);
+    return flat;
+  }
+
+  // Whatever points of its plane a flat patch has inside, its surface is the same. Those of the
+  // scheme may lie beyond its border where that has more than 180 degrees inside, since they are
+  // drawn to the middles of faces however large, and the surface would fold over.
+  void straighten_flat_patches() {
+    std::vector<int> patches;
+    const int count = find_patches(edges_, patches);
+    const std::vector<std::uint8_t> is_flat = on_flat_patches(patches, count);
+    const Faces& faces = edges_.faces;
+    std::vector<std::uint8_t> inside(mesh_.positions.size(), 1);
+    for (int h = 0; h < faces.corner_count(); ++h) {
+      const bool is_inner = is_flat[idx(faces.corner_faces[idx(h)])] && !edges_.is_sharp(h);
+      const int tail = faces.corners[idx(h)], head = faces.head(h);
+      if (!is_inner) inside[idx(tail)] = inside[idx(head)] = 0;
+      if (is_inner)
+        cage_[mesh_.positions.size() + idx(edges_.edges[idx(h)])] =
+            (mesh_.positions[idx(tail)] + mesh_.positions[idx(head)]) / 2;
+    }
+    for (std::size_t v = 0; v < inside.size(); ++v)
+      if (inside[v]) cage_[v] = mesh_.positions[v];
+  }
+
   // Each vertex once in each of its patches.
   Ragged<int> vertices_of(const std::vector<int>& patches, int count) const {
     Ragged<int> vertices;

@@ -5,6 +5,7 @@
 #include "control/choose_scheme.h"
 #include "control/keep_to_mesh.h"
 #include "control/split_faces.h"
+#include "control/straight_creases.h"
 #include "surface/edges.h"
 #include "surface/jets/curvature.h"
 #include "surface/jets/jet.h"
@@ -154,6 +155,7 @@ Refined refine_to(std::vector<SoundMesh> meshes, const std::vector<LevelWish>& w
     const std::vector<PlaneFace> planes = find_plane_faces(
         meshes[i], static_cast<int>(i), static_cast<int>(surface.planes.size()), options.threads);
     surface.planes.insert(surface.planes.end(), planes.begin(), planes.end());
+    if (!meshes[i].cage) hold_straight_creases(meshes[i]);
     ArcFaces arcs;
     int level = levels[i];
     const Scheme scheme = wishes[i].scheme;
