@@ -82,10 +82,12 @@ def test_the_licences_of_what_is_inside_come_with_it(archive: Path) -> None:
     assert any(Path(name).name == "LICENSE" for name in names)
 
 
+# Modules for Windows and macOS hold the C++ library, too.
 def test_packages_are_small() -> None:
     for archive in (ROOT / "dist").glob("*.zip"):
         with zipfile.ZipFile(archive) as package:
             modules = sum(
                 "/_core." in f"/{name}" or name.endswith(".whl") for name in package.namelist()
             )
-        assert archive.stat().st_size < 2_200_000 * modules + 400_000, archive.name
+        most = 2_300_000 if "linux" in archive.name else 2_600_000
+        assert archive.stat().st_size < most * modules + 400_000, archive.name
