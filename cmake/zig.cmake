@@ -25,9 +25,7 @@ else()
   set(CMAKE_SYSTEM_NAME Darwin)
   # CMake asks for this tool of Apple's, which nothing here uses: no library is installed by name.
   set(CMAKE_INSTALL_NAME_TOOL true CACHE STRING "")
-  # A module is a library that finds Python's functions in the program; zig links no bundles.
-  set(CMAKE_SHARED_MODULE_CREATE_C_FLAGS "-shared -Wl,-undefined,dynamic_lookup")
-  set(CMAKE_SHARED_MODULE_CREATE_CXX_FLAGS "-shared -Wl,-undefined,dynamic_lookup")
+  set(CMAKE_USER_MAKE_RULES_OVERRIDE ${CMAKE_CURRENT_LIST_DIR}/zig_darwin.cmake)
 endif()
 
 # Eigen, headers alone, is that of this machine; nothing else of it may be found.

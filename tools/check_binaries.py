@@ -20,6 +20,9 @@ OF_WINDOWS = re.compile(r"(kernel32|ntdll|api-ms-win-crt-[a-z0-9-]+)\.dll", re.I
 OF_MACOS = {"/usr/lib/libSystem.B.dylib"}
 OF_THE_LINKER = {"___dso_handle", "__mh_dylib_header"}
 OLDEST_MACOS = [11, 0, 0]
+# The operators new and delete, which are weak: those that the program has already are taken.
+OPERATORS = re.compile(r"__Z(nw|na|dl|da)[mP]\w*")
+NO_LIBRARY = {0, 254}  # the module itself, or whichever has the symbol when it is loaded
 PROCESSORS = {
     "windows-x64": lief.PE.Header.MACHINE_TYPES.AMD64,
     "macos-arm64": lief.MachO.Header.CPU_TYPE.ARM64,
@@ -55,7 +58,8 @@ def problems_on_macos(path: Path, platform: str) -> Iterator[str]:
         yield f"links {', '.join(sorted(foreign))}"
     if list(module.build_version.minos) > OLDEST_MACOS:
         yield f"asks for macOS {module.build_version.minos}"
-    exported = {symbol.name for symbol in module.exported_symbols} - OF_THE_LINKER
+    names = {symbol.name for symbol in module.exported_symbols} - OF_THE_LINKER
+    exported = {name for name in names if not OPERATORS.fullmatch(name)}
     if exported != {"_PyInit__core"}:
         yield f"exports {', '.join(sorted(exported))}"
     if not module.has_code_signature:
@@ -66,9 +70,8 @@ def problems_on_macos(path: Path, platform: str) -> Iterator[str]:
 def _homeless(module: lief.MachO.Binary) -> Iterator[str]:
     """Symbols that no library is named for, but for Python's."""
     for symbol in module.imported_symbols:
-        binding = symbol.binding_info if symbol.has_binding_info else None
-        named = binding is not None and binding.has_library
-        if not named and not re.match(r"__?Py", symbol.name):
+        library = symbol.description >> 8 & 0xFF  # by its number among those that are linked
+        if library in NO_LIBRARY and not re.match(r"__?Py", symbol.name):
             yield f"needs {symbol.name}, and names no library for it"
 
 
