@@ -20,8 +20,9 @@ OF_WINDOWS = re.compile(r"(kernel32|ntdll|api-ms-win-crt-[a-z0-9-]+)\.dll", re.I
 OF_MACOS = {"/usr/lib/libSystem.B.dylib"}
 OF_THE_LINKER = {"___dso_handle", "__mh_dylib_header"}
 OLDEST_MACOS = [11, 0, 0]
-# The operators new and delete, which are weak: those that the program has already are taken.
-OPERATORS = re.compile(r"__Z(nw|na|dl|da)[mP]\w*")
+# Weak: the operators new and delete and what types are called; the first that a program loads are
+# everyone's.
+WEAK = re.compile(r"__Z(nw|na|dl|da)[mP]\w*|__ZT[IS]\w+")
 NO_LIBRARY = {0, 254}  # the module itself, or whichever has the symbol when it is loaded
 PROCESSORS = {
     "windows-x64": lief.PE.Header.MACHINE_TYPES.AMD64,
@@ -59,19 +60,20 @@ def problems_on_macos(path: Path, platform: str) -> Iterator[str]:
     if list(module.build_version.minos) > OLDEST_MACOS:
         yield f"asks for macOS {module.build_version.minos}"
     names = {symbol.name for symbol in module.exported_symbols} - OF_THE_LINKER
-    exported = {name for name in names if not OPERATORS.fullmatch(name)}
+    exported = {name for name in names if not WEAK.fullmatch(name)}
     if exported != {"_PyInit__core"}:
         yield f"exports {', '.join(sorted(exported))}"
-    if not module.has_code_signature:
-        yield "has no signature"
-    yield from _homeless(module)
+    if platform == "macos-arm64" and not module.has_code_signature:
+        yield "has no signature, without which Apple's processors run nothing"
+    yield from _homeless(module, names)
 
 
-def _homeless(module: lief.MachO.Binary) -> Iterator[str]:
-    """Symbols that no library is named for, but for Python's."""
+def _homeless(module: lief.MachO.Binary, own: set[str]) -> Iterator[str]:
+    """Symbols that no library is named for, but for Python's and its own."""
     for symbol in module.imported_symbols:
         library = symbol.description >> 8 & 0xFF  # by its number among those that are linked
-        if library in NO_LIBRARY and not re.match(r"__?Py", symbol.name):
+        found = symbol.name in own or re.match(r"__?Py", symbol.name)
+        if library in NO_LIBRARY and not found:
             yield f"needs {symbol.name}, and names no library for it"
 
 
