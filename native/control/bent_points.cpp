@@ -81,15 +81,7 @@ class Bender {
 
   // Of creases at the vertices that they pass: from the first to the second neighbour.
   void find_tangents() {
-    std::vector<Edge> neighbours(p_.size(), Edge{none, none});
-    for (const int h : edges_.first) {
-      if (!edges_.is_sharp(h)) continue;
-      const int a = faces_.corners[idx(h)], b = faces_.head(h);
-      for (const auto& [here, other] : {Edge{a, b}, Edge{b, a}}) {
-        Edge& found = neighbours[idx(here)];
-        (found[0] == none ? found[0] : found[1]) = other;
-      }
-    }
+    const std::vector<Edge> neighbours = crease_neighbours(edges_, p_.size());
     tangents_.assign(p_.size(), Vec3::Zero());
     for (std::size_t v = 0; v < p_.size(); ++v) {
       if (sectors_.sharp_edges[v] != 2 || is_held(static_cast<int>(v))) continue;

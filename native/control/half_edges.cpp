@@ -99,6 +99,19 @@ VertexSectors find_sectors(const HalfEdges& mesh, std::size_t vertex_count) {
   return sectors;
 }
 
+std::vector<Edge> crease_neighbours(const HalfEdges& mesh, std::size_t vertex_count) {
+  std::vector<Edge> neighbours(vertex_count, Edge{none, none});
+  for (const int h : mesh.first) {
+    if (!mesh.is_sharp(h)) continue;
+    const int a = mesh.faces.corners[idx(h)], b = mesh.faces.head(h);
+    for (const auto& [here, other] : {Edge{a, b}, Edge{b, a}}) {
+      Edge& found = neighbours[idx(here)];
+      (found[0] == none ? found[0] : found[1]) = other;
+    }
+  }
+  return neighbours;
+}
+
 int find_patches(const HalfEdges& mesh, std::vector<int>& patches) {
   const Faces& faces = mesh.faces;
   patches.assign(faces.sources.size(), none);

@@ -39,6 +39,10 @@ struct VertexSectors {
 
 VertexSectors find_sectors(const HalfEdges& half_edges, std::size_t vertex_count);
 
+// (n) The first two neighbours of each vertex along sharp or open edges; none where there are
+// fewer.
+std::vector<Edge> crease_neighbours(const HalfEdges& half_edges, std::size_t vertex_count);
+
 // Faces that no sharp or open edge parts: the patch of each, numbered by their first faces.
 // Returns their count.
 int find_patches(const HalfEdges& half_edges, std::vector<int>& patches);

@@ -54,15 +54,14 @@ class Keeper {
         child_sectors_(find_sectors(child_edges_, child_.positions.size())),
         cage_(cage_points(mesh, edges_, scheme)),
         cage_limits_(limits_of(cage_)) {
+    patch_count_ = find_patches(edges_, patches_);
     straighten_flat_patches();
   }
 
   std::vector<double> weights() const {
-    std::vector<int> patches;
-    const int count = find_patches(edges_, patches);
     const double px = diagonal_px / diagonal(mesh_);
     std::vector<double> patch_weights;
-    const Ragged<int> vertices = vertices_of(patches, count);
+    const Ragged<int> vertices = vertices_of_patches();
     for (std::size_t patch = 0; patch < vertices.size(); ++patch) {
       std::vector<double> shifts;
       for (const int v : vertices[patch])
@@ -70,7 +69,7 @@ class Keeper {
       patch_weights.push_back(smoothstep(invisible_px, visible_px, median(shifts)));
     }
     std::vector<double> weights;
-    for (const int patch : patches) weights.push_back(patch_weights[idx(patch)]);
+    for (const int patch : patches_) weights.push_back(patch_weights[idx(patch)]);
     return weights;
   }
 
@@ -122,15 +121,15 @@ class Keeper {
 
  private:
   // (f) 1: on a patch that lies in one plane.
-  std::vector<std::uint8_t> on_flat_patches(const std::vector<int>& patches, int count) const {
-    std::vector<int> planes(idx(count), none - 1);  // not known yet
-    for (std::size_t f = 0; f < patches.size(); ++f) {
-      int& plane = planes[idx(patches[f])];
-      const int own = mesh_.face_planes.empty() ? none : mesh_.face_planes[f];
-      plane = plane == none - 1 || plane == own ? own : none;
+  std::vector<std::uint8_t> on_flat_patches() const {
+    std::vector<int> planes;  // of the patches, which are numbered by their first faces
+    for (std::size_t f = 0; f < patches_.size(); ++f) {
+      const int plane = mesh_.face_planes.empty() ? none : mesh_.face_planes[f];
+      if (idx(patches_[f]) == planes.size()) planes.push_back(plane);
+      if (planes[idx(patches_[f])] != plane) planes[idx(patches_[f])] = none;
     }
     std::vector<std::uint8_t> flat;
-    for (const int patch : patches) flat.push_back(planes[idx(patch)] != none);
+    for (const int patch : patches_) flat.push_back(planes[idx(patch)] != none);
     return flat;
   }
 
@@ -138,30 +137,29 @@ class Keeper {
   // scheme may lie beyond its border where that has more than 180 degrees inside, since they are
   // drawn to the middles of faces however large, and the surface would fold over.
   void straighten_flat_patches() {
-    std::vector<int> patches;
-    const int count = find_patches(edges_, patches);
-    const std::vector<std::uint8_t> is_flat = on_flat_patches(patches, count);
-    const Faces& faces = edges_.faces;
-    std::vector<std::uint8_t> inside(mesh_.positions.size(), 1);
-    for (int h = 0; h < faces.corner_count(); ++h) {
-      const bool is_inner = is_flat[idx(faces.corner_faces[idx(h)])] && !edges_.is_sharp(h);
-      const int tail = faces.corners[idx(h)], head = faces.head(h);
-      if (!is_inner) inside[idx(tail)] = inside[idx(head)] = 0;
-      if (is_inner)
-        cage_[mesh_.positions.size() + idx(edges_.edges[idx(h)])] =
-            (mesh_.positions[idx(tail)] + mesh_.positions[idx(head)]) / 2;
+    const std::vector<std::uint8_t> is_flat = on_flat_patches();
+    const Points& p = mesh_.positions;
+    std::vector<std::uint8_t> is_inside(p.size(), 1);
+    for (std::size_t e = 0; e < edges_.first.size(); ++e) {
+      const int h = edges_.first[e];
+      const std::size_t a = idx(edges_.faces.corners[idx(h)]), b = idx(edges_.faces.head(h));
+      if (is_flat[idx(edges_.faces.corner_faces[idx(h)])] && !edges_.is_sharp(h)) {
+        cage_[p.size() + e] = (p[a] + p[b]) / 2;
+      } else {
+        is_inside[a] = is_inside[b] = 0;
+      }
     }
-    for (std::size_t v = 0; v < inside.size(); ++v)
-      if (inside[v]) cage_[v] = mesh_.positions[v];
+    for (std::size_t v = 0; v < p.size(); ++v)
+      if (is_inside[v]) cage_[v] = p[v];
   }
 
   // Each vertex once in each of its patches.
-  Ragged<int> vertices_of(const std::vector<int>& patches, int count) const {
+  Ragged<int> vertices_of_patches() const {
     Ragged<int> vertices;
-    std::vector<std::vector<int>> lists(idx(count));
+    std::vector<std::vector<int>> lists(idx(patch_count_));
     const Faces& faces = edges_.faces;
     for (int c = 0; c < faces.corner_count(); ++c)
-      lists[idx(patches[idx(faces.corner_faces[idx(c)])])].push_back(faces.corners[idx(c)]);
+      lists[idx(patches_[idx(faces.corner_faces[idx(c)])])].push_back(faces.corners[idx(c)]);
     for (std::vector<int>& list : lists) {
       std::sort(list.begin(), list.end());
       list.erase(std::unique(list.begin(), list.end()), list.end());
@@ -270,6 +268,8 @@ class Keeper {
   VertexSectors child_sectors_;
   Points cage_, bent_;
   LimitPlaces cage_limits_;
+  std::vector<int> patches_;  // (f)
+  int patch_count_ = 0;
 };
 
 // (n) of the vertices of a split mesh: the largest of the corners that each lies between.

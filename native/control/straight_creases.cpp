@@ -23,8 +23,8 @@ class StraightCreases {
       const Span<const int> sector = sectors_.corners[s];
       if (!is_flat(sector)) found[idx(edges_.faces.corners[idx(sector[0])])] = 0;
     }
-    const std::vector<std::array<Vec3, 2>> ways = ways_along(found);
-    for (std::size_t v = 0; v < count; ++v) found[v] = found[v] && runs_straight(ways[v]);
+    const std::vector<Edge> neighbours = crease_neighbours(edges_, count);
+    for (std::size_t v = 0; v < count; ++v) found[v] = found[v] && runs_straight(v, neighbours[v]);
     return found;
   }
 
@@ -37,27 +37,13 @@ class StraightCreases {
                        [&](int c) { return plane(c) != none && plane(c) == plane(sector[0]); });
   }
 
-  // (n) to both neighbours on the crease, of the vertices asked for.
-  std::vector<std::array<Vec3, 2>> ways_along(const std::vector<std::uint8_t>& asked) const {
-    std::vector<std::array<Vec3, 2>> ways(asked.size(), {Vec3::Zero(), Vec3::Zero()});
-    for (const int h : edges_.first) {
-      if (!edges_.is_sharp(h)) continue;
-      const int a = edges_.faces.corners[idx(h)], b = edges_.faces.head(h);
-      for (const auto& [here, other] : {Edge{a, b}, Edge{b, a}}) {
-        if (!asked[idx(here)]) continue;
-        auto& [first, second] = ways[idx(here)];
-        (first.isZero(0) ? first : second) =
-            mesh_.positions[idx(other)] - mesh_.positions[idx(here)];
-      }
-    }
-    return ways;
-  }
-
-  static bool runs_straight(const std::array<Vec3, 2>& ways) {
-    const double a = ways[0].norm(), b = ways[1].norm();
+  bool runs_straight(std::size_t v, const Edge& neighbours) const {
+    const Points& p = mesh_.positions;
+    const Vec3 first = p[idx(neighbours[0])] - p[v], second = p[idx(neighbours[1])] - p[v];
+    const double a = first.norm(), b = second.norm();
     const bool is_unlike = std::max(a, b) > unlike * std::min(a, b);
-    return is_unlike && ways[0].dot(ways[1]) < 0 &&
-           ways[0].cross(ways[1]).norm() <= tolerance::flat_rad * a * b;
+    return is_unlike && first.dot(second) < 0 &&
+           first.cross(second).norm() <= tolerance::flat_rad * a * b;
   }
 
   const SoundMesh& mesh_;

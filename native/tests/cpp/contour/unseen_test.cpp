@@ -20,6 +20,13 @@ Surface plate(double half) {
       {{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}}, {{0, 1, 2, 3}}));
 }
 
+// What stands far round and below a small thing.
+Surface far_ground() {
+  Surface ground = plate(1000);
+  for (Vec3& p : ground.positions) p.z() -= 500;
+  return ground;
+}
+
 constexpr auto certain = Unseen::Evidence::certain;
 
 // 250 px to a unit, the origin at (500, 500).
@@ -51,10 +58,8 @@ TEST(OcclusionMap, FlatThingsHideWhatIsCloseBehindThemInHugeScenes) {
     surface.object_is_smooth.assign(surface.object_is_smooth.size(), 0);
     return surface;
   };
-  Surface far = plate(1000);
-  for (Vec3& p : far.positions) p.z() -= 500;
   for (const Surface& surface :
-       {polygons(plate(1)), polygons(shapes::joined(plate(1), std::move(far)))}) {
+       {polygons(plate(1)), polygons(shapes::joined(plate(1), far_ground()))}) {
     const VisibleImage image = render_visible(surface, seen_from_above, 1, {}, 1);
     const double depth = seen_from_above.depth(Vec3::Zero());
     for (const OcclusionMap& map :
@@ -74,11 +79,9 @@ TEST(OcclusionMap, CurvedThingsHideWhatIsCloseBehindThemInHugeScenes) {
     while (!map.hides(Vec2(500, 500), Vec2(500, 500), depth + behind)) behind += 0.01;
     return behind;
   };
-  Surface far = plate(1000);
-  for (Vec3& p : far.positions) p.z() -= 500;
   const Surface ball = shapes::sphere_surface(1, 2);
   EXPECT_LT(gap(ball), 0.05);
-  EXPECT_LT(gap(shapes::joined(ball, std::move(far))), 0.05 * ball.diagonal + 0.02);
+  EXPECT_LT(gap(shapes::joined(ball, far_ground())), 0.05 * ball.diagonal + 0.02);
 }
 
 // One strand from far left of the plate to under its middle.
