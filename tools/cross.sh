@@ -51,7 +51,8 @@ flock 9
 # NLopt's scripts ask for an old CMake policy, while building too.
 export CMAKE_POLICY_VERSION_MINIMUM=3.5
 # What another compiler warns of stops no package.
-configure "$BUILD" -DCMAKE_COMPILE_WARNING_AS_ERROR=OFF "-DCMAKE_TOOLCHAIN_FILE=$ROOT/cmake/zig.cmake" "-DILLUSTRATE_ZIG=$zig" \
+configure "$BUILD" -DCMAKE_COMPILE_WARNING_AS_ERROR=OFF \
+    "-DCMAKE_TOOLCHAIN_FILE=$ROOT/cmake/zig.cmake" "-DILLUSTRATE_ZIG=$zig" \
     "-DILLUSTRATE_TRIPLE=$triple" "-DILLUSTRATE_LIBRARY_SOURCES=$sources" \
     "-DEigen3_DIR=/usr/share/eigen3/cmake" "-DILLUSTRATE_PYTHON_HEADERS=$list"
 compile "$BUILD" "${PYTHONS[@]/#/_core_}"
