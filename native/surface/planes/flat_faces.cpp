@@ -209,20 +209,22 @@ class Unfolder {
 
   // faces: of the refined mesh. Whether they were folded.
   bool unfold(const std::vector<int>& faces, const Vec3& normal) {
+    if (!is_folded(faces, normal)) return false;
+    if (is_shared_.empty()) find_shared_places();
     const int c = mesh_.first(faces[0]);
     const Plane plane(normal, position(c), position(mesh_.next(c)));
-    const bool folds_over = is_folded(faces, normal);
-    level(faces, normal, plane);
-    if (!folds_over) return false;
-    if (is_shared_.empty()) find_shared_places();
     const PlaneMesh limit = plane_mesh(faces, plane);
     PlaneMesh flat = limit;
     const std::size_t folds = count_clockwise(limit.triangles, limit.points);
     spread(faces, plane, flat);
     if (untangle(flat.triangles, flat.fixed, flat.points) > folds) flat = limit;
     for (std::size_t i = 0; i < flat.sectors.size(); ++i) {
+      const std::size_t s = idx(flat.sectors[i]);
+      limits_.normals[s] = normal;
+      limits_.curvature[s] = {0, 0, plane.along({1, 0}), plane.along({0, 1})};
+      limits_.needs_jet[s] = 0;
       if (flat.points[i] == limit.points[i]) continue;
-      limits_.positions[idx(flat.sectors[i])] += plane.along(flat.points[i] - limit.points[i]);
+      limits_.positions[s] += plane.along(flat.points[i] - limit.points[i]);
     }
     return true;
   }
@@ -230,20 +232,6 @@ class Unfolder {
  private:
   int sector(int corner) const { return corner_sectors_[idx(corner)]; }
   const Vec3& position(int corner) const { return limits_.positions[idx(sector(corner))]; }
-
-  // The limit has no normal where the creases at a corner run in one line, and a wrong one at a
-  // fold.
-  void level(const std::vector<int>& faces, const Vec3& normal, const Plane& plane) {
-    const PrincipalCurvature straight{0, 0, plane.along({1, 0}), plane.along({0, 1})};
-    for (const int f : faces) {
-      for (int c = mesh_.first(f); c < mesh_.first(f + 1); ++c) {
-        const std::size_t s = idx(sector(c));
-        limits_.normals[s] = normal;
-        limits_.curvature[s] = straight;
-        limits_.needs_jet[s] = 0;
-      }
-    }
-  }
 
   // Whether a face or a normal is turned round.
   bool is_folded(const std::vector<int>& faces, const Vec3& normal) const {

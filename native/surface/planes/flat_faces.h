@@ -14,8 +14,8 @@
 namespace illustrate {
 
 // A flat part is what smooth edges connect in `control` (level 0 of `mesh`), where all its vertices
-// lie in a plane. Its normals become those of the plane. Where its limit folds points near the folds
-// move within it until no triangle is turned round, if they can; its border stays.
+// lie in a plane. Where the limit of one folds, its normals become those of the plane, and points
+// near the folds move within it until no triangle is turned round, if they can; its border stays.
 // Returns (faces of `control`) 1: changed; empty: none is.
 std::vector<std::uint8_t> unfold_flat_faces(const RefinedMesh& control, const RefinedMesh& mesh,
                                             const std::vector<int>& corner_sectors, int threads,
