@@ -8,6 +8,7 @@ from __future__ import annotations
 import argparse
 import base64
 import hashlib
+import os
 import re
 import tomllib
 import zipfile
@@ -40,8 +41,8 @@ PLATFORMS = {
         # A test holds the module's symbols against the tag. Debian's own Blender runs Python 3.14.
         Platform("linux-x64", "manylinux_2_28_x86_64", ("311", "313", "314"), ("310", "311")),
         Platform("windows-x64", "win_amd64", ("311", "313")),
-        Platform("macos-arm64", "macosx_11_0_arm64", ("311", "313"), remark="untested"),
-        Platform("macos-x64", "macosx_11_0_x86_64", ("311", "313"), remark="untested"),
+        Platform("macos-arm64", "macosx_11_0_arm64", ("311", "313"), remark="untested on macOS"),
+        Platform("macos-x64", "macosx_11_0_x86_64", ("311", "313"), remark="untested on macOS"),
     )
 }
 
@@ -142,32 +143,40 @@ def make_wheel(platform: Platform, installed: Path, python: str, folder: Path) -
     return write_zip(folder / f"illustrate_native-{version()}-{tag}.whl", files)
 
 
-def manifest_with(platform: Platform, wheels: list[Path]) -> str:
-    """The manifest as it ships: with the platform and the wheels."""
+def manifest_with(platform: Platform, wheels: list[Path], website: str = "") -> str:
+    """The manifest as it ships: with the platform, the wheels and where its documentation is."""
     listed = "".join(f'  "./wheels/{wheel.name}",\n' for wheel in wheels)
     added = f'platforms = ["{platform.name}"]\nwheels = [\n{listed}]\n\n'
     head, table, tail = manifest().partition("[permissions]")
     if platform.remark:
-        system = platform.name.partition("-")[0]
-        head = re.sub(r'(?m)^name = "(.*)"$', rf'name = "\1 ({platform.remark} on {system})"', head)
+        head = re.sub(r'(?m)^name = "(.*)"$', rf'name = "\1 ({platform.remark})"', head)
+    if website:
+        head = re.sub(r"(?m)^tagline = .*$", rf'\g<0>\nwebsite = "{website}"', head)
     return head + added + table + tail
 
 
-def make_extension(platform: Platform, wheels: list[Path], folder: Path) -> Path:
+def with_doc_url(source: bytes, website: str) -> bytes:
+    """addon/__init__.py, whose bl_info says in Blender 3.4 to 4.1 where the documentation is."""
+    line = f'    "doc_url": "{website}",\n' if website else ""
+    return source.replace(b'    "category": ', f'{line}    "category": '.encode())
+
+
+def make_extension(platform: Platform, wheels: list[Path], folder: Path, website: str = "") -> Path:
     """Writes the extension for Blender 4.2 and later; its path."""
     files = files_below(ROOT / "addon") | {
-        "blender_manifest.toml": manifest_with(platform, wheels).encode(),
+        "blender_manifest.toml": manifest_with(platform, wheels, website).encode(),
         "LICENSE": (ROOT / "LICENSE").read_bytes(),
     }
     files |= {f"wheels/{wheel.name}": wheel.read_bytes() for wheel in wheels}
     return write_zip(folder / f"illustrate-{version()}-{platform.name}.zip", files)
 
 
-def make_legacy(platform: Platform, installed: Path, folder: Path) -> Path:
+def make_legacy(platform: Platform, installed: Path, folder: Path, website: str = "") -> Path:
     """Writes the add-on for Blender 3.4 to 4.1, with the module inside; its path."""
     pythons = pythons_of(installed, platform.legacy)
     files = files_below(ROOT / "addon") | module_files(installed, pythons)
     files["LICENSE"] = (ROOT / "LICENSE").read_bytes()
+    files["__init__.py"] = with_doc_url(files["__init__.py"], website)
     del files["blender_manifest.toml"]
     name = f"illustrate-{version()}-legacy-{platform.name}.zip"
     # Blender removes an older installation, the module in memory too, by the entry of its folder;
@@ -182,6 +191,8 @@ def main() -> None:
     parser.add_argument("--platform", choices=PLATFORMS, required=True)
     parser.add_argument("--installed", type=Path, required=True, help="illustrate_native, built")
     parser.add_argument("--out", type=Path, default=ROOT / "dist")
+    website = os.environ.get("ILLUSTRATE_WEBSITE", "")
+    parser.add_argument("--website", default=website, help="of the documentation, once it has one")
     arguments = parser.parse_args()
     platform, installed, out = PLATFORMS[arguments.platform], arguments.installed, arguments.out
     wheels = {
@@ -189,9 +200,9 @@ def main() -> None:
         for python in pythons_of(installed, tuple(sorted({*platform.legacy, *platform.pythons})))
     }
     inside = [wheels[python] for python in pythons_of(installed, platform.pythons)]
-    made = [make_extension(platform, inside, out)]
+    made = [make_extension(platform, inside, out, arguments.website)]
     if platform.legacy:
-        made.append(make_legacy(platform, installed, out))
+        made.append(make_legacy(platform, installed, out, arguments.website))
     made += wheels.values()
     for path in made:
         print(f"{path.relative_to(out)}: {path.stat().st_size / 1e6:.2f} MB")
