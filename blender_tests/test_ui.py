@@ -111,6 +111,44 @@ def test_a_problem_is_shown_before_the_click(scene: Any, monkeypatch: Any) -> No
     assert bpy.ops.illustrate.illustrate.poll()
 
 
+def test_what_is_hidden_cannot_be_drawn(scene: Any) -> None:
+    cube, view_layer = tools.cube_scene(scene), bpy.context.view_layer
+    inside = bpy.data.collections.new("Inside")
+    scene.collection.children.link(inside)
+    scene.collection.objects.unlink(cube)
+    inside.objects.link(cube)
+    layer = view_layer.layer_collection.children["Inside"]
+    for owner, name in (
+        (cube, "hide_viewport"),
+        (cube, "hide_render"),
+        (inside, "hide_viewport"),
+        (layer, "hide_viewport"),
+        (layer, "exclude"),
+    ):
+        assert not problems.stopping_problem(scene, view_layer)
+        setattr(owner, name, True)
+        view_layer.update()
+        assert problems.stopping_problem(scene, view_layer), (owner, name)
+        setattr(owner, name, False)
+        view_layer.update()
+    cube.hide_set(True)
+    assert problems.stopping_problem(scene, view_layer)
+
+
+def test_what_one_viewport_hides_can_be_drawn(scene: Any) -> None:
+    """As the panel asks it, which is drawn in a viewport: that may be on paper."""
+    tools.cube_scene(scene)
+    view_layer = bpy.context.view_layer
+    window = bpy.context.window_manager.windows[0]
+    area = next(area for area in window.screen.areas if area.type == "VIEW_3D")
+    space = area.spaces.active
+    with bpy.context.temp_override(window=window, area=area):
+        space.show_object_viewport_mesh = False
+        found = problems.stopping_problem(scene, view_layer)
+        space.show_object_viewport_mesh = True
+    assert not found
+
+
 @pytest.mark.parametrize("kind", ["EMPTY", "CURVE", "META"])
 def test_what_may_have_faces_is_let_through(scene: Any, kind: str) -> None:
     tools.add_camera(scene)

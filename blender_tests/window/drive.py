@@ -122,11 +122,19 @@ def main() -> None:
     import job_scenarios
     import live_scenarios
     import live_times
+    import newcomer_scenarios
     import paper_scenarios
     import render_scenarios
     import scenarios
 
-    drawn = (scenarios, job_scenarios, export_scenarios, live_scenarios, paper_scenarios)
+    drawn = (
+        newcomer_scenarios,
+        scenarios,
+        job_scenarios,
+        export_scenarios,
+        live_scenarios,
+        paper_scenarios,
+    )
     parts = (*drawn, hands_scenarios, live_times, render_scenarios)
     run([each for part in parts for each in part.ALL])
 

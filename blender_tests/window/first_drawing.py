@@ -64,10 +64,7 @@ def first_drawing(out: pathlib.Path) -> Generator[Any, None, None]:
     yield lambda: not tasks.is_running()
     yield 0.5
     take(out / "drawn.png")
-    shading = hands.viewport().spaces.active.shading  # as paper
-    shading.light, shading.color_type, shading.background_type = "FLAT", "SINGLE", "VIEWPORT"
-    shading.single_color = shading.background_color = (1.0, 1.0, 1.0)
-    hands.viewport().spaces.active.overlay.show_overlays = False
+    hands.click(*hands.paper_button_place())
     yield 1.0
     take(out / "strokes.png")
 

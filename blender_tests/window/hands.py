@@ -90,6 +90,12 @@ def button_place() -> tuple[int, int]:
     return side.x + side.width // 2 - 12, side.y + side.height - 52
 
 
+def paper_button_place() -> tuple[int, int]:
+    """The middle of the sheet beside the big button."""
+    side = region("UI")
+    return side.x + side.width - 48, button_place()[1]
+
+
 @contextlib.contextmanager
 def opened(panel: Any) -> Iterator[None]:
     """A panel as it is when it is open, below all others."""
