@@ -13,13 +13,22 @@ Mesh = tuple[Any, Any]
 
 
 def turned(profile: Sequence[tuple[float, float]], columns: int = 48) -> Mesh:
-    """A profile of (radius, height), turned round the z axis."""
+    """A profile of (radius, height), turned round the z axis; what has no radius is one point."""
     radii, heights = np.array(profile, float).T
     rho, angle = np.meshgrid(radii, 2 * np.pi * np.arange(columns) / columns, indexing="ij")
     z = np.broadcast_to(heights[:, None], rho.shape)
     positions = np.stack([rho * np.cos(angle), rho * np.sin(angle), z], axis=-1)
-    index = np.pad(np.arange(rho.size).reshape(rho.shape), ((0, 0), (0, 1)), mode="wrap")
-    return positions.reshape(-1, 3), grid_quads(index)[:, ::-1]
+    index = np.arange(rho.size).reshape(rho.shape)
+    index[radii == 0] = index[radii == 0, :1]
+    used, index = np.unique(index, return_inverse=True)
+    index = np.pad(index.reshape(rho.shape), ((0, 0), (0, 1)), mode="wrap")
+    faces = [without_repeats(face) for face in grid_quads(index)[:, ::-1].tolist()]
+    return positions.reshape(-1, 3)[used], faces
+
+
+def without_repeats(face: list[int]) -> list[int]:
+    """A face without the corners that are the same as those before them."""
+    return [corner for i, corner in enumerate(face) if corner != face[i - 1]]
 
 
 def tube(path: Any, radius: Any, columns: int = 16, closed: bool = False) -> Mesh:

@@ -42,7 +42,7 @@ def gear_wheel(
 
 def shaft(x: float, radius: float) -> modelling.Mesh:
     """A shaft with a chamfered end."""
-    profile = [(radius, -0.5), (radius, 1.1), (0.85 * radius, 1.15), (0.01, 1.15)]
+    profile = [(radius, -0.5), (radius, 1.1), (0.85 * radius, 1.15), (0, 1.15)]
     positions, faces = modelling.turned(profile)
     return positions + np.array((x, 0, 0)), faces
 

@@ -15,13 +15,13 @@ def build() -> None:
     """Boiler, funnel, dome, cab, frame and six wheels; it runs along x."""
     parts = {
         "Boiler": turned_to(
-            turned([(0.02, 1.62), (0.3, 1.6), (0.46, 1.5), (0.5, 1.4), (0.5, -0.9), (0.02, -0.9)]),
+            turned([(0, 1.62), (0.3, 1.6), (0.46, 1.5), (0.5, 1.4), (0.5, -0.9), (0, -0.9)]),
             "x", (0, 0, 1.05)),
-        "Funnel": moved(turned([(0.02, 0.3), (0.16, 0.3), (0.17, 0.7), (0.2, 0.85), (0.3, 1.15),
-                                (0.31, 1.22), (0.26, 1.22), (0.2, 1.05), (0.02, 1.0)]),
+        "Funnel": moved(turned([(0, 0.3), (0.16, 0.3), (0.17, 0.7), (0.2, 0.85), (0.3, 1.15),
+                                (0.31, 1.22), (0.26, 1.22), (0.2, 1.05), (0, 1.0)]),
                         (1.15, 0, 1.05)),
         "Dome": moved(turned([(0.3, 0.35), (0.26, 0.55), (0.26, 0.7), (0.2, 0.83), (0.1, 0.9),
-                              (0.01, 0.92)]), (0.1, 0, 1.05)),
+                              (0, 0.92)]), (0.1, 0, 1.05)),
         "Frame": box((3.4, 0.8, 0.16), (0.1, 0, 0.5)),
         "Buffer": box((0.14, 1.15, 0.26), (1.85, 0, 0.45)),
         "Cab": modelling.joined([box((0.9, 1.1, 0.75), (-1.2, 0, 0.95)),
@@ -46,8 +46,8 @@ def moved(mesh: modelling.Mesh, way: tuple[float, float, float]) -> modelling.Me
 
 def wheel(x: float, side: int) -> modelling.Mesh:
     """A disc wheel with a rim and a hub."""
-    profile = [(0.02, 0.16), (0.1, 0.16), (0.1, 0.08), (0.33, 0.07), (0.33, 0.12), (0.4, 0.12)]
-    profile += [(0.4, 0.0), (0.02, 0.0)]
+    profile = [(0, 0.16), (0.1, 0.16), (0.1, 0.08), (0.33, 0.07), (0.33, 0.12), (0.4, 0.12)]
+    profile += [(0.4, 0.0), (0, 0.0)]
     positions, faces = turned(profile)
     return turned_to((positions * (1, 1, side), faces), "y", (x, 0.42 * side, 0.4))
 
