@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -18,16 +19,19 @@ DEFINITIONS = {
     "settings.py",
     "styles.py",
 }
+FILLED_IN = re.compile(r"\{[^{}]+\}")
 FEWEST_WORDS = 4  # fewer are names and parts of names
 LABELS = {"description", "name", "help", "text", "bl_description", "prog", "usage", "epilog"}
 AREAS = {
-    "Before a drawing": ("problems.py", "scene.py", "native.py", "instances.py", "ui/"),
-    "Drawing": ("illustration.py", "operators.py", "tasks.py", "guides.py", "lightness.py"),
-    "Tone from images and renders": ("tone_images.py", "rendering.py"),
+    "Before a drawing": ("native.py", "ui/", "running/problems.py", "reading/scene.py"),
+    "Drawing": ("running/illustration.py", "running/operators.py", "running/tasks.py"),
+    "After a drawing": ("running/remarks.py",),
+    "Images, lights and renders": ("reading/", "running/rendering.py"),
+    "In the viewport": ("viewport/",),
     "Writing": ("output/", "messages.py"),
-    "Animation": ("bake.py",),
+    "Animation": ("running/bake.py",),
     "Plots": ("plot/",),
-    "The command, farms": ("farm/", "command.py", "headless.py"),
+    "The command, farms": ("farm/", "headless.py"),
 }
 INTRODUCTION = """Messages name the thing and say what to do; what stands for names and numbers
 here is **…**. The command says the same words as the panel and the status bar.
@@ -43,9 +47,9 @@ class Message:
 
 
 def words_of(node: ast.AST) -> str | None:
-    """The text of a string; None for anything else."""
+    """The text of a string, with … for what is filled in; None for anything else."""
     if isinstance(node, ast.Constant) and isinstance(node.value, str):
-        return node.value
+        return FILLED_IN.sub("…", node.value)
     if isinstance(node, ast.JoinedStr):
         return "".join(words_of(part) or "…" for part in node.values)
     return None

@@ -62,7 +62,8 @@ def put_together(out: Path, light: bool) -> None:
         (out / name).write_text(with_links(text, name, known), encoding="utf-8")
     for folder in PICTURES:
         shutil.copytree(ROOT / folder, out / folder)
-    shutil.copy(ROOT / "docs" / "site" / "conf.py", out)
+    for name in ("conf.py", "site.css"):
+        shutil.copy(ROOT / "docs" / "site" / name, out)
     (generated / "messages.md").write_text(messages_page.page(), encoding="utf-8")
     (generated / "api.md").write_text(api_page.page(), encoding="utf-8")
     import settings_page  # draws: not needed by those who only check links
