@@ -1,5 +1,5 @@
-# illustrate_opensubdiv and illustrate_nlopt: static and hidden, so that they cannot meet the
-# copies inside Blender. ILLUSTRATE_LICENSES is the folder of their licences.
+# illustrate_opensubdiv, illustrate_nlopt and illustrate_math: static and hidden, so that they cannot
+# meet the copies inside Blender. ILLUSTRATE_LICENSES is the folder of their licences.
 include(cmake/search_paths.cmake)
 find_package(Threads REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
@@ -7,7 +7,7 @@ find_package(Eigen3 REQUIRED NO_MODULE)
 # Builds the libraries unless the cache holds them, and leaves their folder in `result`.
 function(cached_static_libraries result)
   set(script "${PROJECT_SOURCE_DIR}/tools/setup_static_libraries.sh")
-  file(GLOB recipe CONFIGURE_DEPENDS "tools/patches/*" "tools/static_libraries/*")
+  file(GLOB_RECURSE recipe CONFIGURE_DEPENDS "tools/patches/*" "tools/static_libraries/*")
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${script}" ${recipe})
   execute_process(
     COMMAND ${CMAKE_COMMAND} -E env CMAKE=${CMAKE_COMMAND} CXX=${CMAKE_CXX_COMPILER} ${script}
@@ -30,7 +30,7 @@ function(imported_library target folder)
   unset(library CACHE)
 endfunction()
 
-# build_libraries(folder): both from their sources, as a part of this build; on any system. NLopt's
+# build_libraries(folder): all from their sources, as a part of this build; on any system. NLopt's
 # generator scripts need CMAKE_POLICY_VERSION_MINIMUM=3.5 in the environment of the build too.
 function(build_libraries folder)
   set(CMAKE_COMPILE_WARNING_AS_ERROR OFF)
@@ -56,6 +56,13 @@ function(build_libraries folder)
   target_link_libraries(illustrate_nlopt INTERFACE nlopt)
   target_include_directories(illustrate_nlopt SYSTEM INTERFACE
     "${folder}/nlopt/src/api" "${PROJECT_BINARY_DIR}/nlopt")
+
+  add_library(illustrate_math INTERFACE)
+  if(NOT MSVC)  # musl is not written for its headers: there the system's functions are used
+    set(MUSL_SOURCE "${folder}/musl" CACHE PATH "" FORCE)
+    add_subdirectory(tools/static_libraries/math "${PROJECT_BINARY_DIR}/math" EXCLUDE_FROM_ALL)
+    target_link_libraries(illustrate_math INTERFACE illustrate_musl)
+  endif()
 endfunction()
 
 if(ILLUSTRATE_LIBRARY_SOURCES)
@@ -64,6 +71,7 @@ if(ILLUSTRATE_LIBRARY_SOURCES)
 elseif(ILLUSTRATE_SYSTEM_LIBRARIES)
   imported_library(illustrate_opensubdiv "" osdCPU)
   imported_library(illustrate_nlopt "" nlopt_cxx nlopt)
+  add_library(illustrate_math INTERFACE)
 else()
   set(static_libraries "${ILLUSTRATE_STATIC_LIBRARIES}")
   if(NOT static_libraries)
@@ -71,8 +79,13 @@ else()
   endif()
   imported_library(illustrate_opensubdiv "${static_libraries}" osdCPU)
   imported_library(illustrate_nlopt "${static_libraries}" nlopt)
+  imported_library(illustrate_math "${static_libraries}" illustrate_musl)
   set(ILLUSTRATE_LICENSES "${static_libraries}/licenses")
 endif()
+
+# They compute with it too.
+target_link_libraries(illustrate_opensubdiv INTERFACE illustrate_math)
+target_link_libraries(illustrate_nlopt INTERFACE illustrate_math)
 
 if(NOT ILLUSTRATE_SYSTEM_LIBRARIES)
   refuse_system_headers(opensubdiv illustrate_opensubdiv)

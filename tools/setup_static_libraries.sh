@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
-# OpenSubdiv (sdc, vtr, far, bfr) and NLopt as static libraries with hidden symbols.
+# OpenSubdiv (sdc, vtr, far, bfr), NLopt and musl's mathematical functions as static libraries with
+# hidden symbols.
 #
 # They are built once, and kept in the cache. Prints the folder that holds include/, lib/ and
 # licenses/ as its last line.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 RECIPE=("$ROOT/tools/setup_static_libraries.sh" "$ROOT/tools/setup_library_sources.sh"
-    "$ROOT/tools/static_libraries/CMakeLists.txt" "$ROOT"/tools/patches/*.patch)
+    "$ROOT/tools/static_libraries/CMakeLists.txt" "$ROOT"/tools/static_libraries/math/CMakeLists.txt
+    "$ROOT"/tools/static_libraries/math/include/*.h "$ROOT"/tools/patches/*.patch)
 PREFIX=$CACHE/static-$(recipe_hash "${RECIPE[@]}")
 CMAKE=${CMAKE:-$VENV/bin/cmake}
 
@@ -26,6 +28,7 @@ build_libraries() {
     local work=$1 install=$1/install sources=$2
     build "$ROOT/tools/static_libraries" "$work/build-opensubdiv" \
         "-DOPENSUBDIV_SOURCE=$sources/opensubdiv"
+    build "$ROOT/tools/static_libraries/math" "$work/build-math" "-DMUSL_SOURCE=$sources/musl"
     # NLopt's generator scripts ask for an old CMake policy, while building too.
     export CMAKE_POLICY_VERSION_MINIMUM=3.5
     build "$sources/nlopt" "$work/build-nlopt" -DNLOPT_PYTHON=OFF -DNLOPT_OCTAVE=OFF \
@@ -43,7 +46,7 @@ main() {
     sources=$("$ROOT/tools/setup_library_sources.sh")
     work=$(mktemp -d "$CACHE/static-build.XXXXXX")
     trap "rm -rf '$work'" EXIT
-    say "building OpenSubdiv and NLopt (once)"
+    say "building OpenSubdiv, NLopt and musl's mathematical functions (once)"
     build_libraries "$work" "$sources" >"$CACHE/static-build.log" 2>&1 ||
         fail "the build failed: see $CACHE/static-build.log"
     mv "$work/install" "$PREFIX"

@@ -1,9 +1,9 @@
 // A module that a new compiler made asks for a new C library and a new C++ library, although it
-// uses nothing that the old ones lack: newer versions of a few functions, and small functions that
+// uses nothing that the old ones lack: a newer version of one function, and small functions that
 // headers used to have inside. Here are the old versions, so that it loads wherever Blender does,
 // which asks for glibc 2.28 and the C++ library of GCC 8.
 //
-// The linker sends calls of the functions wrapped here to __wrap_* (option --wrap). What the rest
+// The linker sends calls of the function wrapped here to __wrap_* (option --wrap). What the rest
 // defines comes before the C++ library's own, and is seen inside this module only.
 
 #ifdef ILLUSTRATE_OLD_SYSTEMS
@@ -12,25 +12,11 @@
 #include <exception>
 #include <new>
 
-#define OLD_VERSION(function) __asm__(".symver old_" #function ", " #function "@GLIBC_2.2.5")
-
 extern "C" {
 
-OLD_VERSION(exp);
-OLD_VERSION(log);
-OLD_VERSION(pow);
-OLD_VERSION(hypot);
-OLD_VERSION(pthread_once);
-double old_exp(double x);
-double old_log(double x);
-double old_pow(double x, double y);
-double old_hypot(double x, double y);
+__asm__(".symver old_pthread_once, pthread_once@GLIBC_2.2.5");
 int old_pthread_once(pthread_once_t* once, void (*function)());
 
-double __wrap_exp(double x) { return old_exp(x); }
-double __wrap_log(double x) { return old_log(x); }
-double __wrap_pow(double x, double y) { return old_pow(x, y); }
-double __wrap_hypot(double x, double y) { return old_hypot(x, y); }
 int __wrap_pthread_once(pthread_once_t* once, void (*function)()) {
   return old_pthread_once(once, function);
 }

@@ -1,0 +1,3 @@
+// In place of musl's own, which its build makes more of.
+#pragma once
+#define hidden __attribute__((__visibility__("hidden")))

@@ -1,0 +1,2 @@
+// In place of musl's own: no processor asks for anything of its own.
+#pragma once
