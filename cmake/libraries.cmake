@@ -58,7 +58,9 @@ function(build_libraries folder)
     "${folder}/nlopt/src/api" "${PROJECT_BINARY_DIR}/nlopt")
 
   add_library(illustrate_math INTERFACE)
-  if(NOT MSVC)  # musl is not written for its headers: there the system's functions are used
+  # On macOS zig takes the system's functions before those of archives; and musl is not written for
+  # MSVC. There the system's are used.
+  if(NOT MSVC AND NOT APPLE)
     set(MUSL_SOURCE "${folder}/musl" CACHE PATH "" FORCE)
     add_subdirectory(tools/static_libraries/math "${PROJECT_BINARY_DIR}/math" EXCLUDE_FROM_ALL)
     target_link_libraries(illustrate_math INTERFACE illustrate_musl)

@@ -2,9 +2,10 @@
 
     check_binaries.py PLATFORM FILE...
 
-A module may link the system's own libraries and Python, and shows nothing but its start. Functions
-that systems round in ways of their own it has inside, so that drawings are the same. On macOS
-it must load from version 11 on and carry a signature: an Apple processor runs nothing without.
+A module may link the system's own libraries and Python, and shows nothing but its start. One for
+Windows has the functions inside that systems round in ways of their own, so that it draws as
+the one for Linux does. On macOS it must load from version 11 on and carry a signature: an Apple processor runs nothing
+without.
 Python's functions are found in the program, not in a library that is named.
 """
 
@@ -26,7 +27,7 @@ OLDEST_MACOS = [11, 0, 0]
 WEAK = re.compile(r"__Z(nw|na|dl|da)[mP]\w*|__ZT[IS]\w+")
 NO_LIBRARY = {0, 254}  # the module itself, or whichever has the symbol when it is loaded
 ROUNDED = re.compile(
-    r"_?(a?cos|a?sin|a?tan|atan2|cabs|cbrt|exp2?|expm1|hypot|log(10|1p|2)?|pow|sincos)f?|___sincosf?_stret"
+    r"(a?cos|a?sin|a?tan|atan2|cabs|cbrt|exp2?|expm1|hypot|log(10|1p|2)?|pow|sincos)f?"
 )
 PROCESSORS = {
     "windows-x64": lief.PE.Header.MACHINE_TYPES.AMD64,
@@ -45,18 +46,13 @@ def problems_on_windows(path: Path, platform: str) -> Iterator[str]:
     for library in [entry.name for entry in module.imports]:
         if library != python and not OF_WINDOWS.fullmatch(library):
             yield f"links {library}"
-    asked = [each.name for library in module.imports for each in library.entries]
-    yield from rounded_elsewhere(asked)
+    asked = {each.name for library in module.imports for each in library.entries}
+    rounded = sorted(name for name in asked if ROUNDED.fullmatch(name))
+    if rounded:
+        yield f"asks the system for {', '.join(rounded)}"
     exported = [entry.name for entry in module.get_export().entries]
     if exported != ["PyInit__core"]:
         yield f"exports {', '.join(exported)}"
-
-
-def rounded_elsewhere(asked: list[str]) -> Iterator[str]:
-    """A sentence where functions that are asked for are such as every system rounds otherwise."""
-    found = sorted(name for name in asked if ROUNDED.fullmatch(name))
-    if found:
-        yield f"asks the system for {', '.join(found)}"
 
 
 def problems_on_macos(path: Path, platform: str) -> Iterator[str]:
@@ -76,7 +72,6 @@ def problems_on_macos(path: Path, platform: str) -> Iterator[str]:
     exported = {name for name in names if not WEAK.fullmatch(name)}
     if exported != {"_PyInit__core"}:
         yield f"exports {', '.join(sorted(exported))}"
-    yield from rounded_elsewhere([symbol.name for symbol in module.imported_symbols])
     if platform == "macos-arm64" and not module.has_code_signature:
         yield "has no signature, without which Apple's processors run nothing"
     yield from _homeless(module, names)
