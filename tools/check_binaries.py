@@ -3,9 +3,9 @@
     check_binaries.py PLATFORM FILE...
 
 A module may link the system's own libraries and Python, and shows nothing but its start. One for
-Windows has the functions inside that systems round in ways of their own, so that it draws as
-the one for Linux does. On macOS it must load from version 11 on and carry a signature: an Apple processor runs nothing
-without.
+Windows has the functions inside that systems round in ways of their own, so that it draws as that
+for Linux does. On macOS it must load from version 11 on and carry a signature: an Apple processor
+runs nothing without.
 Python's functions are found in the program, not in a library that is named.
 """
 
