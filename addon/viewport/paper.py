@@ -14,6 +14,7 @@ from bpy.app.handlers import persistent
 
 from ..reading.scene import camera_problem
 from ..settings.scene_settings import when_paper_changes
+from . import fine_strokes
 from .live_view import VIEW
 
 WHITE = (1.0, 1.0, 1.0)
@@ -101,6 +102,8 @@ class Paper:
 
     def __init__(self) -> None:
         self._kept: dict[int, Kept] = {}
+        self._handle: Any = None
+        self._strokes: dict[int, tuple[Any, Any]] = {}  # by region: of which view, and the batch
         self.was_offered = False
 
     def is_on(self, space: Any) -> bool:
@@ -115,7 +118,10 @@ class Paper:
         """Puts a viewport on paper."""
         if not self.is_on(space):
             self._kept[space.as_pointer()] = _settings(space)
-        _set(space, _wanted(paper_colour(scene), not VIEW.is_on))
+        if fine_strokes.IS_NEEDED and self._handle is None:
+            add = bpy.types.SpaceView3D.draw_handler_add
+            self._handle = add(self._draw, (), "WINDOW", "POST_VIEW")
+        _set(space, _wanted(paper_colour(scene), _shows_pencils()))
 
     def leave(self, space: Any) -> None:
         """Gives a viewport back what it had."""
@@ -123,6 +129,9 @@ class Paper:
         if kept is not None:
             _set(space, [k for k in kept if k[1] != "view_perspective"])
             _set(space, [k for k in kept if k[1] == "view_perspective"])
+        if self._handle is not None and not self._kept:
+            bpy.types.SpaceView3D.draw_handler_remove(self._handle, "WINDOW")
+            self._handle, self._strokes = None, {}
 
     def leave_all(self) -> list[Any]:
         """The same for all; the viewports that were on paper."""
@@ -136,7 +145,37 @@ class Paper:
         """Follows the colour of the paper, and whether strokes or the live drawing are shown."""
         for _, space in _spaces():
             if self.is_on(space):
-                _set(space, _wanted(paper_colour(scene), not VIEW.is_on)[:-1])
+                _set(space, _wanted(paper_colour(scene), _shows_pencils())[:-1])
+
+    def follow_pencils(self) -> None:
+        """After a change of anything: strokes are drawn anew, by Blender where it must."""
+        self._strokes = {}
+        shown = _shows_pencils()
+        for _, space in _spaces():
+            if self.is_on(space) and getattr(space, PENCILS) != shown:
+                setattr(space, PENCILS, shown)
+
+    def _draw(self) -> None:
+        """Called by Blender for each viewport: strokes in place of its own."""
+        from . import overlay
+
+        context = bpy.context
+        space, region = context.space_data, context.region
+        if not self.is_on(space) or VIEW.is_on or getattr(space, PENCILS):
+            return
+        view = tuple(map(tuple, context.region_data.perspective_matrix))
+        known, batch = self._strokes.get(region.as_pointer(), (None, None))
+        if known != (view, region.width, region.height):
+            ribbons = fine_strokes.ribbons_on_paper(context)
+            batch = None if ribbons is None else overlay.ribbon_batch(ribbons)
+            self._strokes[region.as_pointer()] = ((view, region.width, region.height), batch)
+        if batch is not None:
+            overlay.draw_ribbons(batch, region)
+
+
+def _shows_pencils() -> bool:
+    """Whether Blender itself draws the strokes on paper."""
+    return not VIEW.is_on and not fine_strokes.can_show(bpy.context.view_layer)
 
 
 PAPER = Paper()
@@ -208,10 +247,18 @@ def _after_switch() -> None:
     PAPER.refresh(bpy.context.scene)
 
 
+@persistent
+def _after_update(*_: Any) -> None:
+    if fine_strokes.IS_NEEDED and PAPER.is_on_anywhere():
+        PAPER.follow_pencils()
+
+
 HANDLERS = (
     (bpy.app.handlers.load_pre, _before_load),
     (bpy.app.handlers.save_pre, _before_save),
     (bpy.app.handlers.save_post, _after_save),
+    (bpy.app.handlers.depsgraph_update_post, _after_update),
+    (bpy.app.handlers.frame_change_post, _after_update),
     (VIEW.when_switched, _after_switch),
     (when_paper_changes, PAPER.refresh),
 )

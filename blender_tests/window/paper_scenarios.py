@@ -8,10 +8,13 @@ import hands
 import illustrate
 import numpy as np
 from illustrate.running import tasks
+from illustrate.viewport import fine_strokes
 from illustrate.viewport.live import LIVE, WHOLE
 from illustrate.viewport.live_view import VIEW
-from illustrate.viewport.paper import PAPER
-from staging import Steps, new_scene
+from illustrate.viewport.paper import PAPER, PENCILS
+from staging import Steps, new_scene, pencils
+
+EDIT_PENCIL = "EDIT" if bpy.app.version >= (4, 3, 0) else "EDIT_GPENCIL"
 
 
 def space() -> Any:
@@ -100,6 +103,41 @@ def the_drawing_is_shown_on_paper(out: pathlib.Path) -> Steps:
     hands.picture(out / "33_off_paper.png")
 
 
+def thin_strokes_are_whole_on_paper(out: pathlib.Path) -> Steps:
+    """Far thinner than a pixel they are as grey as the live drawing; under an artist's hand too."""
+    scene = new_scene()
+    scene.render.resolution_x = scene.render.resolution_y = 2600
+    hands.show_side_panel(False)
+    yield 0.3
+    with hands.override():
+        bpy.ops.illustrate.illustrate()
+    toggle()
+    yield 0.2
+    grey = 1 - hands.pixels(hands.picture(out / "36_thin_on_paper.png")).mean()
+    (pencil,) = pencils()
+    hands.window().view_layer.objects.active = pencil
+    with hands.override():
+        bpy.ops.object.mode_set(mode=EDIT_PENCIL)
+    hands.redraw()
+    assert getattr(space(), PENCILS)
+    with hands.override():
+        bpy.ops.object.mode_set(mode="OBJECT")
+    hands.redraw()
+    assert getattr(space(), PENCILS) == (not fine_strokes.IS_NEEDED)
+    again = 1 - hands.pixels(hands.picture(out / "36_thin_on_paper_again.png")).mean()
+    pencil.hide_set(True)
+    empty = 1 - hands.pixels(hands.picture(out / "36_nothing_on_paper.png")).mean()
+    hands.manager().illustrate_live = True
+    hands.redraw()
+    yield lambda: any(s.drawing_of(WHOLE) for s in LIVE.views.values()) and LIVE.is_idle()
+    live = 1 - hands.pixels(hands.picture(out / "37_thin_and_live.png")).mean()
+    print(f"grey of thin strokes: {grey - empty:.4f}, live {live - empty:.4f}", flush=True)
+    assert abs(again - grey) < 1e-3
+    assert abs(grey - live) < 0.2 * (live - empty)
+    hands.manager().illustrate_live = False
+    toggle()
+
+
 def paper_is_left_whatever_happens(out: pathlib.Path) -> Steps:
     """A file saved and loaded, undo, a job that fails, the end of the add-on."""
     scene = new_scene()
@@ -161,4 +199,9 @@ def paper_is_offered_once(out: pathlib.Path) -> Steps:
     assert not PAPER.is_on_anywhere()
 
 
-ALL = [the_drawing_is_shown_on_paper, paper_is_left_whatever_happens, paper_is_offered_once]
+ALL = [
+    the_drawing_is_shown_on_paper,
+    thin_strokes_are_whole_on_paper,
+    paper_is_left_whatever_happens,
+    paper_is_offered_once,
+]
