@@ -1,6 +1,7 @@
 """Strokes of Grease Pencil that paper shows as ribbons: which, and that they are what was drawn."""
 
 from collections.abc import Callable
+from types import SimpleNamespace
 from typing import Any
 
 import bpy
@@ -108,6 +109,24 @@ def test_they_are_the_strokes_of_the_layers(illustration: Any) -> None:
         assert list(sizes) == [len(s["points"]) for s in strokes]
         assert list(closed) == [s["closed"] for s in strokes]
         assert (colours[:, 3] == 1).all()
+
+
+def test_hidden_materials_have_no_ink(illustration: Any) -> None:
+    for material in illustration.data.materials:
+        material.grease_pencil.hide = True
+    for *_, colours in fine_strokes._strokes_of(illustration):
+        assert len(colours) and (colours[:, 3] == 0).all()
+
+
+def test_what_is_behind_the_eye_is_left_out(illustration: Any) -> None:
+    region = SimpleNamespace(width=200, height=100)
+    places = {"window_matrix": np.eye(4), "perspective_matrix": -np.eye(4)}
+    eye = SimpleNamespace(region=region, region_data=SimpleNamespace(**places))
+    strokes = next(fine_strokes._strokes_of(illustration))
+    assert not len(fine_strokes._in_region(strokes, eye).triangles)
+    places["perspective_matrix"] = np.eye(4)
+    eye.region_data = SimpleNamespace(**places)
+    assert len(fine_strokes._in_region(strokes, eye).triangles)
 
 
 def test_hidden_layers_have_none(illustration: Any) -> None:

@@ -6,6 +6,7 @@ from typing import Any
 from ..messages import said
 from ..ownership import is_ours
 from ..reading.scene import camera_problem, nothing_to_draw
+from ..reading.shown import shown_objects
 from ..settings.styles import style_of
 
 SECONDS_PER_TRIANGLE = 15e-6  # measured, with hatching, two cores
@@ -48,7 +49,7 @@ def slowing_problem(scene: Any, view_layer: Any) -> str:
 def drawable(scene: Any, view_layer: Any, selected_only: bool) -> Iterator[Any]:
     """Objects of the view layer that may be drawn; instances are not unfolded."""
     guides = scene.illustrate.guides
-    for thing in _shown(view_layer):
+    for thing in shown_objects(view_layer):
         if selected_only and not thing.select_get(view_layer=view_layer):
             continue
         if thing.hide_render or is_ours(thing):
@@ -57,23 +58,6 @@ def drawable(scene: Any, view_layer: Any, selected_only: bool) -> Iterator[Any]:
             continue
         if _may_have_faces(thing) and not style_of(thing, scene).get("ignore"):
             yield thing
-
-
-def _shown(view_layer: Any) -> Iterator[Any]:
-    """Objects that are hidden neither themselves nor with their collections.
-
-    Not by `visible_get`, which asks the viewport that is being drawn: it may be on paper, show no
-    meshes, or be in local view, and what is drawn is the same.
-    """
-    waiting, found = [view_layer.layer_collection], set()
-    while waiting:
-        layer = waiting.pop()
-        waiting += layer.children
-        for thing in layer.collection.objects if layer.is_visible else ():
-            is_hidden = thing.hide_viewport or thing.hide_get(view_layer=view_layer)
-            if not is_hidden and thing not in found:
-                found.add(thing)
-                yield thing
 
 
 def _may_have_faces(thing: Any) -> bool:

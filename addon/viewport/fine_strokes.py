@@ -5,13 +5,14 @@ they are shown as ribbons instead (`ribbons.py`), as long as ribbons can show al
 of one colour, without fills, effects or masks, that nobody is editing. Else Blender draws them.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import bpy
 import numpy as np
 
 from ..output import PENCIL_API
+from ..reading.shown import shown_objects
 from .ribbons import Ribbons, ribbons_of
 from .views import FOREMOST
 
@@ -32,7 +33,7 @@ def can_show(view_layer: Any) -> bool:
 
 def ribbons_on_paper(context: Any) -> Ribbons | None:
     """All strokes that are shown, the lowest first, in a region's pixels; None where are none."""
-    depsgraph, region, data = context.evaluated_depsgraph_get(), context.region, context.region_data
+    depsgraph = context.evaluated_depsgraph_get()
     found = [
         strokes
         for thing in _pencils(context.view_layer)
@@ -40,28 +41,27 @@ def ribbons_on_paper(context: Any) -> Ribbons | None:
     ]
     if not found:
         return None
-    points, diameters, sizes, closed, colours = (
-        np.concatenate(part) for part in zip(*found, strict=True)
-    )
+    return _in_region([np.concatenate(part) for part in zip(*found, strict=True)], context)
+
+
+def _in_region(strokes: Sequence[Any], context: Any) -> Ribbons:
+    """Strokes as a region shows them; those that pass behind the eye are left out."""
+    points, diameters, sizes, closed, colours = strokes
+    region, data = context.region, context.region_data
     clip = np.c_[points, np.ones(len(points))] @ np.array(data.perspective_matrix).T
-    offsets = np.concatenate([[0], np.cumsum(sizes)])
-    is_before = np.logical_and.reduceat(clip[:, 3] > 0, offsets[:-1])
-    kept = np.repeat(is_before, sizes)
-    clip, diameters, sizes = clip[kept], diameters[kept], sizes[is_before]
-    size = np.array([region.width, region.height])
-    pixels = (clip[:, :2] / clip[:, 3:] + 1) / 2 * size
+    is_before = np.logical_and.reduceat(clip[:, 3] > 0, np.cumsum(sizes) - sizes)
+    kept, sizes = np.repeat(is_before, sizes), sizes[is_before]
+    clip, diameters = clip[kept], diameters[kept]
+    pixels = (clip[:, :2] / clip[:, 3:] + 1) / 2 * (region.width, region.height)
     scale = np.array(data.window_matrix)[1, 1] * region.height / 2 / clip[:, 3]
     offsets = np.concatenate([[0], np.cumsum(sizes)])
     shown = closed[is_before], colours[is_before]
     return ribbons_of(pixels, diameters * scale, offsets, *shown, FOREMOST)
 
 
-def _pencils(view_layer: Any) -> Iterator[Any]:
-    """Objects of Grease Pencil that the view layer shows, in whatever viewport."""
-    for thing in view_layer.objects:
-        is_hidden = thing.hide_viewport or thing.hide_get(view_layer=view_layer)
-        if thing.type == PENCIL_API.TYPE and not is_hidden:
-            yield thing
+def _pencils(view_layer: Any) -> list[Any]:
+    """Objects of Grease Pencil that are shown."""
+    return [thing for thing in shown_objects(view_layer) if thing.type == PENCIL_API.TYPE]
 
 
 def _is_plain(thing: Any) -> bool:
@@ -72,9 +72,14 @@ def _is_plain(thing: Any) -> bool:
     return (
         not changes_colours
         and not len(thing.shader_effects)
-        and all(s.stroke_style == "SOLID" and s.mode == "LINE" and not s.show_fill for s in styles)
+        and all(map(_is_plain_line, styles))
         and all(map(_is_plain_layer, thing.data.layers))
     )
+
+
+def _is_plain_line(style: Any) -> bool:
+    is_line = style.stroke_style == "SOLID" and style.mode == "LINE"
+    return is_line and not style.show_fill and not style.use_stroke_holdout
 
 
 def _is_plain_layer(layer: Any) -> bool:
@@ -132,7 +137,9 @@ def _is_hidden(layer: Any) -> bool:
 
 def _ink(material: Any) -> tuple[float, ...]:
     style = None if material is None else material.grease_pencil
-    return (0.0, 0.0, 0.0, 1.0) if style is None else tuple(style.color)
+    if style is None:
+        return (0.0, 0.0, 0.0, 1.0)
+    return (*style.color[:3], 0.0 if style.hide else style.color[3])
 
 
 def _point_values(drawing: Any, name: str, without: float) -> Any:

@@ -129,9 +129,7 @@ class Paper:
         if kept is not None:
             _set(space, [k for k in kept if k[1] != "view_perspective"])
             _set(space, [k for k in kept if k[1] == "view_perspective"])
-        if self._handle is not None and not self._kept:
-            bpy.types.SpaceView3D.draw_handler_remove(self._handle, "WINDOW")
-            self._handle, self._strokes = None, {}
+        self._stop_drawing_unless_on()
 
     def leave_all(self) -> list[Any]:
         """The same for all; the viewports that were on paper."""
@@ -139,7 +137,13 @@ class Paper:
         for space in left:
             self.leave(space)
         self._kept.clear()  # of windows that are gone
+        self._stop_drawing_unless_on()
         return left
+
+    def _stop_drawing_unless_on(self) -> None:
+        if self._handle is not None and not self._kept:
+            bpy.types.SpaceView3D.draw_handler_remove(self._handle, "WINDOW")
+            self._handle, self._strokes = None, {}
 
     def refresh(self, scene: Any) -> None:
         """Follows the colour of the paper, and whether strokes or the live drawing are shown."""
