@@ -86,10 +86,8 @@ def test_what_ribbons_lack_blender_draws(illustration: Any, change: Callable[[An
         assert can_show()
 
 
-def test_fills_are_drawn_by_blender(scene: Any, illustration: Any) -> None:
-    pytest.importorskip("shapely")
-    scene.illustrate.fill_regions = True
-    assert bpy.ops.illustrate.illustrate() == {"FINISHED"}
+def test_what_is_hidden_does_not_count(illustration: Any) -> None:
+    fill_all(illustration)
     assert not can_show()
     illustration.hide_set(True)
     assert can_show()
