@@ -191,18 +191,17 @@ def main() -> None:
     parser.add_argument("--platform", choices=PLATFORMS, required=True)
     parser.add_argument("--installed", type=Path, required=True, help="illustrate_native, built")
     parser.add_argument("--out", type=Path, default=ROOT / "dist")
-    website = os.environ.get("ILLUSTRATE_WEBSITE", "")
-    parser.add_argument("--website", default=website, help="of the documentation, once it has one")
     arguments = parser.parse_args()
+    website = os.environ.get("ILLUSTRATE_WEBSITE", "")
     platform, installed, out = PLATFORMS[arguments.platform], arguments.installed, arguments.out
     wheels = {
         python: make_wheel(platform, installed, python, out / "wheels")
         for python in pythons_of(installed, tuple(sorted({*platform.legacy, *platform.pythons})))
     }
     inside = [wheels[python] for python in pythons_of(installed, platform.pythons)]
-    made = [make_extension(platform, inside, out, arguments.website)]
+    made = [make_extension(platform, inside, out, website)]
     if platform.legacy:
-        made.append(make_legacy(platform, installed, out, arguments.website))
+        made.append(make_legacy(platform, installed, out, website))
     made += wheels.values()
     for path in made:
         print(f"{path.relative_to(out)}: {path.stat().st_size / 1e6:.2f} MB")

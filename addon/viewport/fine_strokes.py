@@ -113,15 +113,15 @@ def _strokes_of(thing: Any) -> Iterator[Strokes]:
         offsets = np.zeros(len(drawing.curve_offsets), np.int32)
         drawing.curve_offsets.foreach_get("value", offsets)
         points = _values(drawing.attributes["position"], "vector", 3)
-        opacity = _point_values(drawing, "opacity", 1.0) * layer.opacity
-        pens = _stroke_values(drawing, "material_index").astype(int)
+        opacity = _each(drawing, "opacity", "POINT", 1.0) * layer.opacity
+        pens = _each(drawing, "material_index", "CURVE").astype(int)
         colours = inks[np.clip(pens, 0, len(inks) - 1)]
         colours[:, 3] *= np.maximum.reduceat(opacity, offsets[:-1])
         yield (
             points @ matrix[:3, :3].T + matrix[:3, 3],
-            2 * scale * _point_values(drawing, "radius", 0.01),
+            2 * scale * _each(drawing, "radius", "POINT", 0.01),
             np.diff(offsets),
-            _stroke_values(drawing, "cyclic").astype(bool),
+            _each(drawing, "cyclic", "CURVE").astype(bool),
             colours,
         )
 
@@ -142,19 +142,11 @@ def _ink(material: Any) -> tuple[float, ...]:
     return (*style.color[:3], 0.0 if style.hide else style.color[3])
 
 
-def _point_values(drawing: Any, name: str, without: float) -> Any:
-    """(p,) values of an attribute of points; `without` for each where there is none."""
+def _each(drawing: Any, name: str, domain: str, without: float = 0.0) -> Any:
+    """(n,) values of an attribute of points or strokes; `without` for each where there is none."""
     attribute = drawing.attributes.get(name)
     if attribute is None:
-        return np.full(drawing.attributes.domain_size("POINT"), without)
-    return _values(attribute, "value")
-
-
-def _stroke_values(drawing: Any, name: str) -> Any:
-    """(s,) values of an attribute of strokes; 0 for each where there is none."""
-    attribute = drawing.attributes.get(name)
-    if attribute is None:
-        return np.zeros(drawing.attributes.domain_size("CURVE"))
+        return np.full(drawing.attributes.domain_size(domain), without)
     return _values(attribute, "value")
 
 

@@ -7,7 +7,6 @@ and then copied to docs/pictures/first-drawing.
 """
 
 import pathlib
-import subprocess
 import sys
 from collections.abc import Generator
 from typing import Any
@@ -27,23 +26,7 @@ def take(path: pathlib.Path) -> None:
     """A picture of the screen with few colours."""
     import hands
 
-    hands.redraw()
-    subprocess.run(
-        [
-            "import",
-            "-window",
-            "root",
-            "-crop",
-            VIEWPORT,
-            "+repage",
-            "+dither",
-            "-colors",
-            COLOURS,
-            str(path),
-        ],
-        check=True,
-        timeout=60,
-    )
+    hands.picture(path, "-crop", VIEWPORT, "+repage", "+dither", "-colors", COLOURS)
 
 
 def first_drawing(out: pathlib.Path) -> Generator[Any, None, None]:

@@ -130,10 +130,10 @@ def redraw() -> None:
         bpy.ops.wm.redraw_timer(type="DRAW_WIN_SWAP", iterations=1)
 
 
-def picture(path: pathlib.Path) -> Any:
-    """Takes a picture of the screen; its file."""
+def picture(path: pathlib.Path, *options: str) -> Any:
+    """Takes a picture of the screen, with options of ImageMagick's `import`; its file."""
     redraw()
-    subprocess.run(["import", "-window", "root", str(path)], check=True, timeout=60)
+    subprocess.run(["import", "-window", "root", *options, str(path)], check=True, timeout=60)
     return path
 
 

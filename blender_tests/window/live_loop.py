@@ -8,7 +8,6 @@ and then joined by tools/docs/join_loop.py.
 
 import math
 import pathlib
-import subprocess
 import sys
 from collections.abc import Generator
 from typing import Any
@@ -31,15 +30,13 @@ def take(path: pathlib.Path) -> None:
     """The middle of the viewport, smaller, in greys."""
     import hands
 
-    hands.redraw()
     region = hands.region("WINDOW")
     width, height = (int(side) for side in SHOWN.split("x"))
     left = region.x + (region.width - width) // 2
     below = region.y + (region.height - height) // 2
     top = hands.window().height - below - height
-    grab = ["import", "-window", "root", "-crop", f"{SHOWN}+{left}+{top}", "+repage"]
-    small = ["-resize", SCALE, "-colorspace", "Gray", "-depth", "8"]
-    subprocess.run([*grab, *small, str(path)], check=True, timeout=60)
+    crop = ["-crop", f"{SHOWN}+{left}+{top}", "+repage"]
+    hands.picture(path, *crop, "-resize", SCALE, "-colorspace", "Gray", "-depth", "8")
 
 
 def as_paper() -> None:
