@@ -79,8 +79,8 @@ def seeds(monkeypatch: Any) -> list[Any]:
     ill, found = illustrate.native.load(), []
     start = ill.View.start_draw
 
-    def watched(view: Any, previous: Any = None) -> Any:
-        job = start(view, previous)
+    def watched(view: Any, previous: Any = None, detail: str = "whole") -> Any:
+        job = start(view, previous, detail)
         found.append((previous, job))
         return job
 

@@ -14,7 +14,7 @@ from illustrate.ui import gallery, panel, presets
 from illustrate.viewport.guiding import hold_singularities, joined
 from illustrate.viewport.hidden_strokes import hidden_in, hide_in, name_of
 from illustrate.viewport.inspect import INSPECTOR
-from illustrate.viewport.live import LIVE
+from illustrate.viewport.live import LIVE, WHOLE
 from illustrate.viewport.live_strokes import inks_of, strokes_as_ribbons
 from illustrate.viewport.pick import PICKER, nearest, thing_of
 from test_live import drawn
@@ -99,7 +99,7 @@ def test_a_stroke_is_hidden_and_no_other(scene: Any) -> None:
 
 def corners_of_ribbons(scene: Any, seen: Any) -> int:
     """Corners of what is shown of the lines of a live drawing."""
-    drawing = seen.whole.drawing
+    drawing = seen.made[WHOLE].drawing
     hidden = hidden_in(scene, drawing)
     return len(
         strokes_as_ribbons(
@@ -111,7 +111,7 @@ def corners_of_ribbons(scene: Any, seen: Any) -> int:
 def test_a_stroke_of_the_live_drawing_is_hidden_and_kept_so(scene: Any) -> None:
     tools.cube_scene(scene)
     seen = drawn()
-    made, before = seen.whole, corners_of_ribbons(scene, seen)
+    made, before = seen.made[WHOLE], corners_of_ribbons(scene, seen)
     assert made is not None
     lines = np.flatnonzero((made.drawing.kinds < 4) & (made.drawing.invisibility == 0))
     PICKER.picked = first = pick_at(made, int(lines[0]))
@@ -127,7 +127,7 @@ def test_a_stroke_of_the_live_drawing_is_hidden_and_kept_so(scene: Any) -> None:
 def test_curves_have_no_hidden_strokes(scene: Any, capfd: Any) -> None:
     tools.cube_scene(scene)
     scene.illustrate.output = "CURVES"
-    drawing = drawn().whole.drawing
+    drawing = drawn().made[WHOLE].drawing
     hide_in(scene, name_of(drawing), 0, {name_of(drawing)})
     assert bpy.ops.illustrate.keep_live() == {"FINISHED"}
     tools.flush()
@@ -136,13 +136,13 @@ def test_curves_have_no_hidden_strokes(scene: Any, capfd: Any) -> None:
 
 def test_another_drawing_has_all_its_strokes(scene: Any) -> None:
     tools.cube_scene(scene)
-    first = drawn().whole.drawing
+    first = drawn().made[WHOLE].drawing
     hide_in(scene, name_of(first), 3, {name_of(first)})
     scene.illustrate.spacing_px *= 2
-    second = drawn().whole.drawing
+    second = drawn().made[WHOLE].drawing
     assert hidden_in(scene, first) == [3] and hidden_in(scene, second) == []
     scene.illustrate.spacing_px /= 2
-    assert hidden_in(scene, drawn().whole.drawing) == [3], "made again it is the same"
+    assert hidden_in(scene, drawn().made[WHOLE].drawing) == [3], "made again it is the same"
     hide_in(scene, name_of(second), 1, {name_of(second)})
     assert hidden_in(scene, first) == [], "nobody sees it any more"
 

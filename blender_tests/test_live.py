@@ -10,7 +10,7 @@ import pytest
 from illustrate.reading.scene import read_camera
 from illustrate.running import illustration
 from illustrate.viewport import live, live_view
-from illustrate.viewport.live import LINES, LIVE, REST_S, WHOLE, Seen
+from illustrate.viewport.live import DRAFT, LINES, LIVE, REST_S, VIEW, WHOLE, Seen
 from illustrate.viewport.live_strokes import has_others
 from illustrate.viewport.ribbons import ribbons_of
 from illustrate.viewport.views import AHEAD, FOREMOST, View, depths_of, view_of
@@ -90,14 +90,58 @@ def test_a_view_that_moves_has_no_drawing_until_it_rests(scene: Any) -> None:
     assert drawn(changed=False).drawing_of(WHOLE) is not None and LIVE.prepared is prepared
 
 
-def test_lines_alone_come_first_where_hatches_take_long(scene: Any) -> None:
+def parts_drawn(whole_s: float, tones_s: float) -> list[str]:
+    """Of a view that rests, one after another, where the last ones took so long."""
+    LIVE.whole_s, LIVE.tones_s = whole_s, tones_s
+    parts: list[str] = []
+    for _ in range(6000):
+        LIVE.tick(bpy.context)
+        if LIVE.running is not None and parts[-1:] != [LIVE.running.part]:
+            parts.append(LIVE.running.part)
+        if LIVE.is_idle():
+            return parts
+        time.sleep(0.001)
+    raise AssertionError("the live drawing was never ready")
+
+
+def test_parts_come_one_after_another_where_hatches_take_long(scene: Any) -> None:
     tools.cube_scene(scene)
     seen = drawn()
-    for whole_s, first in ((10.0, LINES), (0.0, WHOLE)):
-        LIVE.whole_s, seen.whole_of, seen.lines_of = whole_s, None, None
+    whole = seen.made[WHOLE].drawing
+    seen.of.clear()
+    assert parts_drawn(10.0, 0.0) == [VIEW, LINES, DRAFT, WHOLE]
+    assert np.array_equal(seen.made[WHOLE].drawing.points, whole.points)
+    assert seen.ahead is None and DRAFT not in seen.made, "nobody asks for it any more"
+    seen.of.clear()
+    assert parts_drawn(10.0, 10.0) == [LINES, VIEW, DRAFT, WHOLE], "tones take long, too"
+    seen.of.clear()
+    assert parts_drawn(0.0, 0.0) == [WHOLE]
+    scene.illustrate.hatching = False
+    assert parts_drawn(10.0, 0.0) == [WHOLE]
+
+
+def test_no_draft_takes_the_place_of_a_whole(scene: Any) -> None:
+    tools.cube_scene(scene)
+    seen = drawn()
+    whole = seen.made[WHOLE]
+    LIVE.look_is_stale = True
+    assert parts_drawn(10.0, 0.0) == [VIEW, LINES, WHOLE]
+    assert seen.hatched() is seen.made[WHOLE] is not whole
+
+
+def test_a_view_that_moves_forgets_what_was_found_of_it(scene: Any) -> None:
+    tools.cube_scene(scene)
+    seen = drawn()
+    seen.of.clear()
+    LIVE.whole_s, LIVE.tones_s = 10.0, 0.0
+    while seen.ahead is None:
         LIVE.tick(bpy.context)
-        assert LIVE.running is not None and LIVE.running.part == first
-        assert drawn(changed=False).drawing_of(WHOLE) is not None
+        time.sleep(0.001)
+    assert seen.hatched() is None
+    scene.camera.location.x += 0.3
+    bpy.context.view_layer.update()
+    LIVE.look(1, camera_view(scene))
+    assert seen.ahead is None and drawn(changed=False).hatched() is not None
 
 
 @pytest.mark.parametrize("hatching", [True, False])
@@ -105,19 +149,19 @@ def test_lines_follow_shapes_that_never_rest(scene: Any, hatching: bool) -> None
     cube = tools.cube_scene(scene)
     scene.illustrate.hatching = hatching
     seen = drawn()
-    whole, begun = seen.whole, LIVE.version
+    whole, begun = seen.made[WHOLE], LIVE.version
     assert whole is not None
     for _ in range(3000):
         cube.location.x += 0.01
         bpy.context.view_layer.update()
         LIVE.shapes_are_stale = True
         LIVE.tick(bpy.context)
-        if seen.lines_of[0] >= begun + 3:
+        if seen.of[LINES][0] >= begun + 3:
             break
         time.sleep(0.001)
-    assert seen.lines is not None and seen.lines_of[0] >= begun + 3
-    assert seen.lines.drawing.points[:, 0].max() > whole.drawing.points[:, 0].max() + 0.02
-    assert seen.whole is whole or not hatching, "hatches wait for rest"
+    assert seen.made[LINES] is not None and seen.of[LINES][0] >= begun + 3
+    assert seen.made[LINES].drawing.points[:, 0].max() > whole.drawing.points[:, 0].max() + 0.02
+    assert seen.made[WHOLE] is whole or not hatching, "hatches wait for rest"
 
 
 def test_reading_and_preparing_are_looks_of_their_own(scene: Any) -> None:
@@ -138,7 +182,8 @@ def test_looks_come_when_there_may_be_something_to_do(scene: Any) -> None:
     assert LIVE.next_look_s() == live.TICK_S
     seen.moved_at = time.monotonic() + 0.001 - REST_S
     assert LIVE.next_look_s() <= 0.001
-    seen.moved_at, seen.whole_of = 0.0, None
+    seen.moved_at = 0.0
+    seen.of.clear()
     LIVE.tick(bpy.context)
     assert LIVE.running is not None and LIVE.next_look_s() == live.POLL_S < live.TICK_S
 
@@ -146,7 +191,7 @@ def test_looks_come_when_there_may_be_something_to_do(scene: Any) -> None:
 def test_a_view_that_moves_on_stops_its_drawing(scene: Any) -> None:
     tools.cube_scene(scene)
     seen = drawn()
-    seen.whole_of = seen.lines_of = None
+    seen.of.clear()
     LIVE.tick(bpy.context)
     assert LIVE.running is not None
     scene.camera.location.x += 0.3

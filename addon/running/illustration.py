@@ -266,11 +266,11 @@ def start_view(request: Request, prepared: Any) -> Any:
     return native.load().start_view(prepared, *_view_arguments(request))
 
 
-def start_drawing(request: Request, prepared: Any) -> Any:
-    """The job that draws a request."""
+def start_drawing(request: Request, prepared: Any, detail: str = "whole") -> Any:
+    """The job that draws a request; less than the whole (View.draw) only of one with a view."""
     previous = getattr(request.previous, "original", request.previous)
     if request.view is not None:
-        return request.view.start_draw(previous)
+        return request.view.start_draw(previous, detail)
     return native.load().start_draw(prepared, *_view_arguments(request), previous=previous)
 
 

@@ -2,9 +2,10 @@
 
 `LiveDrawing` knows what is stale and goes, one job at a time, through reading, preparing and
 drawing; `live_view.py` shows what is there. While a view moves its rough lines are shown; when it
-rests its exact lines are drawn, then its hatches; both at once where that is soon. Until the next
-is whole the last one stays. What changes faster than it can be drawn is skipped, never queued;
-shapes that never rest have the lines of each that was prepared, and hatches once they rest.
+rests its exact lines are drawn, then a draft of its hatches, then the whole; all at once where that
+is soon. Until the next is whole the last one stays, and no draft takes its place. What changes
+faster than it can be drawn is skipped, never queued; shapes that never rest have the lines of each
+that was prepared, and hatches once they rest.
 """
 
 import time
@@ -23,6 +24,7 @@ from ..running.illustration import (
     read_arrays,
     request_of,
     start_drawing,
+    start_view,
 )
 from ..running.jobs import let_go
 from ..settings import scene_settings as settings
@@ -30,22 +32,33 @@ from .views import View
 
 TICK_S = 0.02  # between looks
 POLL_S = 0.005  # the same while a job runs
-REST_S = 0.05  # that a view must rest before it is drawn
-SOON_S = 0.25  # the last whole drawing took: the next is not kept waiting by one of lines alone
+REST_S = 0.03  # that a view must rest before it is drawn
+SOON_S = 0.25  # the last whole drawing took: the next is not kept waiting by its parts
+TONES_SOON_S = 0.1  # its tones took: the next lines are not kept waiting by a drawing without them
 READING_SHARE = 2.0  # of the time that reading took until it is read again
-PREPARE, LINES, WHOLE = "prepare", "lines", "whole"
+PREPARE, VIEW = "prepare", "view"
+LINES, DRAFT, WHOLE = "lines", "draft", "whole"  # as the native module has them (View.draw)
+Version = tuple[int, bytes]  # of the scene, and the key of a view
+
+
+@dataclass
+class Ahead:
+    """A view whose lines and tones have been found (illustrate_native.View)."""
+
+    of: Version
+    request: Any  # with that view
+    arrays: SceneArrays
 
 
 @dataclass
 class Seen:
-    """What is known of one viewport."""
+    """What is known of one viewport: what has been made of each part, and what it was begun for."""
 
     view: View
     moved_at: float
-    lines: Illustration | None = None  # exact, without hatches
-    whole: Illustration | None = None
-    lines_of: Any = None  # version and view that they were begun for
-    whole_of: Any = None
+    made: dict[str, Illustration] = field(default_factory=dict)
+    of: dict[str, Version] = field(default_factory=dict)
+    ahead: Ahead | None = None
 
     @property
     def key(self) -> bytes:
@@ -53,9 +66,19 @@ class Seen:
         return self.view.key
 
     def drawing_of(self, part: str) -> Illustration | None:
-        """Lines or whole where they are of this view, however old the scene."""
-        made, of = (self.lines, self.lines_of) if part == LINES else (self.whole, self.whole_of)
-        return made if of is not None and of[1] == self.key else None
+        """Lines, draft or whole where they are of this view, however old the scene."""
+        of = self.of.get(part)
+        return self.made.get(part) if of is not None and of[1] == self.key else None
+
+    def hatched(self) -> Illustration | None:
+        """The whole where there is one of this view, else a draft."""
+        return self.drawing_of(WHOLE) or self.drawing_of(DRAFT)
+
+    def wants(self, part: str, of: Version) -> bool:
+        """True where it lacks a part; a draft is only for those that have no whole to show."""
+        if part == DRAFT and self.drawing_of(WHOLE) is not None:
+            return False
+        return self.of.get(part) != of
 
 
 @dataclass
@@ -65,16 +88,20 @@ class Running:
     job: Any
     part: str
     version: int
+    key: bytes  # of the view
     arrays: SceneArrays
     seen: Seen | None = None
-    key: bytes = b""
     request: Any = None
-    begun_at: float = field(default_factory=time.monotonic)
 
     @property
     def has_hatches(self) -> bool:
-        """It draws hatches, which take long."""
+        """It draws hatches, or is on the way to them: that takes long."""
         return self.request is not None and bool(self.request.draw["hatching"])
+
+    @property
+    def of(self) -> Version:
+        """What it was begun for."""
+        return self.version, self.key
 
 
 class LiveDrawing:
@@ -100,7 +127,8 @@ class LiveDrawing:
         self.chosen: Any = None  # values of the settings
         self.reading_s = 0.0
         self.read_at = float("-inf")
-        self.whole_s = float("inf")  # that the last whole drawing took
+        self.whole_s = float("inf")  # that the last whole drawing took, from its lines on
+        self.tones_s = float("inf")  # that its tones took of this
 
     def _drop_job(self) -> None:
         if self.running is not None:
@@ -113,7 +141,7 @@ class LiveDrawing:
         if seen is None:
             seen = self.views[pointer] = Seen(view, now - REST_S)
         elif seen.key != view.key:
-            seen.moved_at = now
+            seen.moved_at, seen.ahead = now, None
             running = self.running
             if running is not None and running.seen is seen:
                 self._drop_job()
@@ -186,6 +214,11 @@ class LiveDrawing:
             self.prepared, self.arrays = made, running.arrays
             self.features = native.load().rough_features(made)
             self.version += 1
+        elif running.part == VIEW:
+            assert running.seen is not None
+            running.request.view = made
+            running.seen.ahead = Ahead(running.of, running.request, running.arrays)
+            return False
         else:
             self._keep(running, made)
         return True
@@ -194,18 +227,21 @@ class LiveDrawing:
         """What went wrong is not tried again before something changes."""
         self.problem = problem
         if running.seen is not None:
-            of = (running.version, running.key)
-            running.seen.lines_of = of
-            running.seen.whole_of = of if running.part == WHOLE else running.seen.whole_of
+            parts = (LINES,) if running.part == LINES else (LINES, DRAFT, WHOLE)
+            running.seen.of.update(dict.fromkeys(parts, running.of))
 
     def _keep(self, running: Running, drawing: Any) -> None:
-        seen, of = running.seen, (running.version, running.key)
+        """Of every drawing the lines, too."""
+        seen = running.seen
         assert seen is not None
         made = Illustration(drawing, self.prepared, running.arrays, running.request.warnings)
+        for part in (LINES, running.part):
+            seen.made[part], seen.of[part] = made, running.of
         if running.part == WHOLE:
-            seen.whole, seen.whole_of = made, of
-            self.whole_s = time.monotonic() - running.begun_at
-        seen.lines, seen.lines_of = made, of
+            seen.ahead = None
+            seen.made.pop(DRAFT, None)
+            self.whole_s = sum(drawing.timings.values())
+            self.tones_s = drawing.timings["tone"]
 
     def _start_next(self, context: Any) -> None:
         now = time.monotonic()
@@ -249,16 +285,15 @@ class LiveDrawing:
         assert arrays is not None
         put_into_world(arrays)
         job = _start_preparing(scene, arrays, self.prepared)
-        self.running = Running(job, PREPARE, self.version, arrays)
+        self.running = Running(job, PREPARE, self.version, b"", arrays)
 
     def _next_part(self, now: float) -> tuple[Seen, str] | None:
         """What is to be drawn next: lines of all views before hatches of any that take long."""
         if self.prepared is None:
             return None
-        for part in (WHOLE,) if self.whole_s < SOON_S else (LINES, WHOLE):
+        for part in (WHOLE,) if self.whole_s < SOON_S else (LINES, DRAFT, WHOLE):
             for seen in self._resting(now):
-                of = seen.lines_of if part == LINES else seen.whole_of
-                if of != (self.version, seen.key):
+                if seen.wants(part, (self.version, seen.key)):
                     return seen, part
         return None
 
@@ -266,22 +301,36 @@ class LiveDrawing:
         """A resting view that has not even lines of the shapes that were prepared last."""
         if self.prepared is None:
             return None
-        return next((s for s in self._resting(now) if s.lines_of != (self.version, s.key)), None)
+        views = self._resting(now)
+        return next((s for s in views if s.wants(LINES, (self.version, s.key))), None)
 
     def _resting(self, now: float) -> list[Seen]:
         return [seen for seen in self.views.values() if now - seen.moved_at >= REST_S]
 
     def _draw(self, scene: Any, seen: Seen, part: str) -> None:
+        """Starts to draw a part of a view; of hatches that take long, first the view."""
+        ahead, of = seen.ahead, (self.version, seen.key)
+        if ahead is not None and ahead.of == of:
+            job = start_drawing(ahead.request, self.prepared, part)
+            self.running = Running(job, part, *of, ahead.arrays, seen, ahead.request)
+            return
+        seen.ahead = None
+        arrays, request = self._request(scene, seen)
+        if not request.draw["hatching"]:
+            part = WHOLE
+        elif part == LINES and (self.shapes_are_stale or self.tones_s > TONES_SOON_S):
+            request.draw |= {"hatching": False, "tone_image": None}
+        elif self.whole_s >= SOON_S:
+            part = VIEW
+        start = start_view if part == VIEW else start_drawing
+        job = start(request, self.prepared)
+        self.running = Running(job, part, *of, arrays, seen, request)
+
+    def _request(self, scene: Any, seen: Seen) -> tuple[SceneArrays, Any]:
         assert self.arrays is not None
         arrays = replace(self.arrays, camera=seen.view.camera)
         with IMAGES.asked():
-            request = request_of(scene, arrays)
-        if part == LINES and request.draw["hatching"]:
-            request.draw |= {"hatching": False, "tone_image": None}
-        elif part == LINES:
-            part = WHOLE
-        job = start_drawing(request, self.prepared)
-        self.running = Running(job, part, self.version, arrays, seen, seen.key, request)
+            return arrays, request_of(scene, arrays)
 
 
 def _start_preparing(scene: Any, arrays: SceneArrays, previous: Any) -> Any:

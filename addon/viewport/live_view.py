@@ -19,6 +19,7 @@ from ..reading.kept_images import IMAGES
 from ..reading.mesh_arrays import positions_of
 from ..reading.scene import CameraArrays, camera_problem, read_camera
 from ..running.cache import digest
+from ..running.illustration import Illustration
 from ..settings.guides import is_guide
 from ..settings.scene_settings import draw_values
 from .hidden_strokes import hidden_in
@@ -43,7 +44,7 @@ class LiveView:
         self.seconds: list[float] = []  # of the last redraws, our part
         self.blocks: list[float] = []  # of the last looks at the scene
         self._handle: Any = None
-        self._batches: dict[tuple[int, str], tuple[Any, Any]] = {}
+        self._batches: dict[tuple[int, bool], tuple[Any, Any, Any]] = {}
         self._depth: tuple[Any, Any] = (None, None)
         self._seen: Any = None
         self.when_switched: list[Any] = []  # called when it is turned on or off
@@ -138,31 +139,25 @@ class LiveView:
         """What is drawn of a view."""
         from . import overlay
 
-        for part in (WHOLE, LINES):
-            batch = self._batch(context, seen, part)
-            if batch is not None:
-                overlay.draw_ribbons(batch, context.region)
+        for made, hatches in ((seen.hatched(), True), (seen.drawing_of(LINES), False)):
+            if made is not None:
+                overlay.draw_ribbons(self._batch(context, seen, made, hatches), context.region)
 
-    def _batch(self, context: Any, seen: Seen, part: str) -> Any:
-        """Hatches of the last whole drawing, lines of the last lines; made once."""
+    def _batch(self, context: Any, seen: Seen, made: Illustration, hatches: bool) -> Any:
+        """The hatches of a drawing, or all else; made once."""
         from . import overlay
 
-        made = seen.drawing_of(part)
-        if made is None:
-            return None
         inks = inks_of(context.scene.illustrate)
         hiding = context.region_data if has_others(context.scene, set(made.names)) else None
         hidden = hidden_in(context.scene, made.drawing)
         place = tuple(seen.view.origin), seen.view.zoom
-        is_same = (id(made), *place, repr(inks), hiding is None, hidden)
-        key = context.region.as_pointer(), part
-        known, batch = self._batches.get(key, (None, None))
-        if known != is_same:
-            ribbons = strokes_as_ribbons(
-                made.drawing, seen.view, inks, part == WHOLE, hiding, hidden
-            )
+        look = (*place, repr(inks), hiding is None, hidden)
+        key = context.region.as_pointer(), hatches
+        known, known_look, batch = self._batches.get(key, (None, None, None))
+        if known is not made or known_look != look:
+            ribbons = strokes_as_ribbons(made.drawing, seen.view, inks, hatches, hiding, hidden)
             batch = overlay.ribbon_batch(ribbons)
-            self._batches[key] = (is_same, batch)
+            self._batches[key] = (made, look, batch)
         return batch
 
     def _surface(self) -> Any:

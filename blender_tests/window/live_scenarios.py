@@ -158,7 +158,7 @@ def sculpt(_scene: Any) -> Steps:
     with hands.override():
         bpy.ops.object.mode_set(mode="SCULPT")
     yield is_whole
-    before = seen().lines
+    before = seen().made[LINES]
     region, window = hands.region("WINDOW"), hands.window()
     x, y = region.x + region.width // 2, region.y + region.height // 2
     hands.move(x, y)
@@ -167,7 +167,7 @@ def sculpt(_scene: Any) -> Steps:
     for i in range(1, 9):
         hands.move(x + 8 * i, y + 4 * i)
         yield 0.05
-    yield lambda: seen().lines is not before and not is_same_shape(seen().lines, before)
+    yield lambda: not is_same_shape(seen().made[LINES], before)
     window.event_simulate(type="LEFTMOUSE", value="RELEASE", x=x + 64, y=y + 32)
 
 
@@ -202,7 +202,7 @@ def live_drawing_follows_modes(out: pathlib.Path) -> Steps:
         before = seen().drawing_of(WHOLE)
         yield from change(scene)
         hands.redraw()
-        yield lambda before=before: is_whole() and not is_same_shape(seen().whole, before)
+        yield lambda before=before: is_whole() and not is_same_shape(seen().made[WHOLE], before)
         assert hands.window().view_layer.objects.active.mode == mode
         hands.picture(out / f"26_live_{mode.lower()}.png")
     with hands.override():
@@ -221,7 +221,7 @@ def live_drawing_skips_frames(_out: pathlib.Path) -> Steps:
     with hands.override():
         bpy.ops.screen.animation_play()
     first, versions, start = scene.frame_current, LIVE.version, time.monotonic()
-    yield lambda: scene.frame_current > first + 3 and seen().lines_of[0] > versions + 1
+    yield lambda: scene.frame_current > first + 3 and seen().of[LINES][0] > versions + 1
     frames, seconds = scene.frame_current - first, time.monotonic() - start
     prepared = LIVE.version - versions
     print(f"playback: {frames} frames in {seconds:.1f} s, {prepared} prepared", flush=True)

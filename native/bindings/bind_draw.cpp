@@ -6,6 +6,7 @@
 #include "bindings/draw_options.h"
 #include "bindings/drawing_arrays.h"
 #include "bindings/jobs.h"
+#include "bindings/names.h"
 #include "pipeline/rough_lines.h"
 
 namespace illustrate::bindings {
@@ -200,9 +201,10 @@ struct DrawingInput {
 struct ViewDrawingInput {
   ViewHandle view;
   DrawingPointer previous;
+  Detail detail;
 
   std::shared_ptr<DrawingHandle> operator()(const Progress& progress) const {
-    return handle_of(draw(*view.view, progress, drawn(previous)));
+    return handle_of(draw(*view.view, progress, drawn(previous), detail));
   }
 };
 
@@ -242,16 +244,19 @@ void bind_view(py::module_& m) {
                              [](const ViewHandle& handle) { return handle.view->tone.exposure; })
       .def(
           "draw",
-          [](const ViewHandle& view, const py::object& progress, const DrawingHandle* previous) {
-            return made_from(ViewDrawingInput{view, drawing_of(previous)}, progress);
+          [](const ViewHandle& view, const py::object& progress, const DrawingHandle* previous,
+             const py::object& detail) {
+            return made_from(ViewDrawingInput{view, drawing_of(previous), read_detail(detail)},
+                             progress);
           },
-          "progress"_a = none, "previous"_a = none, "The drawing of the view.")
+          "progress"_a = none, "previous"_a = none, "detail"_a = "whole",
+          "The drawing of the view.")
       .def(
           "start_draw",
-          [](const ViewHandle& view, const DrawingHandle* previous) {
-            return start_job(ViewDrawingInput{view, drawing_of(previous)});
+          [](const ViewHandle& view, const DrawingHandle* previous, const py::object& detail) {
+            return start_job(ViewDrawingInput{view, drawing_of(previous), read_detail(detail)});
           },
-          "previous"_a = none, "The same as a Job.");
+          "previous"_a = none, "detail"_a = "whole", "The same as a Job.");
   m.def(
       "view",
       [](const std::shared_ptr<Prepared>& prepared, const Camera& camera,

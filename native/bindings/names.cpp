@@ -9,6 +9,7 @@ namespace {
 constexpr std::array<const char*, 4> scheme_names{"auto", "catmull-clark", "loop", "none"};
 constexpr std::array<const char*, 2> seeding_names{"surface-curves", "critical-curves"};
 constexpr std::array<const char*, 2> visibility_names{"labels", "vote"};
+constexpr std::array<const char*, 3> detail_names{"lines", "draft", "whole"};
 
 template <class Enumeration, std::size_t count>
 Enumeration read_word(const py::object& value, const std::string& name,
@@ -44,6 +45,10 @@ HatchSeeding read_seeding(const py::object& value, const std::string& name) {
 
 const char* name_of(HatchSeeding seeding) {
   return seeding_names[static_cast<std::size_t>(seeding)];
+}
+
+Detail read_detail(const py::object& value) {
+  return read_word<Detail>(value, "detail", detail_names);
 }
 
 }  // namespace illustrate::bindings

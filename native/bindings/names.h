@@ -4,7 +4,7 @@
 #include "bindings/arrays.h"
 #include "hatch/greedy/place_hatches.h"
 #include "mesh/polygon_mesh.h"
-#include "pipeline/options.h"
+#include "pipeline/draw.h"
 
 namespace illustrate::bindings {
 
@@ -19,5 +19,8 @@ const char* name_of(VisibilityMethod method);
 // 'surface-curves' or 'critical-curves'; throws InvalidInput for anything else.
 HatchSeeding read_seeding(const py::object& value, const std::string& name);
 const char* name_of(HatchSeeding seeding);
+
+// 'lines', 'draft' or 'whole'; throws InvalidInput for anything else.
+Detail read_detail(const py::object& value);
 
 }  // namespace illustrate::bindings

@@ -1,6 +1,7 @@
 #include "hatch/even_hatches.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -123,6 +124,20 @@ void finish_ends(StreamlineSet& set, const HatchView& view,
   straighten_joined(set, view, 2, threads);
 }
 
+// A view in which hatches are placed: where they are wanted, and some spacings around that.
+struct PlacingView {
+  PlacingView(const HatchScene& scene, const HatchOptions& options)
+      : tone(broadened(scene.tone, even_rules.midtone_margin * options.spacing_px,
+                       even_rules.shadow_margin * options.spacing_px)),
+        view({scene.surface, scene.field, scene.families, scene.camera, scene.visible, tone,
+              scene.graph, scene.curves, scene.spacing_scale, scene.unhatched, nullptr,
+              scene.resting},
+             options) {}
+
+  const ToneMap tone;
+  const HatchView view;
+};
+
 // Hatches groups of objects of one view, each as if it were alone.
 class GroupHatcher {
  public:
@@ -131,12 +146,7 @@ class GroupHatcher {
       : scene_(scene),
         options_(options),
         follows_(follows),
-        tone_(broadened(scene.tone, even_rules.midtone_margin * options.spacing_px,
-                        even_rules.shadow_margin * options.spacing_px)),
-        view_({scene.surface, scene.field, scene.families, scene.camera, scene.visible, tone_,
-               scene.graph, scene.curves, scene.spacing_scale, scene.unhatched, nullptr,
-               scene.resting},
-              options),
+        placing_(scene, options),
         passable_(passable_triangles(view_.scene(), Area::hatched)),
         undercuts_(scene, options) {}
 
@@ -145,7 +155,7 @@ class GroupHatcher {
     return {curves, first, seed_places(scene_, view_, curves), undercuts_.places(curves)};
   }
 
-  Hatches hatches(const HatchGroup& group, int threads, std::int64_t& steps,
+  Hatches hatches(const HatchGroup& group, int threads, std::atomic<std::int64_t>& steps,
                   const Progress& progress) const {
     const std::vector<StreamlineNode> seeds =
         without_resting(surface_seeds(view_, group.curves, group.hatched, passable_), view_);
@@ -161,7 +171,7 @@ class GroupHatcher {
     Hatches hatches = finished(set.streamlines, HatchView(scene_, options_));
     hatches.placed = places_of(set.streamlines);
     undercuts_.add(hatches, set, group, threads, progress.part(0.9, 1));
-    steps = set.steps;
+    steps += set.steps;
     return hatches;
   }
 
@@ -169,11 +179,24 @@ class GroupHatcher {
   const HatchScene& scene_;
   const HatchOptions& options_;
   const bool follows_;
-  const ToneMap tone_;  // what is hatched broadened
-  const HatchView view_;
+  const PlacingView placing_;
+  const HatchView& view_ = placing_.view;
   const std::vector<std::uint8_t> passable_;
   const UndercutHatcher undercuts_;
 };
+
+// The hatches of all objects, of which make(group, threads, progress) makes those of a group.
+template <class Make>
+Hatches of_groups(const HatchScene& scene, HatchGroup all, int threads, const Progress& progress,
+                  const Make& make) {
+  const std::vector<HatchGroup> groups = hatch_groups(scene, std::move(all));
+  std::vector<Hatches> made(groups.size());
+  parallel_parts(std::vector<std::size_t>(groups.size(), 1), {}, threads, progress,
+                 [&](std::size_t g, int of_group, const Progress& part) {
+                   made[g] = make(groups[g], of_group, part);
+                 });
+  return joined(std::move(made));
+}
 
 }  // namespace
 
@@ -196,15 +219,32 @@ Hatches even_hatches(const HatchScene& scene, const CurvesOfObjects& curves,
   validate(scene);
   progress.report(0);
   const GroupHatcher hatcher(scene, options, !first.empty());
-  const std::vector<HatchGroup> groups = hatch_groups(scene, hatcher.all(curves, first));
-  std::vector<Hatches> made(groups.size());
-  std::vector<std::int64_t> steps(groups.size());
-  parallel_parts(std::vector<std::size_t>(groups.size(), 1), {}, threads, progress,
-                 [&](std::size_t g, int of_group, const Progress& part) {
-                   made[g] = hatcher.hatches(groups[g], of_group, steps[g], part);
-                 });
-  Hatches hatches = joined(std::move(made));
-  for (const std::int64_t count : steps) counts["hatch_steps"] += count;
+  std::atomic<std::int64_t> steps{0};
+  Hatches hatches = of_groups(scene, hatcher.all(curves, first), threads, progress,
+                              [&](const HatchGroup& group, int of_group, const Progress& part) {
+                                return hatcher.hatches(group, of_group, steps, part);
+                              });
+  counts["hatch_steps"] += steps;
+  counts["hatches"] += static_cast<std::int64_t>(hatches.kinds.size());
+  progress.report(1);
+  return hatches;
+}
+
+Hatches draft_hatches(const HatchScene& scene, const CurvesOfObjects& curves,
+                      const Ragged<SurfacePoint>& first, const HatchOptions& options, int threads,
+                      Counts& counts, const Progress& progress) {
+  validate(options);
+  validate(scene);
+  progress.report(0);
+  const PlacingView placing(scene, options);
+  const SeedPlaces places{object_spacings(scene, options.spacing_px).plain, {}, {}};
+  const auto draft = [&](const HatchGroup& group, int, const Progress& part) {
+    StreamlineSet set(placing.view);
+    place_curves(set, placing.view, group.first, even_rules.kept(), part.part(0, 0.3));
+    place_surface_curves(set, placing.view, group, part.part(0.3, 0.9));
+    return finished(set.streamlines, HatchView(scene, options));
+  };
+  Hatches hatches = of_groups(scene, {curves, first, places, {}}, threads, progress, draft);
   counts["hatches"] += static_cast<std::int64_t>(hatches.kinds.size());
   progress.report(1);
   return hatches;

@@ -26,4 +26,11 @@ Hatches even_hatches(const HatchScene& scene, const CurvesOfObjects& curves,
                      const Ragged<SurfacePoint>& first, const HatchOptions& options, int threads,
                      Counts& counts, const Progress& progress = {});
 
+// The same as a first look, in a quarter of the time: what `even_hatches` starts from, and clips.
+// Gaps are not filled, nothing is evened out, and undercuts have none of their own. Nothing is told
+// of what was placed (Hatches::placed), nor counted of steps.
+Hatches draft_hatches(const HatchScene& scene, const CurvesOfObjects& curves,
+                      const Ragged<SurfacePoint>& first, const HatchOptions& options, int threads,
+                      Counts& counts, const Progress& progress = {});
+
 }  // namespace illustrate

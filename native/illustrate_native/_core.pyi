@@ -1010,17 +1010,25 @@ class View:
     @property
     def exposure(self) -> float:
         """What the light was multiplied by; 1 where nothing is hatched."""
-    def draw(self, progress: _Progress | None = None, previous: Drawing | None = None) -> Drawing:
+    def draw(
+        self,
+        progress: _Progress | None = None,
+        previous: Drawing | None = None,
+        detail: str = "whole",
+    ) -> Drawing:
         """The drawing of the view, the same that `draw` makes at once.
 
         Args:
             progress: told how far it is.
             previous: the drawing of the frame before, as in `draw`.
+            detail: 'lines' alone; a 'draft', whose hatches are as they are first placed, with gaps
+                and uneven, in less than half of the time; or the 'whole'.
 
         Raises:
+            InvalidInput: a detail that there is none of.
             Cancelled: progress returned False. What progress raises passes through.
         """
-    def start_draw(self, previous: Drawing | None = None) -> Job:
+    def start_draw(self, previous: Drawing | None = None, detail: str = "whole") -> Job:
         """`draw` as a job, whose result is a Drawing."""
 
 def rough_silhouettes(prepared: Prepared, camera: Camera) -> _Singles:

@@ -23,8 +23,12 @@ namespace {
 // The stages that finish one view, each with its time.
 class Finisher {
  public:
-  explicit Finisher(const View& view)
-      : view_(view), scene_(*view.scene), camera_(view.camera), options_(view.options) {
+  Finisher(const View& view, Detail detail)
+      : view_(view),
+        scene_(*view.scene),
+        camera_(view.camera),
+        options_(view.options),
+        detail_(detail) {
     result_.counts = view.counts;
     result_.timings = view.timings;
   }
@@ -55,7 +59,7 @@ class Finisher {
                      view_.visible,       view_.tone, view_.graph, curves,
                      view_.spacing_scale, unhatched};
     // Which pass a streamline is of nobody remembers: those of passes are evened out anew.
-    if (view_.materials.groups.empty()) {
+    if (view_.materials.groups.empty() && detail_ == Detail::whole) {
       tiles_ = timed(result_.timings["hatch"], [&] {
         return std::make_shared<const ImageTiles>(
             image_tiles(whole, options_.hatch, options_.threads));
@@ -149,8 +153,9 @@ class Finisher {
     if (options_.hatch.seeding == HatchSeeding::critical_curves) {
       return place_hatches(scene, options_.hatch, result_.counts, progress);
     }
-    const Hatches hatches = even_hatches(scene, curves_.of_objects, previous, options_.hatch,
-                                         options_.threads, result_.counts, progress);
+    const auto placing = detail_ == Detail::draft ? draft_hatches : even_hatches;
+    const Hatches hatches = placing(scene, curves_.of_objects, previous, options_.hatch,
+                                    options_.threads, result_.counts, progress);
     for (std::size_t c = 0; c < hatches.placed.size(); ++c) placed_.add(hatches.placed[c]);
     return hatches;
   }
@@ -181,6 +186,7 @@ class Finisher {
   const SeenScene& scene_;
   const Camera& camera_;
   const DrawOptions& options_;
+  const Detail detail_;
   Ragged<SurfacePoint> previous_, placed_;
   std::optional<Ragged<Vec3>> last_drawn_;  // hatches
   std::vector<std::uint8_t> follows_;       // (objects) 1: has hatches of the last drawing
@@ -190,21 +196,23 @@ class Finisher {
   DrawResult result_;
 };
 
-DrawResult finished(const View& view, const Progress& progress, const Drawing* previous) {
-  Finisher finisher(view);
-  if (anything_is_hatched(view.options)) {
+DrawResult finished(const View& view, const Progress& progress, const Drawing* previous,
+                    Detail detail) {
+  Finisher finisher(view, detail);
+  if (detail != Detail::lines && anything_is_hatched(view.options)) {
     if (previous) finisher.follow(*previous, view.prepared.surface());
     finisher.hatch(progress.part(0, 0.9));
   }
   DrawResult result = std::move(finisher).strokes(progress.part(0.9, 1, "stroke"));
-  if (view.glass) add_glass(result, finished(*view.glass, {}, nullptr));
+  if (view.glass) add_glass(result, finished(*view.glass, {}, nullptr, detail));
   return result;
 }
 
 }  // namespace
 
-DrawResult draw(const View& view, const Progress& progress, const Drawing* previous) {
-  DrawResult result = finished(view, progress, previous);
+DrawResult draw(const View& view, const Progress& progress, const Drawing* previous,
+                Detail detail) {
+  DrawResult result = finished(view, progress, previous, detail);
   Drawing& drawing = result.drawing;
   drawing.surface = view.prepared.shared_surface();
   drawing.object_names = names_of(view.prepared.meshes());

@@ -5,6 +5,11 @@
 
 namespace illustrate {
 
+// How much is made of a view. Lines are those of the whole drawing. A draft has hatches, too, but
+// as they are first placed (hatch/even_hatches.h: draft_hatches): something to look at while the
+// whole is made. The paper's seeding knows no draft and makes the whole.
+enum class Detail : std::uint8_t { lines, draft, whole };
+
 struct DrawResult {
   Drawing drawing;
   LabelledGraph graph;
@@ -21,8 +26,9 @@ DrawResult draw(const Prepared& prepared, const Camera& camera, const DrawOption
                 const std::vector<Light>& lights = {}, const Progress& progress = {},
                 const Drawing* previous = nullptr);
 
-// The same from a view that is there.
-DrawResult draw(const View& view, const Progress& progress = {}, const Drawing* previous = nullptr);
+// The same from a view that is there. What follows a draft places its hatches anew.
+DrawResult draw(const View& view, const Progress& progress = {}, const Drawing* previous = nullptr,
+                Detail detail = Detail::whole);
 
 // The triangles that carry silhouettes, by the dual search, or `brute_force` from the signs at the
 // corners of every triangle.

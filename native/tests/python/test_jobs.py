@@ -11,8 +11,9 @@ from pathlib import Path
 import illustrate_native as ill
 import numpy as np
 import pytest
-from checker import digest, prepared_of
-from shapes import cube, look_at, torus
+from checker import check_drawing, digest, prepared_of
+from numpy.typing import NDArray
+from shapes import Shape, cube, drape, klein_bottle, look_at, torus
 
 PATIENCE_S = 60.0
 TIMES = 100
@@ -61,6 +62,54 @@ def test_a_view_is_made_before_the_drawing_that_it_follows() -> None:
     assert drawing.result().frame == 1
     other = ill.view(prepared, look_at(), lights=lights)
     assert digest(other.draw()) == digest(first)
+
+
+@pytest.mark.parametrize("shape", [cube(), torus(), klein_bottle(), drape()])
+def test_lines_and_a_draft_come_before_the_whole(shape: Shape) -> None:
+    camera = look_at()
+    view = ill.view(prepared_of(shape), camera, lights=[ill.Light("head")])
+    lines, draft, whole = (view.draw(detail=detail) for detail in ("lines", "draft", "whole"))
+    for drawing in (lines, draft, whole):
+        check_drawing(drawing, camera)
+        assert np.array_equal(points_of_lines(drawing), points_of_lines(whole))
+    assert lines.kinds.max() < ill.Kind.HATCH
+    assert 0 < hatched_px(draft) < 1.2 * hatched_px(whole)
+    job = view.start_draw(detail="draft")
+    assert job.wait(PATIENCE_S) and digest(job.result()) == digest(draft)
+    assert digest(view.draw()) == digest(whole), "drafts leave nothing behind"
+
+
+def test_a_draft_is_followed_and_follows() -> None:
+    view = ill.view(prepared_of(torus()), look_at())
+    draft, alone = view.draw(detail="draft"), view.draw()
+    after = view.draw(previous=draft)
+    assert after.frame == 1 and hatched_px(after) > 0.9 * hatched_px(alone)
+    followed = view.draw(previous=alone, detail="draft")
+    assert hatched_px(followed) > 0.9 * hatched_px(alone), "a draft follows what was placed"
+
+
+def test_a_detail_that_there_is_none_of_is_refused() -> None:
+    view = ill.view(prepared_of(torus()), look_at())
+    for draw in (view.draw, view.start_draw):
+        with pytest.raises(
+            ill.InvalidInput, match="detail is 'fine', expected 'lines', 'draft' or"
+        ):
+            draw(detail="fine")
+
+
+def points_of_lines(drawing: ill.Drawing) -> NDArray[np.float64]:
+    is_line = np.repeat(drawing.kinds < ill.Kind.HATCH, np.diff(drawing.offsets))
+    return drawing.points[is_line]
+
+
+def hatched_px(drawing: ill.Drawing) -> float:
+    """How long the hatches are, but those of undercuts, which drafts have none of."""
+    is_hatch = np.isin(drawing.kinds, (ill.Kind.HATCH, ill.Kind.CROSS_HATCH))
+    ends = drawing.offsets[1:-1] - 1
+    steps = np.linalg.norm(np.diff(drawing.image, axis=0), axis=1)
+    steps[ends] = 0
+    of_stroke = np.repeat(is_hatch, np.diff(drawing.offsets))[:-1]
+    return float(steps[of_stroke].sum())
 
 
 def test_a_view_keeps_what_it_is_of() -> None:

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/errors.h"
+#include "hatch/streamlines/place_curves.h"
 #include "tests/cpp/hatch/hatch_scene.h"
 
 namespace illustrate {
@@ -277,6 +278,30 @@ TEST(EvenHatches, AreTheSameOnAllThreadsAndCanBeCancelled) {
   const CurvesOfObjects of_objects{{&curves}};
   EXPECT_THROW(even_hatches(scene.view(), of_objects, {}, {}, 1, scene.counts, progress),
                Cancelled);
+}
+
+// A draft starts from the same curves, a spacing apart: it has gaps, of up to three.
+TEST(DraftHatches, CoverWhatIsHatchedApartFromGaps) {
+  Scene scene = plane_scene();
+  const Hatches hatches = scene.draft();
+  check_hatches(scene, hatches);
+  EXPECT_GE(least_distance(hatches, parallel), PlaceRules().test * 8 - 0.1);
+  const Vec3 one(std::cos(0.35), std::sin(0.35), 0), other(-one.y(), one.x(), 0);
+  EXPECT_LT(worst_gap(scene, hatches, one), 3 * 8);
+  EXPECT_LT(worst_gap(scene, hatches, other), 3 * 8);
+  EXPECT_EQ(scene.counts["hatches"], static_cast<int>(hatches.curves.size()));
+  EXPECT_TRUE(hatches.placed.empty());
+}
+
+TEST(DraftHatches, AreTheSameOnAllThreadsAndStayOfTheDrawingBefore) {
+  Scene scene = torus_scene();
+  const Hatches a = scene.draft({}, 1), b = scene.draft({}, 3);
+  ASSERT_EQ(a.curves.offsets, b.curves.offsets);
+  for (std::size_t i = 0; i < a.curves.values.size(); ++i) {
+    EXPECT_EQ(a.curves.values[i].position, b.curves.values[i].position);
+  }
+  const Hatches whole = scene.even();
+  EXPECT_GT(share_kept(whole, scene.draft(whole.placed)), 0.97);
 }
 
 TEST(EvenHatches, NothingSeenGivesNothing) {

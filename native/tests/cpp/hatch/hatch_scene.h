@@ -87,9 +87,15 @@ struct Scene {
   }
   Hatches place() { return place_hatches(view(), options, counts); }
   Hatches even(const Ragged<SurfacePoint>& first = {}, int threads = 1) {
+    return made_by(even_hatches, first, threads);
+  }
+  Hatches draft(const Ragged<SurfacePoint>& first = {}, int threads = 1) {
+    return made_by(draft_hatches, first, threads);
+  }
+  Hatches made_by(decltype(even_hatches)& make, const Ragged<SurfacePoint>& first, int threads) {
     ObjectCurves curves_of_objects(surface, field);
     const std::vector<double> finest(surface.object_is_smooth.size(), 0);
-    return even_hatches(view(), curves_of_objects.down_to(finest), first, options, threads, counts);
+    return make(view(), curves_of_objects.down_to(finest), first, options, threads, counts, {});
   }
   Hatches reduce(const Hatches& hatches) {
     return reduce_hatches(hatches, view(), options, counts);
