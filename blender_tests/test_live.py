@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from illustrate.reading.scene import read_camera
 from illustrate.running import illustration
-from illustrate.viewport import live, live_view
+from illustrate.viewport import live, live_view, overlay
 from illustrate.viewport.live import DRAFT, LINES, LIVE, REST_S, VIEW, WHOLE, Seen
 from illustrate.viewport.live_strokes import has_others
 from illustrate.viewport.ribbons import ribbons_of
@@ -127,6 +127,18 @@ def test_no_draft_takes_the_place_of_a_whole(scene: Any) -> None:
     LIVE.look_is_stale = True
     assert parts_drawn(10.0, 0.0) == [VIEW, LINES, WHOLE]
     assert seen.hatched() is seen.made[WHOLE] is not whole
+
+
+def test_a_drawing_without_hatches_shows_its_lines(scene: Any, monkeypatch: Any) -> None:
+    tools.cube_scene(scene)
+    scene.illustrate.hatching = False
+    seen, shown = drawn(), []
+    monkeypatch.setattr(overlay, "ribbon_batch", lambda r: r if len(r.triangles) else None)
+    monkeypatch.setattr(overlay, "draw_ribbons", lambda batch, _region: shown.append(batch))
+    region = SimpleNamespace(as_pointer=lambda: 1)
+    context = SimpleNamespace(scene=scene, region=region, region_data=None)
+    live_view.LiveView()._draw_strokes(context, seen)
+    assert len(shown) == 1 and shown[0] is not None
 
 
 def test_a_view_that_moves_forgets_what_was_found_of_it(scene: Any) -> None:

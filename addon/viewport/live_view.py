@@ -140,11 +140,12 @@ class LiveView:
         from . import overlay
 
         for made, hatches in ((seen.hatched(), True), (seen.drawing_of(LINES), False)):
-            if made is not None:
-                overlay.draw_ribbons(self._batch(context, seen, made, hatches), context.region)
+            batch = None if made is None else self._batch(context, seen, made, hatches)
+            if batch is not None:
+                overlay.draw_ribbons(batch, context.region)
 
     def _batch(self, context: Any, seen: Seen, made: Illustration, hatches: bool) -> Any:
-        """The hatches of a drawing, or all else; made once."""
+        """The hatches of a drawing, or all else, made once; None where there are none."""
         from . import overlay
 
         inks = inks_of(context.scene.illustrate)

@@ -9,6 +9,7 @@ from typing import Any
 import bpy
 
 PANEL = "ILLUSTRATE_PT_main"
+OF_REGISTERED = ("bl_rna", "__dict__", "__weakref__")  # what no copy of a class may have
 _drawn: list[int] = [0]
 
 
@@ -98,8 +99,12 @@ def paper_button_place() -> tuple[int, int]:
 
 @contextlib.contextmanager
 def opened(panel: Any) -> Iterator[None]:
-    """A panel as it is when it is open, below all others."""
-    copy = type(panel.__name__ + "_open", (panel,), {
+    """A panel as it is when it is open, below all others.
+
+    A copy and no heir: with an heir that goes Blender forgets the class of the panel, too.
+    """
+    own = {name: value for name, value in vars(panel).items() if name not in OF_REGISTERED}
+    copy = type(panel.__name__ + "_open", panel.__bases__, own | {
         "bl_idname": panel.bl_idname + "_open", "bl_options": set(), "bl_parent_id": "",
         "bl_order": 1000,
     })  # fmt: skip

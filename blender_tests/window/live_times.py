@@ -2,8 +2,9 @@
 
     ILLUSTRATE_MEASURE="MESH.ply [SECONDS]" tools/test_window.sh measure_live
 
-Orbits a mesh; prints our part of each redraw and the longest look at the scene, in time of the
-processor, memory, and how soon hatches follow when the view rests.
+Orbits a mesh, each of several turns so many seconds; prints our part of each redraw and the longest
+look at the scene, in time of the processor, memory, and how soon hatches follow when the view
+rests: a draft of them, then the whole.
 """
 
 import os
@@ -22,6 +23,8 @@ from illustrate.viewport.live import LIVE, WHOLE
 from illustrate.viewport.live_view import VIEW
 from mathutils import Quaternion
 from staging import Steps, new_scene
+
+TURNS = 4
 
 
 def resident_mb() -> float:
@@ -54,6 +57,10 @@ def is_whole() -> bool:
     return LIVE.is_idle() and any(seen.drawing_of(WHOLE) for seen in LIVE.views.values())
 
 
+def is_hatched() -> bool:
+    return any(seen.hatched() for seen in LIVE.views.values())
+
+
 def turn(angle: float) -> None:
     view = hands.viewport().spaces.active.region_3d
     view.view_rotation = Quaternion((0, 0, 1), angle) @ view.view_rotation
@@ -79,7 +86,7 @@ def measure_live(_out: pathlib.Path) -> Steps:
     VIEW.seconds.clear()
     VIEW.blocks.clear()
     memory = [resident_mb()]
-    for _ in range(2):  # the first turn makes what the second only uses
+    for _ in range(TURNS):  # the first turn makes what the others only use
         start = time.monotonic()
         while time.monotonic() - start < seconds:
             turn(0.05)
@@ -88,15 +95,18 @@ def measure_live(_out: pathlib.Path) -> Steps:
         memory.append(resident_mb())
     told("our part of a redraw while the view turned", VIEW.seconds)
     told("our part of a timer's call", VIEW.blocks)
-    print("memory: {:.0f} MB before, {:.0f} MB, {:.0f} MB after".format(*memory), flush=True)
-    rests = []
+    print("memory, before and after each turn, MB:", *map(round, memory), flush=True)
+    drafts, rests = [], []
     for _ in range(8):
         turn(0.4)
         hands.redraw()
         start = time.monotonic()
+        yield is_hatched
+        drafts.append(time.monotonic() - start)
         yield is_whole
         rests.append(time.monotonic() - start)
-    told("hatches after the view came to rest", rests)
+    told("hatches after the view came to rest", drafts)
+    told("the whole after the view came to rest", rests)
     told("our part of a redraw with strokes", VIEW.seconds[-30:])
     hands.manager().illustrate_live = False
     live_view.time = time
