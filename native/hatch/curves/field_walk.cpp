@@ -10,9 +10,6 @@ namespace {
 // triangle is not known.
 constexpr double least_weight = 1e-7;
 
-// A step that crosses more edges than this goes nowhere.
-constexpr int most_crossings = 4096;
-
 std::array<double, 3> weights_of(const SurfacePoint& on) {
   return {1 - on.b1 - on.b2, on.b1, on.b2};
 }
@@ -94,7 +91,7 @@ bool FieldWalker::cross_edge(SurfacePoint& on, int edge, int& entry_edge, double
 double FieldWalker::advance(SurfacePoint& on, Vec3& tangent, double length) const {
   int entry_edge = none;
   double side = 1;
-  for (int crossing = 0; crossing < most_crossings; ++crossing) {
+  for (Headway headway(length); headway.is_made(length);) {
     const Course step = course_along_cross(on, tangent, entry_edge, length);
     if (step.exit_edge == none) return length;
     move(on, step, std::min(step.exit, length));
@@ -109,7 +106,7 @@ double FieldWalker::advance(SurfacePoint& on, Vec3& tangent, double length) cons
 bool FieldWalker::slide(SurfacePoint& on, Vec3 run) const {
   int entry_edge = none;
   double side = 1;
-  for (int crossing = 0; crossing < most_crossings; ++crossing) {
+  for (Headway headway(run.norm()); headway.is_made(run.norm());) {
     const Course step = course(on, run);
     if (step.exit_edge == none) return false;
     if (entry_edge != none && !(step.change[idx(previous_corner(entry_edge))] > 0)) return false;

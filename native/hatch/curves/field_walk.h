@@ -13,6 +13,29 @@ struct Course {
   int exit_edge = none;          // none: the triangle has no area, or there is no way
 };
 
+// Tells a walk that gets nowhere: round a vertex it may cross edge after edge without end.
+class Headway {
+ public:
+  explicit Headway(double length) : least_(least_share * length), last_(length) {}
+
+  // Asked at each edge, with the length that is left: false where none of the last edges have
+  // brought the walk on, or it has crossed more than any walk needs.
+  bool is_made(double left) {
+    if (++crossings_ % between_looks != 0) return true;
+    const bool is_less = last_ - left > least_;
+    last_ = left;
+    return is_less && crossings_ < most_crossings;
+  }
+
+ private:
+  static constexpr int between_looks = 64;     // edges; few vertices have as many
+  static constexpr double least_share = 1e-6;  // of the length, between looks
+  static constexpr int most_crossings = 4096;
+
+  double least_, last_;
+  int crossings_ = 0;
+};
+
 // Lines are straight inside each triangle and go on in the triangle across the edge. Across the
 // seam of a double cover only the sheet's normal changes sign. Nothing crosses boundaries, creases
 // or seams.

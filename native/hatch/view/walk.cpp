@@ -8,9 +8,6 @@
 namespace illustrate {
 namespace {
 
-// A step that crosses more edges than this goes nowhere.
-constexpr int most_crossings = 4096;
-
 std::array<double, 3> weights_of(const SurfacePoint& on) {
   return {1 - on.b1 - on.b2, on.b1, on.b2};
 }
@@ -83,7 +80,7 @@ double Walker::px_along(const SurfacePoint& on, const Vec3& direction) const {
 WalkEnd Walker::advance(Walk& walk, double length_px) const {
   double rest = length_px;
   int entry_edge = none;
-  for (int crossing = 0; crossing < most_crossings; ++crossing) {
+  for (Headway headway(rest); headway.is_made(rest);) {
     const double front = walk.facing * facing_at(walk.on);
     if (!(front > 0)) return WalkEnd::silhouette;
     const Course step = walker_.course_along_cross(walk.on, walk.tangent, entry_edge,

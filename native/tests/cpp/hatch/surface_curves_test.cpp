@@ -58,6 +58,47 @@ TEST(FieldWalker, TellsTheLengthThatIsLeft) {
   EXPECT_NEAR(walker.advance(on, tangent, 5), 5 - (1 - x - 0.5), 1e-5);
 }
 
+TEST(Headway, IsLostWhereManyEdgesBringNothing) {
+  const auto crossed = [](const std::vector<double>& steps) {
+    double left = 1;
+    std::size_t edges = 0;
+    for (Headway headway(left); headway.is_made(left) && edges < 10'000; ++edges) {
+      left -= steps[std::min(edges, steps.size() - 1)];
+    }
+    return edges;
+  };
+  EXPECT_EQ(crossed({0}), 63U);
+  EXPECT_EQ(crossed({1e-9}), 63U) << "rounding is no way";
+  EXPECT_EQ(crossed({1e-5}), 4095U) << "no walk needs more";
+  std::vector<double> fan(41, 0);
+  fan.back() = 1e-3;  // round a vertex of forty edges, then on
+  EXPECT_GT(crossed(fan), 4000U);
+}
+
+// On this pyramid a walk comes to the tip and crosses edge after edge there.
+TEST(FieldWalker, EndsWhereItTurnsRoundAVertex) {
+  const Vec3 tip(0, 0, 1.2268472180490588);
+  PolygonMesh pyramid;
+  pyramid.positions = {tip, Vec3::UnitX(), Vec3(std::cos(2.1), std::sin(2.1), 0),
+                       Vec3(std::cos(4.2), std::sin(4.2), 0)};
+  pyramid.face_sizes = {3, 3, 3};
+  pyramid.corner_vertices = {0, 1, 2, 0, 2, 3, 0, 3, 1};
+  const Surface surface = shapes::plain_surface(pyramid);
+  const std::vector<Vec3> along{
+      Vec3(-0.55857307459445893, 0.28892981569566656, -0.097887833909776623),
+      Vec3(-0.56737498391845542, -0.62721109301057432, -0.20598383015927613),
+      Vec3(0.51628568278616149, 0.89841464319650854, -0.79806893716042315),
+      Vec3(-0.41671220942598741, 0.035572672202040634, 0.67933401075372202)};
+  const CrossField field = field_of(surface, [&](const Vec3& p) {
+    const auto at = std::find(pyramid.positions.begin(), pyramid.positions.end(), p);
+    return along[static_cast<std::size_t>(at - pyramid.positions.begin())];
+  });
+  SurfacePoint on{0, 0.02, 0.03};
+  Vec3 tangent(-0.53522807620394508, -0.59282464378615551, 0.12369690357796537);
+  EXPECT_GT(FieldWalker(surface, field).advance(on, tangent, 5), 4);
+  EXPECT_LT((position_at(surface, on) - tip).norm(), 1e-3);
+}
+
 TEST(SurfaceCurves, AreStraightLinesFromEdgeToEdgeOnASquare) {
   const Square square;
   const SurfaceCurves curves = surface_curves(square.surface, square.field);
