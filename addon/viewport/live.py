@@ -227,6 +227,7 @@ class LiveDrawing:
         """What went wrong is not tried again before something changes."""
         self.problem = problem
         if running.seen is not None:
+            running.seen.ahead = None
             parts = (LINES,) if running.part == LINES else (LINES, DRAFT, WHOLE)
             running.seen.of.update(dict.fromkeys(parts, running.of))
 
