@@ -46,7 +46,10 @@ def load(path: str) -> Any:
     monkey = bpy.data.objects["Suzanne"]
     bpy.data.objects.remove(monkey)
     with hands.override():
-        bpy.ops.import_mesh.ply(filepath=path)
+        if bpy.app.version < (4, 0, 0):
+            bpy.ops.import_mesh.ply(filepath=path)
+        else:
+            bpy.ops.wm.ply_import(filepath=path)
     thing = hands.window().view_layer.objects.active
     thing.scale = (2.0 / max(thing.dimensions),) * 3
     thing.data.polygons.foreach_set("use_smooth", [True] * len(thing.data.polygons))
