@@ -1,6 +1,7 @@
 """The live drawing without a window: what it computes, when, and what it would show."""
 
 import time
+from collections.abc import Iterator
 from types import SimpleNamespace
 from typing import Any
 
@@ -35,10 +36,18 @@ def drawn(view: View | None = None, changed: bool = True) -> Seen:
     seen = LIVE.look(1, view or camera_view(bpy.context.scene))
     seen.moved_at -= REST_S
     LIVE.shapes_are_stale = LIVE.shapes_are_stale or changed
+    for _ in ticks():
+        pass
+    return seen
+
+
+def ticks() -> Iterator[None]:
+    """Until all is drawn, or cannot be."""
     for _ in range(6000):
         LIVE.tick(bpy.context)
+        yield
         if LIVE.is_idle() or LIVE.problem:
-            return seen
+            return
         time.sleep(0.005)
     raise AssertionError("the live drawing was never ready")
 
@@ -94,14 +103,11 @@ def parts_drawn(whole_s: float, tones_s: float) -> list[str]:
     """Of a view that rests, one after another, where the last ones took so long."""
     LIVE.whole_s, LIVE.tones_s = whole_s, tones_s
     parts: list[str] = []
-    for _ in range(6000):
-        LIVE.tick(bpy.context)
+    for _ in ticks():
         if LIVE.running is not None and parts[-1:] != [LIVE.running.part]:
             parts.append(LIVE.running.part)
-        if LIVE.is_idle():
-            return parts
-        time.sleep(0.001)
-    raise AssertionError("the live drawing was never ready")
+    assert LIVE.is_idle()
+    return parts
 
 
 def test_parts_come_one_after_another_where_hatches_take_long(scene: Any) -> None:
@@ -146,9 +152,7 @@ def test_a_view_that_moves_forgets_what_was_found_of_it(scene: Any) -> None:
     seen = drawn()
     seen.of.clear()
     LIVE.whole_s, LIVE.tones_s = 10.0, 0.0
-    while seen.ahead is None:
-        LIVE.tick(bpy.context)
-        time.sleep(0.001)
+    next(_ for _ in ticks() if seen.ahead is not None)
     assert seen.hatched() is None
     scene.camera.location.x += 0.3
     bpy.context.view_layer.update()

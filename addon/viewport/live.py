@@ -42,15 +42,6 @@ Version = tuple[int, bytes]  # of the scene, and the key of a view
 
 
 @dataclass
-class Ahead:
-    """A view whose lines and tones have been found (illustrate_native.View)."""
-
-    of: Version
-    request: Any  # with that view
-    arrays: SceneArrays
-
-
-@dataclass
 class Seen:
     """What is known of one viewport: what has been made of each part, and what it was begun for."""
 
@@ -58,7 +49,7 @@ class Seen:
     moved_at: float
     made: dict[str, Illustration] = field(default_factory=dict)
     of: dict[str, Version] = field(default_factory=dict)
-    ahead: Ahead | None = None
+    ahead: Any = None  # the request whose lines and tones have been found (illustrate_native.View)
 
     @property
     def key(self) -> bytes:
@@ -87,9 +78,8 @@ class Running:
 
     job: Any
     part: str
-    version: int
-    key: bytes  # of the view
     arrays: SceneArrays
+    of: Version = (0, b"")  # that it was begun for
     seen: Seen | None = None
     request: Any = None
 
@@ -97,11 +87,6 @@ class Running:
     def has_hatches(self) -> bool:
         """It draws hatches, or is on the way to them: that takes long."""
         return self.request is not None and bool(self.request.draw["hatching"])
-
-    @property
-    def of(self) -> Version:
-        """What it was begun for."""
-        return self.version, self.key
 
 
 class LiveDrawing:
@@ -217,7 +202,7 @@ class LiveDrawing:
         elif running.part == VIEW:
             assert running.seen is not None
             running.request.view = made
-            running.seen.ahead = Ahead(running.of, running.request, running.arrays)
+            running.seen.ahead, running.seen.of[VIEW] = running.request, running.of
             return False
         else:
             self._keep(running, made)
@@ -286,7 +271,7 @@ class LiveDrawing:
         assert arrays is not None
         put_into_world(arrays)
         job = _start_preparing(scene, arrays, self.prepared)
-        self.running = Running(job, PREPARE, self.version, b"", arrays)
+        self.running = Running(job, PREPARE, arrays)
 
     def _next_part(self, now: float) -> tuple[Seen, str] | None:
         """What is to be drawn next: lines of all views before hatches of any that take long."""
@@ -294,7 +279,7 @@ class LiveDrawing:
             return None
         for part in (WHOLE,) if self.whole_s < SOON_S else (LINES, DRAFT, WHOLE):
             for seen in self._resting(now):
-                if seen.wants(part, (self.version, seen.key)):
+                if seen.wants(part, self._version_of(seen)):
                     return seen, part
         return None
 
@@ -303,35 +288,40 @@ class LiveDrawing:
         if self.prepared is None:
             return None
         views = self._resting(now)
-        return next((s for s in views if s.wants(LINES, (self.version, s.key))), None)
+        return next((seen for seen in views if seen.wants(LINES, self._version_of(seen))), None)
 
     def _resting(self, now: float) -> list[Seen]:
         return [seen for seen in self.views.values() if now - seen.moved_at >= REST_S]
 
+    def _version_of(self, seen: Seen) -> Version:
+        return self.version, seen.key
+
     def _draw(self, scene: Any, seen: Seen, part: str) -> None:
         """Starts to draw a part of a view; of hatches that take long, first the view."""
-        ahead, of = seen.ahead, (self.version, seen.key)
-        if ahead is not None and ahead.of == of:
-            job = start_drawing(ahead.request, self.prepared, part)
-            self.running = Running(job, part, *of, ahead.arrays, seen, ahead.request)
-            return
-        seen.ahead = None
-        arrays, request = self._request(scene, seen)
-        if not request.draw["hatching"]:
-            part = WHOLE
-        elif part == LINES and (self.shapes_are_stale or self.tones_s > TONES_SOON_S):
-            request.draw |= {"hatching": False, "tone_image": None}
-        elif self.whole_s >= SOON_S:
-            part = VIEW
-        start = start_view if part == VIEW else start_drawing
-        job = start(request, self.prepared)
-        self.running = Running(job, part, *of, arrays, seen, request)
+        of, request = self._version_of(seen), seen.ahead
+        if request is None or seen.of.get(VIEW) != of:
+            seen.ahead = None
+            request = self._request(scene, seen)
+            part = self._first_part(request, part)
+        if part == VIEW:
+            job = start_view(request, self.prepared)
+        else:
+            job = start_drawing(request, self.prepared, part)
+        self.running = Running(job, part, request.arrays, of, seen, request)
 
-    def _request(self, scene: Any, seen: Seen) -> tuple[SceneArrays, Any]:
+    def _first_part(self, request: Any, part: str) -> str:
+        """What is made first on the way to a part; a request for lines alone asks for no tones."""
+        if not request.draw["hatching"]:
+            return WHOLE
+        if part == LINES and (self.shapes_are_stale or self.tones_s > TONES_SOON_S):
+            request.draw |= {"hatching": False, "tone_image": None}
+            return LINES
+        return VIEW if self.whole_s >= SOON_S else part
+
+    def _request(self, scene: Any, seen: Seen) -> Any:
         assert self.arrays is not None
-        arrays = replace(self.arrays, camera=seen.view.camera)
         with IMAGES.asked():
-            return arrays, request_of(scene, arrays)
+            return request_of(scene, replace(self.arrays, camera=seen.view.camera))
 
 
 def _start_preparing(scene: Any, arrays: SceneArrays, previous: Any) -> Any:

@@ -100,6 +100,7 @@ class LiveView:
         start = time.perf_counter()
         regions = {r.as_pointer() for area in viewports(bpy.context) for r in area.regions}
         LIVE.views = {pointer: v for pointer, v in LIVE.views.items() if pointer in regions}
+        self._batches = {key: v for key, v in self._batches.items() if key[0] in regions}
         if LIVE.tick(bpy.context):
             redraw()
         _note(self.blocks, start)

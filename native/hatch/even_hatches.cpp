@@ -185,17 +185,21 @@ class GroupHatcher {
   const UndercutHatcher undercuts_;
 };
 
-// The hatches of all objects, of which make(group, threads, progress) makes those of a group.
+// The hatches of all objects, of which make(group, threads, progress) makes those of a group. Adds
+// "hatches" to `counts`.
 template <class Make>
-Hatches of_groups(const HatchScene& scene, HatchGroup all, int threads, const Progress& progress,
-                  const Make& make) {
+Hatches of_groups(const HatchScene& scene, HatchGroup all, int threads, Counts& counts,
+                  const Progress& progress, const Make& make) {
   const std::vector<HatchGroup> groups = hatch_groups(scene, std::move(all));
   std::vector<Hatches> made(groups.size());
   parallel_parts(std::vector<std::size_t>(groups.size(), 1), {}, threads, progress,
                  [&](std::size_t g, int of_group, const Progress& part) {
                    made[g] = make(groups[g], of_group, part);
                  });
-  return joined(std::move(made));
+  Hatches hatches = joined(std::move(made));
+  counts["hatches"] += static_cast<std::int64_t>(hatches.kinds.size());
+  progress.report(1);
+  return hatches;
 }
 
 }  // namespace
@@ -220,13 +224,11 @@ Hatches even_hatches(const HatchScene& scene, const CurvesOfObjects& curves,
   progress.report(0);
   const GroupHatcher hatcher(scene, options, !first.empty());
   std::atomic<std::int64_t> steps{0};
-  Hatches hatches = of_groups(scene, hatcher.all(curves, first), threads, progress,
+  Hatches hatches = of_groups(scene, hatcher.all(curves, first), threads, counts, progress,
                               [&](const HatchGroup& group, int of_group, const Progress& part) {
                                 return hatcher.hatches(group, of_group, steps, part);
                               });
   counts["hatch_steps"] += steps;
-  counts["hatches"] += static_cast<std::int64_t>(hatches.kinds.size());
-  progress.report(1);
   return hatches;
 }
 
@@ -244,10 +246,7 @@ Hatches draft_hatches(const HatchScene& scene, const CurvesOfObjects& curves,
     place_surface_curves(set, placing.view, group, part.part(0.3, 0.9));
     return finished(set.streamlines, HatchView(scene, options));
   };
-  Hatches hatches = of_groups(scene, {curves, first, places, {}}, threads, progress, draft);
-  counts["hatches"] += static_cast<std::int64_t>(hatches.kinds.size());
-  progress.report(1);
-  return hatches;
+  return of_groups(scene, {curves, first, places, {}}, threads, counts, progress, draft);
 }
 
 }  // namespace illustrate

@@ -105,14 +105,15 @@ double FieldWalker::advance(SurfacePoint& on, Vec3& tangent, double length) cons
 
 bool FieldWalker::slide(SurfacePoint& on, Vec3 run) const {
   int entry_edge = none;
-  double side = 1;
-  for (Headway headway(run.norm()); headway.is_made(run.norm());) {
+  double side = 1, left = 1;  // of the way
+  for (Headway headway(left); headway.is_made(left);) {
     const Course step = course(on, run);
     if (step.exit_edge == none) return false;
     if (entry_edge != none && !(step.change[idx(previous_corner(entry_edge))] > 0)) return false;
     move(on, step, std::min(step.exit, 1.0));
     if (step.exit >= 1) return true;
     run *= 1 - step.exit;
+    left *= 1 - step.exit;
     if (!cross_edge(on, step.exit_edge, entry_edge, side)) return false;
   }
   return false;

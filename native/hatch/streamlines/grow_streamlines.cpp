@@ -24,9 +24,6 @@ constexpr int most_steps = 20'000;
 
 constexpr std::size_t seeds_between_reports = 512;
 
-// Seeds lie anywhere on the surface: they are asked for before they are needed.
-constexpr std::size_t seeds_ahead = 6;
-
 struct Pace {
   double step;  // px
   double test;  // px
@@ -133,7 +130,7 @@ std::vector<StreamlineNode> seed_nodes(const HatchView& view,
   const Surface& surface = view.walker.on_surface().surface();
   std::vector<StreamlineNode> nodes;
   for (std::size_t i = 0; i < seeds.size(); ++i) {
-    if (i + seeds_ahead < seeds.size()) view.walker.fetch(seeds[i + seeds_ahead]);
+    view.walker.fetch_ahead(seeds, i);
     const SurfacePoint& on = seeds[i];
     if (!view.is_hatched(surface.object_of(on.triangle))) continue;
     StreamlineNode one = view.node_at(on);

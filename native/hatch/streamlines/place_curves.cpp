@@ -10,9 +10,6 @@ namespace {
 constexpr double least_gap = 0.7;
 constexpr double most_curve_gap = 1.6;
 
-// A point is asked for before it is needed: its triangle lies anywhere in memory.
-constexpr std::size_t points_ahead = 6;
-
 // No drawing needs more between two points of a curve.
 constexpr double most_between = 1000;
 
@@ -28,7 +25,7 @@ class CurvePlacer {
     spacing_ = view_.spacing_on(curve[0].triangle);
     run_.clear();
     for (std::size_t i = 0; i < curve.size(); ++i) {
-      if (i + points_ahead < curve.size()) view_.walker.fetch(curve[i + points_ahead]);
+      view_.walker.fetch_ahead(curve, i);
       const bool is_last = i + 1 == curve.size();
       if (!enter(curve[i], is_last ? nullptr : &curve[i + 1])) place_run();
     }

@@ -49,6 +49,12 @@ class Walker {
   const FieldWalker& on_surface() const { return walker_; }
   // Asks for what is known of the surface there, before it is needed.
   void fetch(const SurfacePoint& on) const;
+  // The same of the place some places behind one, in a loop over all of them.
+  template <class Places>
+  void fetch_ahead(const Places& places, std::size_t place) const {
+    constexpr std::size_t ahead = 6;
+    if (place + ahead < places.size()) fetch(places[place + ahead]);
+  }
   // Positive where the front of the triangle's sheet is seen, 0 on the silhouette.
   double facing_at(const SurfacePoint& on) const;
 

@@ -70,6 +70,13 @@ def draw(prepared: ill.Prepared, camera: ill.Camera, *more: Any, **named: Any) -
     return drawing
 
 
+def lengths_px(drawing: ill.Drawing) -> NDArray[np.float64]:
+    """(strokes,) of each in the image."""
+    steps = np.r_[np.linalg.norm(np.diff(drawing.image, axis=0), axis=1), 0.0]
+    steps[drawing.offsets[1:] - 1] = 0  # from one stroke to the next
+    return np.add.reduceat(steps, drawing.offsets[:-1])
+
+
 def check_strokes(drawing: ill.Drawing, camera: ill.Camera) -> None:
     p, s = len(drawing.points), len(drawing.kinds)
     expected = {

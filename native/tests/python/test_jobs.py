@@ -11,7 +11,7 @@ from pathlib import Path
 import illustrate_native as ill
 import numpy as np
 import pytest
-from checker import check_drawing, digest, prepared_of
+from checker import check_drawing, digest, lengths_px, prepared_of
 from numpy.typing import NDArray
 from shapes import Shape, cube, drape, klein_bottle, look_at, torus
 
@@ -105,11 +105,7 @@ def points_of_lines(drawing: ill.Drawing) -> NDArray[np.float64]:
 def hatched_px(drawing: ill.Drawing) -> float:
     """How long the hatches are, but those of undercuts, which drafts have none of."""
     is_hatch = np.isin(drawing.kinds, (ill.Kind.HATCH, ill.Kind.CROSS_HATCH))
-    ends = drawing.offsets[1:-1] - 1
-    steps = np.linalg.norm(np.diff(drawing.image, axis=0), axis=1)
-    steps[ends] = 0
-    of_stroke = np.repeat(is_hatch, np.diff(drawing.offsets))[:-1]
-    return float(steps[of_stroke].sum())
+    return float(lengths_px(drawing)[is_hatch].sum())
 
 
 def test_a_view_keeps_what_it_is_of() -> None:

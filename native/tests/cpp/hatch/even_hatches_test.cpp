@@ -238,10 +238,7 @@ TEST(EvenHatches, AreFinerOnOnePartAlone) {
   check_hatches(two.scene, finer);
   const Hatches left = half_of(finer, false), right = half_of(finer, true);
   const Hatches before = half_of(plain, false);
-  ASSERT_EQ(left.curves.offsets, before.curves.offsets) << "to the bit";
-  for (std::size_t i = 0; i < left.curves.values.size(); ++i) {
-    EXPECT_EQ(left.curves.values[i].position, before.curves.values[i].position);
-  }
+  expect_same_hatches(left, before);
   const auto count = [](const Hatches& hatches) {
     return static_cast<double>(hatches.kinds.size());
   };
@@ -268,10 +265,7 @@ TEST(EvenHatches, LengthAndTurnAreLimited) {
 TEST(EvenHatches, AreTheSameOnAllThreadsAndCanBeCancelled) {
   Scene scene = torus_scene();
   const Hatches a = scene.even({}, 1), b = scene.even({}, 3);
-  ASSERT_EQ(a.curves.offsets, b.curves.offsets);
-  for (std::size_t i = 0; i < a.curves.values.size(); ++i) {
-    EXPECT_EQ(a.curves.values[i].position, b.curves.values[i].position);
-  }
+  expect_same_hatches(a, b);
   int calls = 0;
   const Progress progress([&](double, const std::string&) { return ++calls < 3; }, "hatch");
   const SurfaceCurves curves = surface_curves(scene.surface, scene.field);
@@ -296,10 +290,7 @@ TEST(DraftHatches, CoverWhatIsHatchedApartFromGaps) {
 TEST(DraftHatches, AreTheSameOnAllThreadsAndStayOfTheDrawingBefore) {
   Scene scene = torus_scene();
   const Hatches a = scene.draft({}, 1), b = scene.draft({}, 3);
-  ASSERT_EQ(a.curves.offsets, b.curves.offsets);
-  for (std::size_t i = 0; i < a.curves.values.size(); ++i) {
-    EXPECT_EQ(a.curves.values[i].position, b.curves.values[i].position);
-  }
+  expect_same_hatches(a, b);
   const Hatches whole = scene.even();
   EXPECT_GT(share_kept(whole, scene.draft(whole.placed)), 0.97);
 }

@@ -162,6 +162,14 @@ inline void check_ends_at_column(const Hatches& hatches, double column) {
   EXPECT_GT(ends_on_curve, 35);
 }
 
+// Two drawings are the same to the bit.
+inline void expect_same_hatches(const Hatches& a, const Hatches& b) {
+  ASSERT_EQ(a.curves.offsets, b.curves.offsets);
+  for (std::size_t i = 0; i < a.curves.values.size(); ++i) {
+    EXPECT_EQ(a.curves.values[i].position, b.curves.values[i].position);
+  }
+}
+
 // What holds for any placement.
 inline void check_hatches(const Scene& scene, const Hatches& hatches) {
   ASSERT_EQ(hatches.kinds.size(), hatches.curves.size());

@@ -172,10 +172,7 @@ TEST(PlaceHatches, ObjectsHaveTheirOwnSpacingOrNone) {
 TEST(PlaceHatches, IsDeterministicAndCanBeCancelled) {
   Scene scene = torus_scene();
   const Hatches a = scene.place(), b = scene.place();
-  ASSERT_EQ(a.curves.offsets, b.curves.offsets);
-  for (std::size_t i = 0; i < a.curves.values.size(); ++i) {
-    EXPECT_EQ(a.curves.values[i].position, b.curves.values[i].position);
-  }
+  expect_same_hatches(a, b);
   int calls = 0;
   const Progress progress([&](double, const std::string&) { return ++calls < 3; }, "hatch");
   EXPECT_THROW(place_hatches(scene.view(), {}, scene.counts, progress), Cancelled);
