@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from typing import TypeVar
-
-from numpy.typing import ArrayLike
+from typing import TYPE_CHECKING, TypeVar
 
 from ._core import (
     Camera,
@@ -20,8 +18,11 @@ from ._core import (
     prepare,
 )
 
+if TYPE_CHECKING:  # loading it takes longer than all of this module
+    from numpy.typing import ArrayLike
+
 Value = TypeVar("Value")
-Positions = Sequence[ArrayLike | None]
+Positions = Sequence["ArrayLike | None"]
 """Of each mesh in one frame, (n, 3) world; None: where it was in the frame before."""
 
 
