@@ -10,24 +10,18 @@ namespace {
 
 using Mask = std::vector<std::uint8_t>;
 
-// Calls take(i) for all i, up and then down.
-template <class Take>
-void down_and_up(int count, const Take& take) {
-  for (int i = 0; i < count; ++i) take(i);
-  for (int i = count; i-- > 0;) take(i);
-}
-
-// Cells at most `reach` cells from one of the mask along their row.
+// Cells at most `reach` cells from one of the mask along their row: run by run.
 Mask grown_along_rows(const Mask& mask, int width, int height, int reach) {
   Mask result = mask;
   for (int row = 0; row < height; ++row) {
-    const std::size_t first = idx(row) * idx(width);
-    int since = reach + 1;
-    down_and_up(width, [&](int column) {
-      const std::size_t cell = first + idx(column);
-      since = mask[cell] ? 0 : std::min(since, reach) + 1;
-      result[cell] |= since <= reach;
-    });
+    const auto begin = mask.begin() + row * width, end = begin + width;
+    const auto grown = result.begin() + row * width;
+    for (auto from = std::find(begin, end, 1), to = from; from != end;
+         from = std::find(to, end, 1)) {
+      to = std::find(from, end, 0);
+      std::fill(grown + std::max(0, static_cast<int>(from - begin) - reach),
+                grown + std::min(width, static_cast<int>(to - begin) + reach), std::uint8_t{1});
+    }
   }
   return result;
 }
@@ -35,15 +29,20 @@ Mask grown_along_rows(const Mask& mask, int width, int height, int reach) {
 // The same along their column: row by row, as cells lie in memory.
 Mask grown_along_columns(const Mask& mask, int width, int height, int reach) {
   Mask result = mask;
-  std::vector<int> since(idx(width), reach + 1);
-  down_and_up(height, [&](int row) {
-    const std::size_t first = idx(row) * idx(width);
+  std::vector<int> since(idx(width));  // rows since the last of the mask, `reach + 1` at most
+  const auto take = [&](int row) {
+    const std::uint8_t* masked = mask.data() + idx(row) * idx(width);
+    std::uint8_t* grown = result.data() + idx(row) * idx(width);
     for (int column = 0; column < width; ++column) {
-      int& count = since[idx(column)];
-      count = mask[first + idx(column)] ? 0 : std::min(count, reach) + 1;
-      result[first + idx(column)] |= count <= reach;
+      const int count = masked[column] ? 0 : std::min(since[column], reach) + 1;
+      since[column] = count;
+      grown[column] |= count <= reach;
     }
-  });
+  };
+  std::fill(since.begin(), since.end(), reach + 1);
+  for (int row = 0; row < height; ++row) take(row);
+  std::fill(since.begin(), since.end(), reach + 1);
+  for (int row = height; row-- > 0;) take(row);
   return result;
 }
 
