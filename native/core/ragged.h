@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace illustrate {
@@ -48,5 +49,22 @@ struct Ragged {
     close_list();
   }
 };
+
+// Lists of values that come in any order; within a list they stay in it. put_all(put) calls
+// put(list, value) for each of them, list in [0, count), and is called twice.
+template <class T, class PutAll>
+Ragged<T> sorted_into(std::size_t count, const PutAll& put_all) {
+  Ragged<T> lists;
+  std::vector<int>& offsets = lists.offsets;
+  offsets.assign(count + 1, 0);
+  put_all([&](int list, const T&) { ++offsets[static_cast<std::size_t>(list) + 1]; });
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  lists.values.resize(static_cast<std::size_t>(offsets.back()));
+  std::vector<int> next = offsets;
+  put_all([&](int list, const T& value) {
+    lists.values[static_cast<std::size_t>(next[static_cast<std::size_t>(list)]++)] = value;
+  });
+  return lists;
+}
 
 }  // namespace illustrate

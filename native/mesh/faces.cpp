@@ -11,16 +11,12 @@ namespace {
 // (higher vertex, half-edge) of all half-edges, listed by lower vertex.
 Ragged<std::pair<int, int>> half_edges_by_lower_vertex(const Faces& faces,
                                                        std::size_t vertex_count) {
-  const auto lower = [&](int h) { return std::min(faces.corners[h], faces.head(h)); };
-  Ragged<std::pair<int, int>> lists;
-  lists.offsets.assign(vertex_count + 1, 0);
-  for (int h = 0; h < faces.corner_count(); ++h) ++lists.offsets[lower(h) + 1];
-  for (std::size_t v = 0; v < vertex_count; ++v) lists.offsets[v + 1] += lists.offsets[v];
-  lists.values.resize(faces.corners.size());
-  std::vector<int> ends(lists.offsets.begin(), lists.offsets.end() - 1);
-  for (int h = 0; h < faces.corner_count(); ++h)
-    lists.values[ends[lower(h)]++] = {std::max(faces.corners[h], faces.head(h)), h};
-  return lists;
+  return sorted_into<std::pair<int, int>>(vertex_count, [&](const auto& put) {
+    for (int h = 0; h < faces.corner_count(); ++h) {
+      const auto [lower, higher] = std::minmax({faces.corners[h], faces.head(h)});
+      put(lower, {higher, h});
+    }
+  });
 }
 
 Vec3 unit_normal(Span<const int> face, const Points& positions) {

@@ -288,22 +288,12 @@ std::vector<std::uint8_t> drawn_arcs(const LabelledGraph& graph,
 }
 
 Ragged<ArcEnd> ends_at_nodes(const LabelledGraph& graph, const std::vector<std::uint8_t>& drawn) {
-  Ragged<ArcEnd> ends;
-  ends.offsets.assign(graph.nodes.size() + 1, 0);
-  const auto for_each_end = [&](auto&& visit) {
+  return sorted_into<ArcEnd>(graph.nodes.size(), [&](const auto& put) {
     for (int a = 0; a < static_cast<int>(graph.arcs.size()); ++a) {
       if (!drawn[idx(a)] || graph.arcs[idx(a)].start_node == none) continue;
-      visit(ArcEnd{a, true});
-      visit(ArcEnd{a, false});
+      for (const ArcEnd end : {ArcEnd{a, true}, ArcEnd{a, false}}) put(node_of(graph, end), end);
     }
-  };
-  for_each_end([&](const ArcEnd& end) { ++ends.offsets[idx(node_of(graph, end) + 1)]; });
-  for (std::size_t n = 1; n < ends.offsets.size(); ++n) ends.offsets[n] += ends.offsets[n - 1];
-  ends.values.resize(idx(ends.offsets.back()));
-  std::vector<int> next(ends.offsets.begin(), ends.offsets.end() - 1);
-  for_each_end(
-      [&](const ArcEnd& end) { ends.values[idx(next[idx(node_of(graph, end))]++)] = end; });
-  return ends;
+  });
 }
 
 std::vector<Chain> chain_arcs(const LabelledGraph& graph, const std::vector<std::uint8_t>& drawn,

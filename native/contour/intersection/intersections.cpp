@@ -146,17 +146,10 @@ std::vector<Piercing> number_nodes(std::vector<Segment>& segments) {
 }
 
 Ragged<int> segments_by_node(const std::vector<Segment>& segments, std::size_t node_count) {
-  Ragged<int> lists;
-  lists.offsets.assign(node_count + 1, 0);
-  for (const Segment& segment : segments)
-    for (const int node : segment.nodes) ++lists.offsets[idx(node + 1)];
-  for (std::size_t i = 0; i < node_count; ++i) lists.offsets[i + 1] += lists.offsets[i];
-  lists.values.resize(2 * segments.size());
-  std::vector<int> ends(lists.offsets.begin(), lists.offsets.end() - 1);
-  for (std::size_t i = 0; i < segments.size(); ++i)
-    for (const int node : segments[i].nodes)
-      lists.values[idx(ends[idx(node)]++)] = static_cast<int>(i);
-  return lists;
+  return sorted_into<int>(node_count, [&](const auto& put) {
+    for (std::size_t i = 0; i < segments.size(); ++i)
+      for (const int node : segments[i].nodes) put(node, static_cast<int>(i));
+  });
 }
 
 // Chains segments through the nodes that exactly two of them share.

@@ -42,14 +42,10 @@ class LooseChainer {
   }
 
   void find_edges_at_vertices() {
-    at_.offsets.assign(nodes_.size() + 1, 0);
-    for (const Edge& edge : edges_)
-      for (const int v : edge) ++at_.offsets[idx(v + 1)];
-    for (std::size_t v = 1; v < at_.offsets.size(); ++v) at_.offsets[v] += at_.offsets[v - 1];
-    at_.values.resize(2 * edges_.size());
-    std::vector<int> next(at_.offsets.begin(), at_.offsets.end() - 1);
-    for (std::size_t e = 0; e < edges_.size(); ++e)
-      for (const int v : edges_[e]) at_.values[idx(next[idx(v)]++)] = static_cast<int>(e);
+    at_ = sorted_into<int>(nodes_.size(), [&](const auto& put) {
+      for (std::size_t e = 0; e < edges_.size(); ++e)
+        for (const int v : edges_[e]) put(v, static_cast<int>(e));
+    });
   }
 
   void find_nodes() {

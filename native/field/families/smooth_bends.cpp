@@ -134,24 +134,16 @@ DualCells dual_cells(const Surface& surface, const TriangleEdges& edges) {
 
 Ragged<DualLink> dual_links(const Surface& surface, const TriangleEdges& edges,
                             const DualCells& cells) {
-  Ragged<DualLink> links;
-  std::vector<int>& offsets = links.offsets;
-  offsets.assign(surface.positions.size() + 1, 0);
-  for (const Edge& edge : edges.vertices) {
-    for (const int v : edge) ++offsets[idx(v) + 1];
-  }
-  for (std::size_t v = 0; v < surface.positions.size(); ++v) offsets[v + 1] += offsets[v];
-  links.values.resize(idx(offsets.back()));
-  std::vector<int> next(offsets.begin(), offsets.end() - 1);
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const auto [a, b] = edges.vertices[e];
-    const double size = (surface.positions[idx(a)] - surface.positions[idx(b)]).norm();
-    const double weight = size > 0 ? cells.lengths[e] / size : 0;
-    const bool is_mirrored = edges.mirrored[e] != 0;
-    links.values[idx(next[idx(a)]++)] = {b, cells.lengths[e], weight, is_mirrored};
-    links.values[idx(next[idx(b)]++)] = {a, cells.lengths[e], weight, is_mirrored};
-  }
-  return links;
+  return sorted_into<DualLink>(surface.positions.size(), [&](const auto& put) {
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      const auto [a, b] = edges.vertices[e];
+      const double size = (surface.positions[idx(a)] - surface.positions[idx(b)]).norm();
+      const double weight = size > 0 ? cells.lengths[e] / size : 0;
+      const bool is_mirrored = edges.mirrored[e] != 0;
+      put(a, {b, cells.lengths[e], weight, is_mirrored});
+      put(b, {a, cells.lengths[e], weight, is_mirrored});
+    }
+  });
 }
 
 std::vector<Vec2> smooth_bends(const Surface& surface, const Curvature& curvature,

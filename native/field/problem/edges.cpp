@@ -17,23 +17,15 @@ struct Side {
 };
 
 Ragged<Side> sides_by_lower_vertex(const std::vector<Triangle>& triangles, std::size_t vertices) {
-  Ragged<Side> lists;
-  lists.offsets.assign(vertices + 1, 0);
-  const auto for_each_side = [&](const auto& visit) {
+  return sorted_into<Side>(vertices, [&](const auto& put) {
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       for (int k = 0; k < 3; ++k) {
         const int a = triangles[t][idx(k)];
         const int b = triangles[t][idx(next_corner(k))];
-        if (a != b) visit(std::min(a, b), Side{std::max(a, b), static_cast<int>(t), k});
+        if (a != b) put(std::min(a, b), Side{std::max(a, b), static_cast<int>(t), k});
       }
     }
-  };
-  for_each_side([&](int lower, const Side&) { ++lists.offsets[idx(lower) + 1]; });
-  for (std::size_t i = 0; i < vertices; ++i) lists.offsets[i + 1] += lists.offsets[i];
-  lists.values.resize(idx(lists.offsets[vertices]));
-  std::vector<int> next(lists.offsets.begin(), lists.offsets.end() - 1);
-  for_each_side([&](int lower, const Side& side) { lists.values[idx(next[idx(lower)]++)] = side; });
-  return lists;
+  });
 }
 
 bool ends_on_different_sheets(const Surface& surface, const Side& side) {

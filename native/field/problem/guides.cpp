@@ -104,22 +104,14 @@ class Tracer {
 };
 
 Ragged<int> neighbours_of_vertices(const Surface& surface) {
-  Ragged<int> lists;
-  lists.offsets.assign(surface.positions.size() + 1, 0);
-  for (const Triangle& t : surface.triangles) {
-    for (const int vertex : t) lists.offsets[idx(vertex) + 1] += 2;
-  }
-  for (std::size_t i = 1; i < lists.offsets.size(); ++i) lists.offsets[i] += lists.offsets[i - 1];
-  lists.values.resize(idx(lists.offsets.back()));
-  std::vector<int> next(lists.offsets.begin(), lists.offsets.end() - 1);
-  for (const Triangle& t : surface.triangles) {
-    for (int k = 0; k < 3; ++k) {
-      int& place = next[idx(t[idx(k)])];
-      lists.values[idx(place++)] = t[idx(next_corner(k))];
-      lists.values[idx(place++)] = t[idx(previous_corner(k))];
+  return sorted_into<int>(surface.positions.size(), [&](const auto& put) {
+    for (const Triangle& t : surface.triangles) {
+      for (int k = 0; k < 3; ++k) {
+        put(t[idx(k)], t[idx(next_corner(k))]);
+        put(t[idx(k)], t[idx(previous_corner(k))]);
+      }
     }
-  }
-  return lists;
+  });
 }
 
 }  // namespace

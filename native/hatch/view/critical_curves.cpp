@@ -72,18 +72,11 @@ void CriticalCurves::add_pieces(const Vec2& a, const Vec2& b, bool is_silhouette
 }
 
 void CriticalCurves::fill_grid(const Pieces& pieces) {
-  cells_.offsets.assign(idx(grid_cells_.count()) + 1, 0);
-  for (const Piece& piece : pieces) {
-    visit_cells(grid_cells_, piece, [&](int cell) { ++cells_.offsets[idx(cell + 1)]; });
-  }
-  for (std::size_t i = 1; i < cells_.offsets.size(); ++i)
-    cells_.offsets[i] += cells_.offsets[i - 1];
-  cells_.values.resize(idx(cells_.offsets.back()));
-  std::vector<int> next(cells_.offsets.begin(), cells_.offsets.end() - 1);
-  for (const Piece& piece : pieces) {
-    visit_cells(grid_cells_, piece,
-                [&](int cell) { cells_.values[idx(next[idx(cell)]++)] = piece; });
-  }
+  cells_ = sorted_into<Piece>(idx(grid_cells_.count()), [&](const auto& put) {
+    for (const Piece& piece : pieces) {
+      visit_cells(grid_cells_, piece, [&](int cell) { put(cell, piece); });
+    }
+  });
 }
 
 // Two sweeps over the cells, each with the neighbours that it has passed.

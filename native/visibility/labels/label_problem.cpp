@@ -1,7 +1,6 @@
 #include "visibility/labels/label_problem.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "core/ragged.h"
 #include "visibility/labels/min_cut.h"
@@ -38,17 +37,11 @@ PairCosts costs_of(const DifferenceTerm& term, int d, int by) {
 // (unknowns) the terms that each is in.
 template <class Term, class Visit>
 Ragged<int> terms_of(int unknowns, const std::vector<Term>& terms, const Visit& visit) {
-  std::vector<int> counts(idx(unknowns), 0);
-  for (const Term& term : terms) visit(term, [&](int i) { ++counts[idx(i)]; });
-  Ragged<int> lists;
-  lists.offsets.resize(1 + counts.size());
-  std::partial_sum(counts.begin(), counts.end(), lists.offsets.begin() + 1);
-  lists.values.resize(idx(lists.offsets.back()));
-  std::vector<int> next(lists.offsets.begin(), lists.offsets.end() - 1);
-  for (std::size_t t = 0; t < terms.size(); ++t) {
-    visit(terms[t], [&](int i) { lists.values[idx(next[idx(i)]++)] = static_cast<int>(t); });
-  }
-  return lists;
+  return sorted_into<int>(idx(unknowns), [&](const auto& put) {
+    for (std::size_t t = 0; t < terms.size(); ++t) {
+      visit(terms[t], [&](int i) { put(i, static_cast<int>(t)); });
+    }
+  });
 }
 
 // Raises (by = 1) or lowers (by = -1) sets of unknowns: each time the one that gains most, of
