@@ -6,6 +6,8 @@
 
 #include "core/errors.h"
 #include "core/parallel.h"
+#include "core/prefetch.h"
+#include "core/ragged.h"
 #include "view/image_map.h"
 
 namespace illustrate {
@@ -16,6 +18,9 @@ struct GridVertex {
   double x, y, depth, p, q;
   double near_distance;
 };
+
+// Before the near plane.
+bool is_before(const GridVertex& vertex) { return vertex.near_distance > 0; }
 
 struct Projector {
   Projector(const Camera& view, double size) : camera(view), map(image_map(view)), cell_px(size) {}
@@ -123,8 +128,8 @@ void draw_clipped(RowPainter& painter, const Projector& project, const Surface& 
   for (int k = 0; k < 3; ++k) {
     const GridVertex& a = *corners[k];
     const GridVertex& b = *corners[next_corner(k)];
-    if (a.near_distance > 0) kept[count++] = a;
-    if ((a.near_distance > 0) == (b.near_distance > 0)) continue;
+    if (is_before(a)) kept[count++] = a;
+    if (is_before(a) == is_before(b)) continue;
     const double t = a.near_distance / (a.near_distance - b.near_distance);
     const Vec3& from = surface.positions[surface.triangles[triangle][k]];
     const Vec3& to = surface.positions[surface.triangles[triangle][next_corner(k)]];
@@ -133,21 +138,76 @@ void draw_clipped(RowPainter& painter, const Projector& project, const Surface& 
   for (int k = 2; k < count; ++k) painter.draw(triangle, kept[0], kept[k - 1], kept[k]);
 }
 
-void draw_all(RowPainter& painter, const Projector& project, const Surface& surface,
-              const std::vector<GridVertex>& vertices, const std::vector<std::uint8_t>& hidden) {
-  for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
-    if (surface.is_of(hidden, t)) continue;
-    const Triangle& corner = surface.triangles[t];
-    const GridVertex& a = vertices[corner[0]];
-    const GridVertex& b = vertices[corner[1]];
-    const GridVertex& c = vertices[corner[2]];
-    const int before = (a.near_distance > 0) + (b.near_distance > 0) + (c.near_distance > 0);
-    if (before == 3) {
-      painter.draw(t, a, b, c);
-    } else if (before > 0) {
-      draw_clipped(painter, project, surface, t, {&a, &b, &c});
-    }
+void draw_triangle(RowPainter& painter, const Projector& project, const Surface& surface,
+                   const std::vector<GridVertex>& vertices, int triangle) {
+  const Triangle& corner = surface.triangles[triangle];
+  const GridVertex& a = vertices[corner[0]];
+  const GridVertex& b = vertices[corner[1]];
+  const GridVertex& c = vertices[corner[2]];
+  if (is_before(a) && is_before(b) && is_before(c)) {
+    painter.draw(triangle, a, b, c);
+  } else {
+    draw_clipped(painter, project, surface, triangle, {&a, &b, &c});
   }
+}
+
+void draw_all(RowPainter& painter, const Projector& project, const Surface& surface,
+              const std::vector<GridVertex>& vertices, Span<const int> triangles) {
+  constexpr std::size_t ahead = 12;
+  const std::size_t count = triangles.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i + 2 * ahead < count) prefetch(&surface.triangles[idx(triangles[i + 2 * ahead])]);
+    if (i + ahead < count) {
+      for (const int vertex : surface.triangles[idx(triangles[i + ahead])]) {
+        prefetch(&vertices[idx(vertex)]);
+      }
+    }
+    draw_triangle(painter, project, surface, vertices, triangles[i]);
+  }
+}
+
+// Consecutive rows, so many that their cells stay in the cache of a core.
+struct Bands {
+  explicit Bands(const VisibleImage& image)
+      : height(image.height),
+        rows(std::max(1, cells_of_band / std::max(1, image.width))),
+        count((height + rows - 1) / rows) {}
+
+  static constexpr int cells_of_band = 1 << 14;
+  int height, rows, count;
+};
+
+// Of a triangle, [first, end): all those that it may be seen in. None: no area, or behind the eye.
+std::pair<int, int> reached(const Bands& bands, const GridVertex& a, const GridVertex& b,
+                            const GridVertex& c) {
+  const int before = is_before(a) + is_before(b) + is_before(c);
+  if (before == 0) return {0, 0};
+  if (before < 3) return {0, bands.count};  // it is clipped later
+  const auto [low, high] = std::minmax({a.y, b.y, c.y});
+  const auto [row, row_end] = cells_between(low, high, 0, bands.height);
+  if (!(row < row_end)) return {0, 0};
+  return {row / bands.rows, (row_end - 1) / bands.rows + 1};
+}
+
+// The triangles of each band, in order.
+Ragged<int> triangles_of(const Bands& bands, const Surface& surface,
+                         const std::vector<GridVertex>& vertices,
+                         const std::vector<std::uint8_t>& hidden, int threads) {
+  std::vector<std::pair<int, int>> of_triangle(surface.triangles.size());
+  parallel_for(of_triangle.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      if (surface.is_of(hidden, static_cast<int>(t))) continue;
+      const Triangle& corner = surface.triangles[t];
+      of_triangle[t] =
+          reached(bands, vertices[corner[0]], vertices[corner[1]], vertices[corner[2]]);
+    }
+  });
+  return sorted_into<int>(idx(bands.count), [&](const auto& put) {
+    for (std::size_t t = 0; t < of_triangle.size(); ++t) {
+      const auto [first, end] = of_triangle[t];
+      for (int band = first; band < end; ++band) put(band, static_cast<int>(t));
+    }
+  });
 }
 
 }  // namespace
@@ -179,14 +239,14 @@ VisibleImage render_visible(const Surface& surface, const Camera& camera, double
   parallel_for(vertices.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) vertices[i] = project(surface.positions[i]);
   });
-  // Shares of cells, each rounded to whole rows. Each thread takes all triangles, in one order, and
-  // writes to its own rows: the image is the same for any number of threads.
-  const auto row_of = [&](std::size_t cell) {
-    return static_cast<int>((cell + image.width - 1) / image.width);
-  };
-  parallel_for(cells, threads, [&](std::size_t begin, std::size_t end) {
-    RowPainter painter(image, row_of(begin), row_of(end));
-    draw_all(painter, project, surface, vertices, hidden);
+  // Each band takes its triangles in one order, and has cells of its own: the image is the same for
+  // any number of threads.
+  const Bands bands(image);
+  const Ragged<int> triangles = triangles_of(bands, surface, vertices, hidden, threads);
+  parallel_each(idx(bands.count), threads, {}, [&](std::size_t band) {
+    const int row = static_cast<int>(band) * bands.rows;
+    RowPainter painter(image, row, std::min(row + bands.rows, image.height));
+    draw_all(painter, project, surface, vertices, triangles[band]);
   });
   return image;
 }
