@@ -16,11 +16,6 @@ constexpr std::size_t smallest_share = 2048;
 // Elements of a thread between two reports of progress.
 constexpr std::size_t share_between_reports = 4096;
 
-std::size_t asked_threads(int threads) {
-  return threads > 0 ? static_cast<std::size_t>(threads)
-                     : std::max(1U, std::thread::hardware_concurrency());
-}
-
 std::size_t thread_count(std::size_t count, int threads) {
   return std::max<std::size_t>(1, std::min(asked_threads(threads), count / smallest_share));
 }
@@ -57,6 +52,11 @@ void rethrow_first(const std::vector<std::exception_ptr>& failures) {
 }
 
 }  // namespace
+
+std::size_t asked_threads(int threads) {
+  return threads > 0 ? static_cast<std::size_t>(threads)
+                     : std::max(1U, std::thread::hardware_concurrency());
+}
 
 void parallel_for(std::size_t count, int threads,
                   const std::function<void(std::size_t, std::size_t)>& body) {

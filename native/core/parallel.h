@@ -14,6 +14,9 @@
 
 namespace illustrate {
 
+// How many threads are meant: 0 = all cores.
+std::size_t asked_threads(int threads);
+
 // Calls body(begin, end) for consecutive ranges that cover [0, count). threads: 0 = all cores.
 // An exception in a body is thrown again in the caller, after all threads have ended.
 void parallel_for(std::size_t count, int threads,

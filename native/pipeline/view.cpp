@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contour/network/network.h"
+#include "core/aside.h"
 #include "pipeline/casters.h"
 #include "pipeline/see_through.h"
 #include "pipeline/stopwatch.h"
@@ -116,25 +117,50 @@ ToneOptions tone_options_of(const DrawOptions& options) {
   return tone;
 }
 
-void find_tones(View& view, const Progress& progress) {
-  progress.report(0);
+// What is known of the tones of a view before its lines are.
+struct SeenTones {
+  VisibleImage visible;
+  ToneMap tone;  // without bands
+};
+
+ToneScene tone_scene_of(const View& view, const VisibleImage& visible,
+                        const Lightness* lightness = nullptr) {
+  const std::vector<ObjectStyle>& styles = view.options.styles;
   const SeenScene& scene = *view.scene;
+  return {scene.surface(),
+          visible,
+          view.camera,
+          view.lights,
+          &view.casting().bvh(),
+          unhatched_objects(styles),
+          shadow_catchers(styles),
+          lightness,
+          &scene.parts()};
+}
+
+SeenTones seen_tones(const View& view, const Progress& progress) {
+  progress.report(0);
   const DrawOptions& options = view.options;
-  const Surface& surface = scene.surface();
-  view.small.emplace(surface, scene.parts(), view.camera);
+  const Surface& surface = view.scene->surface();
+  SeenTones seen;
+  seen.visible =
+      render_visible(surface, view.camera, cell_size(view.camera, options), {}, options.threads);
+  const Lightness lightness(surface, view.scene->meshes());
+  seen.tone = tone_levels(tone_scene_of(view, seen.visible, &lightness), tone_options_of(options),
+                          progress.part(0.2, 1));
+  return seen;
+}
+
+void add_tones(View& view, SeenTones seen) {
+  const DrawOptions& options = view.options;
+  view.small.emplace(view.scene->surface(), view.scene->parts(), view.camera);
   view.spacing_scale = view.small->finer(spacing_scales(options.styles), options.hatch);
-  const Lightness lightness(surface, scene.meshes());
-  view.tone = timed(view.timings["tone"], [&] {
-    view.visible =
-        render_visible(surface, view.camera, cell_size(view.camera, options), {}, options.threads);
-    ToneMap tone = tone_regions({surface, view.visible, view.graph, view.camera, view.lights,
-                                 &view.casting().bvh(), unhatched_objects(options.styles),
-                                 shadow_catchers(options.styles), &lightness, &scene.parts()},
-                                tone_options_of(options), progress);
-    blank_unhatched(view.visible, view.materials.unhatched, tone);
-    blank_unhatched(view.visible, view.small->too_narrow(view.spacing_scale, options.hatch), tone);
-    return tone;
-  });
+  view.visible = std::move(seen.visible);
+  view.tone = std::move(seen.tone);
+  add_bands(tone_scene_of(view, view.visible), view.graph, tone_options_of(options), view.tone);
+  blank_unhatched(view.visible, view.materials.unhatched, view.tone);
+  blank_unhatched(view.visible, view.small->too_narrow(view.spacing_scale, options.hatch),
+                  view.tone);
 }
 
 // casters: null: all that is drawn.
@@ -149,8 +175,16 @@ View view_of_seen(const Prepared& prepared, const Camera& camera, const DrawOpti
       std::make_unique<SeenScene>(prepared, options.styles, options.threads, progress.part(0, 0.1));
   view.materials = material_marks(view.scene->surface(), view.scene->meshes(), options.styles);
   if (hatching) prepared.field(progress.part(0.1, 0.3));
-  label_lines(view, progress.part(0.3, hatching ? 0.7 : 1));
-  if (hatching) find_tones(view, progress.part(0.7, 1, "tone"));
+  if (!hatching) {
+    label_lines(view, progress.part(0.3, 1));
+    return view;
+  }
+  Aside<SeenTones> tones(options.threads,
+                         [&](const Progress& part) { return seen_tones(view, part); });
+  label_lines(view, progress.part(0.3, 0.7));
+  const Stopwatch watch;
+  add_tones(view, tones.take(progress.part(0.7, 1, "tone")));
+  view.timings["tone"] += watch.seconds();
   return view;
 }
 

@@ -52,11 +52,11 @@ Vec2 left_of(const Vec2& heading) { return {heading.y(), -heading.x()}; }
 
 class BandMarker {
  public:
-  BandMarker(const ToneScene& scene, const ToneOptions& options,
+  BandMarker(const ToneScene& scene, const LabelledGraph& graph, const ToneOptions& options,
              const std::vector<float>& brightness, std::vector<Band>& band)
       : surface_(scene.surface),
         visible_(scene.visible),
-        graph_(scene.graph),
+        graph_(graph),
         camera_(scene.camera),
         lights_(scene.lights),
         options_(options),
@@ -272,10 +272,10 @@ class BandMarker {
 
 }  // namespace
 
-void mark_bands(const ToneScene& scene, const ToneOptions& options,
+void mark_bands(const ToneScene& scene, const LabelledGraph& graph, const ToneOptions& options,
                 const std::vector<float>& brightness, std::vector<Band>& band) {
-  BandMarker marker(scene, options, brightness, band);
-  const int count = static_cast<int>(scene.graph.arcs.size());
+  BandMarker marker(scene, graph, options, brightness, band);
+  const int count = static_cast<int>(graph.arcs.size());
   for (int arc = 0; arc < count; ++arc) marker.mark(arc);
   for (int arc = 0; arc < count; ++arc) marker.clear_beside_crease(arc);
   for (Band& mark : band) {

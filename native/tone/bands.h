@@ -27,7 +27,7 @@ namespace illustrate {
 //
 // brightness: (height * width), as in ToneMap. band: (height * width), set to Band::nothing by the
 // caller.
-void mark_bands(const ToneScene& scene, const ToneOptions& options,
+void mark_bands(const ToneScene& scene, const LabelledGraph& graph, const ToneOptions& options,
                 const std::vector<float>& brightness, std::vector<Band>& band);
 
 }  // namespace illustrate

@@ -12,6 +12,7 @@
 namespace illustrate {
 namespace {
 
+constexpr std::size_t cells_at_a_time = 1 << 12;
 constexpr double least_facing = 0.01;  // of a surface that is seen edge-on
 
 // In cells of the image.
@@ -168,9 +169,11 @@ std::vector<double> light_of_cells(const LitScene& scene, const VisibleImage& vi
   Illumination illumination(scene, visible, camera, lights);
   illumination.find_soft_shadows(threads, progress.part(0, 0.5));
   std::vector<double> light(visible.triangle.size(), 0);
-  parallel_for(
-      light.size(), threads, progress.part(0.5, 1),
-      [&](std::size_t begin, std::size_t end) { illumination.light_cells(begin, end, light); });
+  const std::size_t pieces = (light.size() + cells_at_a_time - 1) / cells_at_a_time;
+  parallel_each(pieces, threads, progress.part(0.5, 1), [&](std::size_t piece) {
+    const std::size_t begin = piece * cells_at_a_time;
+    illumination.light_cells(begin, std::min(begin + cells_at_a_time, light.size()), light);
+  });
   return light;
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/errors.h"
-#include "core/parallel.h"
 #include "tone/bands.h"
 #include "tone/exposure.h"
 #include "tone/illumination.h"
@@ -138,26 +137,25 @@ int ToneMap::cell_of(const Vec2& image) const {
   return static_cast<int>(row) * width + static_cast<int>(column);
 }
 
-ToneMap tone_regions(const ToneScene& scene, const ToneOptions& options, const Progress& progress) {
+ToneMap tone_levels(const ToneScene& scene, const ToneOptions& options, const Progress& progress) {
   validate(options);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) validate(scene.lights[i], i);
   require(scene.casters || !options.cast_shadows, "cast_shadows needs what casts them");
   progress.report(0);
-  std::vector<double> light = light_at_cells(scene, options, progress.part(0, 0.7));
-  progress.report(0.7);
+  std::vector<double> light = light_at_cells(scene, options, progress.part(0, 0.9));
+  progress.report(0.9);
   ToneMap tone = levels_in(scene, options, light);
-  const bool has_bands = options.mach_bands || options.undercuts;
-  // Neither asks for what the other changes.
-  parallel_each(2, options.threads, {}, [&](std::size_t task) {
-    if (task == 0) settle_patches(scene.surface, scene.visible, options.patch_px, tone);
-    if (task == 1 && has_bands) mark_bands(scene, options, tone.brightness, tone.band);
-  });
-  if (has_bands) {
-    for_cells_of(scene.catchers, scene, [&](std::size_t cell) { tone.band[cell] = Band::nothing; });
-    drop_small_undercuts(scene.surface, scene.visible, options.patch_px, tone);
-  }
+  settle_patches(scene.surface, scene.visible, options.patch_px, tone);
   progress.report(1);
   return tone;
+}
+
+void add_bands(const ToneScene& scene, const LabelledGraph& graph, const ToneOptions& options,
+               ToneMap& tone) {
+  if (!options.mach_bands && !options.undercuts) return;
+  mark_bands(scene, graph, options, tone.brightness, tone.band);
+  for_cells_of(scene.catchers, scene, [&](std::size_t cell) { tone.band[cell] = Band::nothing; });
+  drop_small_undercuts(scene.surface, scene.visible, options.patch_px, tone);
 }
 
 ToneMap extra_tones(const ToneMap& tone) {

@@ -70,7 +70,6 @@ struct ToneMap {
 struct ToneScene {
   const Surface& surface;
   const VisibleImage& visible;
-  const LabelledGraph& graph;
   const Camera& camera;
   const std::vector<Light>& lights;  // none: a headlight
   // What casts shadows; needed where the options ask for them.
@@ -84,8 +83,13 @@ struct ToneScene {
   const SurfaceParts* parts = nullptr;   // of the surface; null: they are looked for
 };
 
-ToneMap tone_regions(const ToneScene& scene, const ToneOptions& options,
-                     const Progress& progress = {});
+// Levels and brightness, which no line has a part in. No bands.
+ToneMap tone_levels(const ToneScene& scene, const ToneOptions& options,
+                    const Progress& progress = {});
+
+// Adds the bands along the visible lines of a graph to such a map.
+void add_bands(const ToneScene& scene, const LabelledGraph& graph, const ToneOptions& options,
+               ToneMap& tone);
 
 // The extra levels of a map as levels of their own: the first as midtone, the second as shadow, the
 // third as undercut, and nothing elsewhere.

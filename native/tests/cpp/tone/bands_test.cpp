@@ -5,6 +5,7 @@
 
 #include "tests/cpp/cameras.h"
 #include "tests/cpp/shapes.h"
+#include "tests/cpp/tone/toned.h"
 
 namespace illustrate {
 namespace {
@@ -43,8 +44,8 @@ struct Fold {
 
   ToneMap tone(const LabelledGraph& graph, ToneOptions options = {}) const {
     options.undercut_contact = contact;
-    return tone_regions(
-        {surface, render_visible(surface, camera, 1, hidden, 1), graph, camera, lights}, options);
+    const VisibleImage visible = render_visible(surface, camera, 1, hidden, 1);
+    return toned({surface, visible, camera, lights}, graph, options);
   }
 };
 
@@ -164,12 +165,9 @@ TEST(Bands, IntersectionDarkensTheSheetTurnedAway) {
   for (std::size_t v = 0; v < flat.positions.size(); ++v) {
     if (flat.positions[v].x() > 0) flat.normals[v] = Vec3(2, 0, 1).normalized();
   }
-  const ToneMap tone = tone_regions({flat,
-                                     render_visible(flat, camera, 1, {}, 1),
-                                     straight_arc(camera, Kind::intersection, 0, 0, 0),
-                                     camera,
-                                     {}},
-                                    {});
+  const VisibleImage visible = render_visible(flat, camera, 1, {}, 1);
+  const ToneMap tone =
+      toned({flat, visible, camera, {}}, straight_arc(camera, Kind::intersection, 0, 0, 0));
   EXPECT_EQ(columns(tone, Band::undercut), std::make_pair(100, 113));
   EXPECT_EQ(columns(tone, Band::mach_band), std::make_pair(94, 99));
 }

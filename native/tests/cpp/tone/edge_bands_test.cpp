@@ -5,7 +5,7 @@
 
 #include "tests/cpp/cameras.h"
 #include "tests/cpp/shapes.h"
-#include "tone/tone_regions.h"
+#include "tests/cpp/tone/toned.h"
 
 namespace illustrate {
 namespace {
@@ -37,8 +37,8 @@ class Step {
 
  private:
   int undercuts(const LabelledGraph& graph) const {
-    const ToneMap tone = tone_regions(
-        {surface_, render_visible(surface_, camera_, 1, {}, 1), graph, camera_, {}}, {});
+    const VisibleImage visible = render_visible(surface_, camera_, 1, {}, 1);
+    const ToneMap tone = toned({surface_, visible, camera_, {}}, graph);
     return static_cast<int>(std::count(tone.band.begin(), tone.band.end(), Band::undercut));
   }
 

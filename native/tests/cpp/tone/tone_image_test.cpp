@@ -16,7 +16,7 @@ ToneMap lit_by(const std::shared_ptr<const Texture>& image, ToneOptions options 
   const Camera camera = cameras::orthographic(Vec3(0.1, -1, 0.2), 1.2, size_px);
   options.image = image;
   options.mach_bands = options.undercuts = false;
-  return tone_regions({ball, render_visible(ball, camera, 1, {}, 1), {}, camera, {}}, options);
+  return tone_levels({ball, render_visible(ball, camera, 1, {}, 1), camera, {}}, options);
 }
 
 std::shared_ptr<const Texture> picture(int width, int height, std::vector<float> luminance) {

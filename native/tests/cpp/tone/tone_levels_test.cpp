@@ -24,7 +24,7 @@ struct Scene {
 
   ToneMap tone(const std::vector<Light>& lights, const ToneOptions& options,
                const std::vector<std::uint8_t>& unhatched = {}) const {
-    return tone_regions({surface, visible, {}, camera, lights, &bvh, unhatched}, options);
+    return tone_levels({surface, visible, camera, lights, &bvh, unhatched}, options);
   }
 };
 

@@ -94,7 +94,7 @@ TEST(ToneRegions, LevelsOfASphereUnderAHeadlight) {
   const Camera camera = cameras::orthographic(Vec3::UnitZ(), 1.25, 400);
   const VisibleImage image = render_visible(sphere, camera, 1, {}, 1);
   ToneOptions options;
-  const ToneMap tone = tone_regions({sphere, image, {}, camera, {}}, options);
+  const ToneMap tone = tone_levels({sphere, image, camera, {}}, options);
   const double area = pi * 160 * 160;
   const auto share = [&](Tone level) {
     return double(std::count(tone.level.begin(), tone.level.end(), level)) / area;
@@ -108,7 +108,7 @@ TEST(ToneRegions, LevelsOfASphereUnderAHeadlight) {
   EXPECT_EQ(tone.cell_of(Vec2(399.5, 1.5)), 799);
 
   options.highlight_threshold = options.shadow_threshold = 1;
-  const ToneMap dark = tone_regions({sphere, image, {}, camera, {}}, options);
+  const ToneMap dark = tone_levels({sphere, image, camera, {}}, options);
   EXPECT_EQ(std::count(dark.level.begin(), dark.level.end(), Tone::midtone), 0);
   EXPECT_EQ(std::count(dark.level.begin(), dark.level.end(), Tone::highlight), 0);
 }
