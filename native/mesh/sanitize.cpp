@@ -5,6 +5,7 @@
 #include "mesh/clean.h"
 #include "mesh/edges.h"
 #include "mesh/faces.h"
+#include "mesh/memory_order.h"
 #include "mesh/orient.h"
 #include "mesh/split.h"
 
@@ -136,6 +137,7 @@ SoundMesh sanitize(const PolygonMesh& mesh, Counts& report, const Progress& prog
   sound.level = mesh.level;
   sound.edge_length = mesh.edge_length;
   sound.name = mesh.name;
+  order_for_memory(sound);
   return sound;
 }
 

@@ -11,7 +11,8 @@
 // rounding are welded; edges with more than two faces and vertices with more than one fan are split
 // (the new open edges are `seams`: never drawn, smooth across); winding is made consistent by flood
 // fill; closed parts of negative volume are turned outward; parts that cannot be oriented become
-// their orientation double cover.
+// their orientation double cover. Faces and vertices of large meshes whose neighbours are scattered
+// in memory get another order (mesh/memory_order.h).
 #pragma once
 
 #include "core/progress.h"
