@@ -56,38 +56,37 @@ class ShearedRay {
 // Whether a ray passes through boxes, with a margin for all rounding on the way.
 class BoxTest {
  public:
-  BoxTest(const Vec3& origin, const Vec3& direction, const Box& root)
-      : origin_(origin), inverse_(direction.cwiseInverse()) {
+  BoxTest(const Vec3& origin, const Vec3& direction, const Box& root) {
     const double extent = std::max((root.min() - origin).cwiseAbs().maxCoeff(),
                                    (root.max() - origin).cwiseAbs().maxCoeff());
     // A box let through in vain costs a few tests, one that is missed costs a hit: the roundings of
     // `passes` come to three or four epsilon.
-    margin_ = 16 * std::numeric_limits<double>::epsilon() * extent;
+    const double margin = 16 * std::numeric_limits<double>::epsilon() * extent;
     const double largest = direction.cwiseAbs().maxCoeff();
-    // A component this small moves the ray by less than the margin.
-    for (int k = 0; k < 3; ++k) is_still_[k] = std::abs(direction[k]) < 1e-18 * largest;
+    // A component this small moves the ray by less than the margin; larger, it does so, too.
+    const double least = 1e-18 * largest;
+    for (int k = 0; k < 3; ++k) {
+      const double along = std::abs(direction[k]) < least ? least : direction[k];
+      inverse_[k] = 1 / along;
+      is_negative_[k] = along < 0;
+      near_origin_[k] = origin[k] + (is_negative_[k] ? -margin : margin);
+      far_origin_[k] = origin[k] + (is_negative_[k] ? margin : -margin);
+    }
   }
 
   bool passes(const Box& box, double low, double high) const {
     for (int k = 0; k < 3; ++k) {
-      const double from = box.min()[k] - margin_ - origin_[k];
-      const double to = box.max()[k] + margin_ - origin_[k];
-      if (is_still_[k]) {
-        if (from > 0 || to < 0) return false;
-        continue;
-      }
-      const double enter = from * inverse_[k], leave = to * inverse_[k];
-      low = std::max(low, std::min(enter, leave));
-      high = std::min(high, std::max(enter, leave));
-      if (low > high) return false;
+      const double near = is_negative_[k] ? box.max()[k] : box.min()[k];
+      const double far = is_negative_[k] ? box.min()[k] : box.max()[k];
+      low = std::max(low, (near - near_origin_[k]) * inverse_[k]);
+      high = std::min(high, (far - far_origin_[k]) * inverse_[k]);
     }
-    return true;
+    return low <= high;
   }
 
  private:
-  Vec3 origin_, inverse_;
-  double margin_ = 0;
-  std::array<bool, 3> is_still_{};
+  Vec3 near_origin_, far_origin_, inverse_;
+  std::array<bool, 3> is_negative_{};
 };
 
 }  // namespace
@@ -182,6 +181,7 @@ bool Bvh::any_hit(const Vec3& origin, const Vec3& direction, double low, double 
     }
     // An inner node has count 0.
     for (int i = node.first; i < node.first + node.count; ++i) {
+      if (!test.passes(boxes_[idx(i)], low, high)) continue;
       const Triangle& t = (*triangles_)[order_[i]];
       double distance = 0;
       if (ray.meets((*positions_)[t[0]], (*positions_)[t[1]], (*positions_)[t[2]], distance) &&
