@@ -13,35 +13,16 @@ namespace illustrate {
 namespace {
 
 void name_counts(Counts& report) {
-  for (const char* name : {"input_faces",
-                           "kept_faces",
-                           "nan_faces",
-                           "degenerate_faces",
-                           "huge_faces",
-                           "duplicate_faces",
-                           "nan_vertices",
-                           "repeated_corners",
-                           "split_faces",
-                           "welded_vertices",
-                           "isolated_vertices",
-                           "split_edges",
-                           "split_vertices",
-                           "flipped_faces",
-                           "turned_parts",
-                           "covered_parts",
-                           "ignored_creases",
-                           "ignored_marks",
-                           "angle_creases",
-                           "normal_creases",
-                           "breaks",
-                           "lone_bends",
-                           "fine_bends",
-                           "tips",
-                           "corners",
-                           "empty_meshes",
-                           "parts",
-                           "polygons",
-                           "open_edges"})
+  for (const char* name : {"input_faces",      "kept_faces",        "nan_faces",
+                           "degenerate_faces", "huge_faces",        "duplicate_faces",
+                           "nan_vertices",     "repeated_corners",  "split_faces",
+                           "welded_vertices",  "isolated_vertices", "split_edges",
+                           "split_vertices",   "flipped_faces",     "turned_parts",
+                           "covered_parts",    "ignored_creases",   "ignored_marks",
+                           "angle_creases",    "normal_creases",    "breaks",
+                           "lone_bends",       "fine_bends",        "tips",
+                           "corners",          "empty_meshes",      "parts",
+                           "polygons",         "open_edges"})
     report[name] += 0;
 }
 

@@ -63,8 +63,8 @@ struct SoundMesh {
 //   number or of no edge), ignored_marks (of no edge), empty_meshes (without a face left).
 // Found, not mended: parts, polygons (faces of more than four corners), open_edges (boundaries,
 //   not seams). Made sharp: angle_creases and normal_creases (edges; of these breaks:
-//   mesh/breaks.h), lone_bends and fine_bends (edges: mesh/lone_bends.h, mesh/fine_bends.h), tips and
-//   corners (vertices) (mesh/creases.h).
+//   mesh/breaks.h), lone_bends and fine_bends (edges: mesh/lone_bends.h, mesh/fine_bends.h), tips
+//   and corners (vertices) (mesh/creases.h).
 // Throws InvalidInput as `validate` does, and Cancelled through `progress`.
 SoundMesh sanitize(const PolygonMesh& mesh, Counts& report, const Progress& progress = {});
 
