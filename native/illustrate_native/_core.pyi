@@ -582,6 +582,7 @@ class Surface:
     """The triangulated limit surface of all meshes.
 
     A vertex on a crease stands once for each smooth side, with that side's normal and curvature.
+    Vertices and triangles have an order of their own, the same in every pose of a mesh.
     """
 
     @property

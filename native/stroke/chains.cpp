@@ -69,7 +69,11 @@ class Mates {
       : graph_(graph),
         drawn_(drawn),
         gap_px_(gap_units * graph.unit_px),
-        mates_(2 * graph.arcs.size(), none) {}
+        mates_(2 * graph.arcs.size(), none) {
+    for (std::size_t arc = 0; arc < graph.arcs.size(); ++arc) {
+      lengths_px_.push_back(image_length(graph, static_cast<int>(arc)));
+    }
+  }
 
   void pair_at_crossing(const GraphNode& node) {
     const auto& arcs = node.arcs;
@@ -105,7 +109,7 @@ class Mates {
     double length = 0;
     ArcEnd end = free_end;  // of the tail
     while (true) {
-      length += image_length(graph_, end.arc);
+      length += lengths_px_[idx(end.arc)];
       end.at_start = !end.at_start;
       const ArcEnd before = of(end);
       if (before.arc == none || length >= speck_px) return false;
@@ -200,7 +204,7 @@ class Mates {
     if (a.arc == b.arc || !are_one_line(graph_.arcs[idx(a.arc)], graph_.arcs[idx(b.arc)]))
       return false;
     if ((image_at(a) - image_at(b)).norm() > gap_px_) return false;
-    const double px = image_length(graph_, a.arc) + image_length(graph_, b.arc);
+    const double px = lengths_px_[idx(a.arc)] + lengths_px_[idx(b.arc)];
     const double world = world_length(a.arc) + world_length(b.arc);
     if ((world_at(a) - world_at(b)).norm() * px > steepest_gap * gap_px_ * world) return false;
     return leaving_direction(graph_, a).dot(leaving_direction(graph_, b)) < cosine_of_largest_turn;
@@ -210,7 +214,7 @@ class Mates {
   bool dangles(ArcEnd end, const Ragged<ArcEnd>& ends, double speck_px) const {
     double length = 0;
     while (true) {
-      length += image_length(graph_, end.arc);
+      length += lengths_px_[idx(end.arc)];
       end.at_start = !end.at_start;
       const ArcEnd next = of(end);
       if (length >= speck_px) return false;
@@ -232,7 +236,8 @@ class Mates {
   const LabelledGraph& graph_;
   const std::vector<std::uint8_t>& drawn_;
   double gap_px_;
-  std::vector<int> mates_;
+  std::vector<int> mates_;          // (ends) by number
+  std::vector<double> lengths_px_;  // (arcs)
 };
 
 // The end at which the chain through `arc` starts; on a closed one, the start of `arc`.
