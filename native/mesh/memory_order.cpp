@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "core/keep_elements.h"
 #include "core/ragged.h"
 
 namespace illustrate {
@@ -70,15 +71,6 @@ std::vector<int> as_met(const Ragged<int>& faces, const std::vector<int>& face_o
   return order;
 }
 
-template <class Values>
-void reorder(Values& values, const std::vector<int>& order) {
-  if (values.empty()) return;
-  Values reordered;
-  reordered.reserve(order.size());
-  for (const int from : order) reordered.push_back(values[idx(from)]);
-  values = std::move(reordered);
-}
-
 std::vector<int> corners_of(const Ragged<int>& faces, const std::vector<int>& face_order) {
   std::vector<int> order;
   order.reserve(faces.values.size());
@@ -97,20 +89,20 @@ void renumber(std::vector<Edge>& edges, const std::vector<int>& numbers) {
 
 void reorder_faces(SoundMesh& mesh, const std::vector<int>& order,
                    const std::vector<int>& corner_order) {
-  reorder(mesh.corner_vertices, corner_order);
-  reorder(mesh.corner_normals, corner_order);
-  reorder(mesh.face_sizes, order);
-  reorder(mesh.source_faces, order);
-  reorder(mesh.face_materials, order);
-  reorder(mesh.face_planes, order);
-  reorder(mesh.holes, order);
-  reorder(mesh.kept, order);
+  keep_elements(mesh.corner_vertices, corner_order);
+  keep_elements(mesh.corner_normals, corner_order);
+  keep_elements(mesh.face_sizes, order);
+  keep_elements(mesh.source_faces, order);
+  keep_elements(mesh.face_materials, order);
+  keep_elements(mesh.face_planes, order);
+  keep_elements(mesh.holes, order);
+  keep_elements(mesh.kept, order);
 }
 
 void reorder_vertices(SoundMesh& mesh, const std::vector<int>& order) {
-  reorder(mesh.positions, order);
-  reorder(mesh.source_vertices, order);
-  reorder(mesh.vertex_sharpness, order);
+  keep_elements(mesh.positions, order);
+  keep_elements(mesh.source_vertices, order);
+  keep_elements(mesh.vertex_sharpness, order);
   std::vector<int> numbers(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) numbers[idx(order[i])] = static_cast<int>(i);
   for (int& vertex : mesh.corner_vertices) vertex = numbers[idx(vertex)];

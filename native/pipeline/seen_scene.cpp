@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/keep_elements.h"
+
 namespace illustrate {
 namespace {
 
@@ -16,25 +18,17 @@ std::vector<int> numbers_without_ignored(const Surface& whole,
   return numbers;
 }
 
-template <class T>
-void keep(std::vector<T>& values, const std::vector<int>& sources) {
-  std::vector<T> kept;
-  kept.reserve(sources.size());
-  for (const int source : sources) kept.push_back(values[idx(source)]);
-  values = std::move(kept);
-}
-
 Surface surface_of(const Surface& whole, const std::vector<int>& sources,
                    const std::vector<int>& numbers, const std::vector<ObjectStyle>& styles) {
   Surface part = whole;
-  keep(part.triangles, sources);
-  keep(part.flips, sources);
-  keep(part.patches, sources);
-  keep(part.neighbours, sources);
-  keep(part.edge_kinds, sources);
-  keep(part.triangle_objects, sources);
-  keep(part.triangle_planes, sources);
-  keep(part.triangle_faces, sources);
+  keep_elements(part.triangles, sources);
+  keep_elements(part.flips, sources);
+  keep_elements(part.patches, sources);
+  keep_elements(part.neighbours, sources);
+  keep_elements(part.edge_kinds, sources);
+  keep_elements(part.triangle_objects, sources);
+  keep_elements(part.triangle_planes, sources);
+  keep_elements(part.triangle_faces, sources);
   for (auto& neighbours : part.neighbours) {
     for (int& n : neighbours) n = n == none ? none : numbers[idx(n)];
   }

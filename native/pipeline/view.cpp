@@ -167,18 +167,17 @@ void add_tones(View& view, SeenTones seen) {
 View view_of_seen(const Prepared& prepared, const Camera& camera, const DrawOptions& options,
                   const std::vector<Light>& lights, std::unique_ptr<const SeenScene> casters,
                   const Progress& progress) {
-  const bool hatching = anything_is_hatched(options);
   View view{prepared, camera, options, lights};
   view.timings = {{"contour", 0}, {"visibility", 0}, {"tone", 0}, {"hatch", 0}, {"stroke", 0}};
   view.casters = std::move(casters);
   view.scene =
       std::make_unique<SeenScene>(prepared, options.styles, options.threads, progress.part(0, 0.1));
   view.materials = material_marks(view.scene->surface(), view.scene->meshes(), options.styles);
-  if (hatching) prepared.field(progress.part(0.1, 0.3));
-  if (!hatching) {
+  if (!anything_is_hatched(options)) {
     label_lines(view, progress.part(0.3, 1));
     return view;
   }
+  prepared.field(progress.part(0.1, 0.3));
   Aside<SeenTones> tones(options.threads,
                          [&](const Progress& part) { return seen_tones(view, part); });
   label_lines(view, progress.part(0.3, 0.7));
