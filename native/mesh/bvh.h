@@ -6,6 +6,7 @@
 
 #include "core/progress.h"
 #include "core/types.h"
+#include "mesh/bvh_quads.h"
 
 namespace illustrate {
 
@@ -50,12 +51,6 @@ class Bvh {
   static double half_area(const Eigen::AlignedBox3d& box);
 
  private:
-  struct Node {
-    Eigen::AlignedBox3d box;
-    int first =
-        0;  // leaf: first entry of order_; inner: index of the left child (right = left + 1)
-    int count = 0;  // leaf: number of triangles; inner: 0
-  };
   class Builder;
   class Pairs;
   // Calls visit(RayHit) for the hits of a ray until it returns true; whether it did.
@@ -66,9 +61,10 @@ class Bvh {
 
   const Points* positions_ = nullptr;
   const std::vector<Triangle>* triangles_ = nullptr;
-  std::vector<Node> nodes_;                 // root first
+  std::vector<BvhNode> nodes_;              // root first
   std::vector<int> order_;                  // triangles, those of a leaf side by side
   std::vector<Eigen::AlignedBox3d> boxes_;  // of each entry of order_
+  BvhQuads quads_;                          // of nodes_, for rays
 };
 
 }  // namespace illustrate

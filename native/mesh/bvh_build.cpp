@@ -10,7 +10,7 @@ namespace {
 
 using Box = Eigen::AlignedBox3d;
 
-constexpr int leaf_size = 4;
+constexpr int leaf_size = BvhQuad::size;
 constexpr int bin_count = 12;
 
 // Below this depth nodes are halved whatever their shape, so no path is longer than this plus 32.
@@ -179,10 +179,11 @@ class Bvh::Builder {
     progress_.report(0.8);
     append(branches, nodes);
     copy_items();
+    tree_.quads_ = BvhQuads(nodes, tree_.boxes_);
   }
 
  private:
-  using Nodes = std::vector<Node>;
+  using Nodes = std::vector<BvhNode>;
   struct Task {
     int node, first, count, depth;
     Extent extent;  // of the items
@@ -248,7 +249,7 @@ class Bvh::Builder {
   static void append(std::vector<Branch>& branches, Nodes& nodes) {
     for (Branch& branch : branches) {
       const int offset = static_cast<int>(nodes.size()) - 1;
-      for (Node& node : branch.nodes) node.first += node.count == 0 ? offset : 0;
+      for (BvhNode& node : branch.nodes) node.first += node.count == 0 ? offset : 0;
       nodes[branch.task.node] = branch.nodes.front();
       nodes.insert(nodes.end(), branch.nodes.begin() + 1, branch.nodes.end());
       branch.nodes = {};
@@ -256,7 +257,7 @@ class Bvh::Builder {
   }
 
   void build_node(const Task& task, Nodes& nodes, std::vector<Task>& tasks) {
-    Node& node = nodes[task.node];
+    BvhNode& node = nodes[task.node];
     node.box = task.extent.box;
     if (task.count <= leaf_size) {
       node.first = task.first;

@@ -57,7 +57,7 @@ SurfacePoint Bvh::nearest(const Vec3& p, double reach) const {
   };
   while (depth > 0) {
     const int top = stack[--depth];
-    const Node& node = nodes_[idx(top)];
+    const BvhNode& node = nodes_[idx(top)];
     // A box that is as near may hold a triangle of a lower number.
     if (!(squared_to(top) <= least)) continue;
     if (node.count == 0) {

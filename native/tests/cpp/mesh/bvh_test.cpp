@@ -138,6 +138,38 @@ TEST(Bvh, HitsAreThoseOfTheTriangleEquation) {
   EXPECT_GT(total, 200u);
 }
 
+// Boxes only say where to look: nothing is missed however far away, large or small all is.
+TEST(Bvh, HitsAreThoseOfEachTriangleAlone) {
+  std::mt19937 random(17);
+  std::normal_distribution<double> normal;
+  const auto vector = [&] { return Vec3(normal(random), normal(random), normal(random)); };
+  std::size_t total = 0;
+  for (const auto& [size, off, eye] : std::vector<std::array<double, 3>>{
+           {1, 0, 1}, {1, 1e6, 1}, {1, 0, 1e9}, {1e-7, 1, 3}, {1e12, 1e3, 0.1}, {1e-30, 0, 1}}) {
+    Soup soup = random_soup(120, 0.4, 18);
+    soup.positions[0] *= 1e3;  // beside the others their boxes are small
+    for (Vec3& p : soup.positions) p = size * (p + Vec3(off, -off, off / 3));
+    const Bvh tree(soup.positions, soup.triangles);
+    std::vector<std::vector<Triangle>> single;
+    for (const Triangle& triangle : soup.triangles) single.push_back({triangle});
+    std::vector<Bvh> alone;
+    for (const auto& triangle : single) alone.emplace_back(soup.positions, triangle, 1);
+    for (int i = 0; i < 60; ++i) {
+      const Vec3 target = soup.positions[idx(6 * i)] + 0.1 * size * vector();
+      const Vec3 origin = target + eye * size * vector();
+      std::set<int> expected, found;
+      for (std::size_t t = 0; t < alone.size(); ++t) {
+        const bool is_hit = !hits_of(alone[t], origin, target - origin).empty();
+        if (is_hit) expected.insert(static_cast<int>(t));
+      }
+      for (const RayHit& hit : hits_of(tree, origin, target - origin)) found.insert(hit.triangle);
+      EXPECT_EQ(found, expected);
+      total += found.size();
+    }
+  }
+  EXPECT_GT(total, 300U);
+}
+
 TEST(Bvh, RaysThroughEdgesAndVerticesAreWatertight) {
   const Surface sphere = shapes::sphere_surface(1, 3);
   const Bvh tree(sphere.positions, sphere.triangles);
