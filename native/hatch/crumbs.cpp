@@ -1,6 +1,7 @@
 #include "hatch/crumbs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/disjoint_sets.h"
@@ -151,7 +152,11 @@ class Sweeper {
     for (int h = 0; h < count; ++h) {
       if (!is_kept_[idx(h)] || !is_undercut(h)) continue;
       lengths[idx(h)] = length(h) / spacing(h);
-      visit_near(h, [&](int other) {
+      const auto is_known = [&](int other) {
+        return is_undercut(other) ? patches.root(h) == patches.root(other)
+                                  : std::isinf(lengths[idx(h)]);
+      };
+      visit_near(h, is_known, [&](int other) {
         if (is_undercut(other))
           patches.join(h, other);
         else
@@ -164,14 +169,14 @@ class Sweeper {
     return lengths;
   }
 
-  // Hatches that are kept, on the same side of all critical curves.
-  template <class Visit>
-  void visit_near(int hatch, const Visit& visit) const {
+  // Hatches that are kept, on the same side of all critical curves; not those already known.
+  template <class Known, class Visit>
+  void visit_near(int hatch, const Known& is_known, const Visit& visit) const {
     const double reach =
         speck_reach * scene_.spacing_on(curve(hatch)[0].on.triangle, options_.spacing_px);
     for (const HatchPoint& point : curve(hatch)) {
       grid_.any_within(point.image, reach, [&](const HatchNode& node) {
-        if (node.point != hatch && is_kept_[idx(node.point)] &&
+        if (node.point != hatch && is_kept_[idx(node.point)] && !is_known(node.point) &&
             !scene_.curves.separate(point.image, node.image))
           visit(node.point);
         return false;

@@ -18,6 +18,7 @@ namespace {
 constexpr double last_step = 2;
 constexpr double step = 3;
 constexpr double reach = 12;
+constexpr double near_share = 0.25;  // of it, where a stroke is looked for first
 
 // Silhouettes slide in depth, which counts so much of what it is.
 constexpr double depth_share = 0.2;
@@ -105,7 +106,9 @@ Points moved_points(const Drawing& last, const Surface& surface,
 class LastStrokes {
  public:
   LastStrokes(const Drawing& last, const Points& points, const Camera& camera, double unit_px)
-      : last_(last), reach_(reach * unit_px), grid_(camera.width_px(), camera.height_px(), reach_) {
+      : last_(last),
+        reach_(reach * unit_px),
+        grid_(camera.width_px(), camera.height_px(), near_share * reach_) {
     for (int s = 0; s < count_of(last); ++s) {
       for (const Sample& sample : samples_of(last, s, points, camera, last_step * unit_px)) {
         grid_.add({sample.image, Vec3::Zero(), static_cast<int>(samples_.size())});
@@ -115,22 +118,30 @@ class LastStrokes {
   }
 
   const Sample* nearest(const Sample& sample, const Group& group) const {
-    const Sample* found = nullptr;
-    double least = reach_ * reach_;
-    grid_.any_within(sample.image, reach_, [&](const HatchNode& node) {
-      const Sample& other = samples_[idx(node.point)];
-      const double deep = depth_share * (other.depth - sample.depth);
-      const double square = (other.image - sample.image).squaredNorm() + deep * deep;
-      if (square < least && suits(sample, other, group)) {
-        least = square;
-        found = &other;
-      }
-      return false;
-    });
-    return found;
+    Near near;
+    // Most are near by: what is found there is nearer than all farther away.
+    find_within(near_share * reach_, sample, group, near);
+    if (!near.sample) find_within(reach_, sample, group, near);
+    return near.sample;
   }
 
  private:
+  struct Near {
+    const Sample* sample = nullptr;
+    double square = 0;  // of its distance, px
+  };
+
+  void find_within(double radius, const Sample& sample, const Group& group, Near& near) const {
+    near.square = radius * radius;
+    grid_.any_within(sample.image, radius, [&](const HatchNode& node) {
+      const Sample& other = samples_[idx(node.point)];
+      const double deep = depth_share * (other.depth - sample.depth);
+      const double square = (other.image - sample.image).squaredNorm() + deep * deep;
+      if (square < near.square && suits(sample, other, group)) near = {&other, square};
+      return false;
+    });
+  }
+
   bool suits(const Sample& sample, const Sample& other, const Group& group) const {
     const double cosine = sample.heading.dot(other.heading);
     const bool may_turn = std::get<Kind>(group) != Kind::silhouette;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "contour/contour_functions.h"
@@ -92,12 +93,9 @@ class BandMarker {
   void clear_beside_crease(int arc) {
     if (!is_visible_crease(graph_.arcs[arc])) return;
     for (const FoldSample& sample : samples_of(arc)) {
-      each_cell_round(sample, options_.undercut_px, [&](const Vec2& centre, int cell) {
-        if (band_[cell] != Band::undercut) return;
-        const double distance = (centre - sample.image).norm();
-        const double apart = std::abs(visible_.depth[cell] - sample.depth) / sample.cell;
-        const bool is_beside = apart < behind + recession * distance / visible_.cell_px;
-        if (is_beside && distance < nearest_[cell]) band_[cell] = Band::nothing;
+      each_row_round(sample, options_.undercut_px, [&](int begin, int end) {
+        for (int cell = next_undercut(begin, end); cell < end; cell = next_undercut(cell + 1, end))
+          clear_cell(sample, cell);
       });
     }
   }
@@ -215,43 +213,57 @@ class BandMarker {
 
   void mark_round(const FoldSample& sample, double least_depth) {
     const double reach = std::max(sample.mach_band_px, sample.undercut_px);
-    each_cell_round(sample, reach, [&](const Vec2& centre, int cell) {
-      mark_cell(sample, least_depth, centre, cell);
+    each_row_round(sample, reach, [&](int begin, int end) {
+      for (int cell = begin; cell < end; ++cell) mark_cell(sample, least_depth, cell);
     });
   }
 
-  // Calls use(middle of a cell, its index) for the square round a sample.
+  // Calls use(first cell, end) for the rows of the square round a sample.
   template <class Use>
-  void each_cell_round(const FoldSample& sample, double reach, const Use& use) const {
+  void each_row_round(const FoldSample& sample, double reach, const Use& use) const {
     const double cell_px = visible_.cell_px;
     const auto cells = [cell_px](double px, int end) {
       return static_cast<int>(std::clamp(std::floor(px / cell_px), 0.0, end - 1.0));
     };
     const int row_end = cells(sample.image.y() + reach, visible_.height);
+    const int column = cells(sample.image.x() - reach, visible_.width);
     const int column_end = cells(sample.image.x() + reach, visible_.width);
     for (int row = cells(sample.image.y() - reach, visible_.height); row <= row_end; ++row) {
-      for (int i = cells(sample.image.x() - reach, visible_.width); i <= column_end; ++i) {
-        use(Vec2(i + 0.5, row + 0.5) * cell_px, visible_.index(i, row));
-      }
+      use(visible_.index(column, row), visible_.index(column_end, row) + 1);
     }
   }
 
-  void mark_cell(const FoldSample& sample, double least_depth, const Vec2& centre, int cell) {
-    const Vec2 offset = centre - sample.image;
-    const double distance = offset.norm();
-    if (distance >= nearest_[cell] || visible_.triangle[cell] == none) return;
-    const double deeper = (visible_.depth[cell] - sample.depth) / sample.cell;
+  Vec2 middle_of(int cell) const {
+    return Vec2(cell % visible_.width + 0.5, cell / visible_.width + 0.5) * visible_.cell_px;
+  }
+
+  void mark_cell(const FoldSample& sample, double least_depth, int cell) {
+    if (visible_.triangle[cell] == none) return;
+    const Vec2 centre = middle_of(cell), offset = centre - sample.image;
     const bool is_beyond = offset.dot(sample.beyond) > 0;
+    const double reach = is_beyond ? sample.undercut_px : sample.mach_band_px;
+    const double distance = offset.norm();
+    if (distance > reach || distance >= nearest_[cell]) return;
+    const double deeper = (visible_.depth[cell] - sample.depth) / sample.cell;
     const bool is_fold = !is_beyond && deeper < behind + recession * distance / visible_.cell_px;
-    const bool is_undercut = is_beyond && deeper > least_depth;
-    Band mark = Band::nothing;
-    if (is_fold && distance <= sample.mach_band_px) mark = Band::mach_band;
-    if (is_undercut && distance <= sample.undercut_px && !is_of_face(sample, centre, cell)) {
-      mark = Band::undercut;
-    }
-    if (mark == Band::nothing) return;
-    band_[cell] = mark;
+    const bool is_undercut = is_beyond && deeper > least_depth && !is_of_face(sample, centre, cell);
+    if (!is_fold && !is_undercut) return;
+    band_[cell] = is_fold ? Band::mach_band : Band::undercut;
     nearest_[cell] = static_cast<float>(distance);
+  }
+
+  // The first undercut of the cells [begin, end), or the end.
+  int next_undercut(int begin, int end) const {
+    const Band* const first = band_.data() + begin;
+    const void* found = std::memchr(first, int(Band::undercut), idx(end - begin));
+    return found ? begin + static_cast<int>(static_cast<const Band*>(found) - first) : end;
+  }
+
+  void clear_cell(const FoldSample& sample, int cell) {
+    const double distance = (middle_of(cell) - sample.image).norm();
+    const double apart = std::abs(visible_.depth[cell] - sample.depth) / sample.cell;
+    const bool is_beside = apart < behind + recession * distance / visible_.cell_px;
+    if (is_beside && distance < nearest_[cell]) band_[cell] = Band::nothing;
   }
 
   const Surface& surface_;
