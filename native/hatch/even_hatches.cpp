@@ -97,6 +97,12 @@ Ragged<SurfacePoint> places_of(const Streamlines& streamlines) {
   return places;
 }
 
+Eigen::AlignedBox2d box_of(const std::vector<StreamlineNode>& nodes) {
+  Eigen::AlignedBox2d box;
+  for (const StreamlineNode& node : nodes) box.extend(node.image);
+  return box;
+}
+
 // What the last drawing left free where nothing has changed stays free.
 std::vector<StreamlineNode> without_resting(std::vector<StreamlineNode> seeds,
                                             const HatchView& view) {
@@ -157,9 +163,10 @@ class GroupHatcher {
 
   Hatches hatches(const HatchGroup& group, int threads, std::atomic<std::int64_t>& steps,
                   const Progress& progress) const {
-    const std::vector<StreamlineNode> seeds =
-        without_resting(surface_seeds(view_, group.curves, group.hatched, passable_), view_);
-    StreamlineSet set(view_);
+    std::vector<StreamlineNode> seeds =
+        surface_seeds(view_, group.curves, group.hatched, passable_);
+    StreamlineSet set(view_, box_of(seeds));
+    seeds = without_resting(std::move(seeds), view_);
     const Progress placing = progress.part(0.1, 0.7);
     if (follows_) {
       place_after(set, view_, group, seeds, threads, placing);

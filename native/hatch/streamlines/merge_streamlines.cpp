@@ -82,8 +82,10 @@ class Merger {
   }
 
   std::vector<EndPair> facing_pairs() {
-    StreamlineGrid ends = view_.empty_grid();
     const int count = static_cast<int>(joins_.size());
+    Eigen::AlignedBox2d box;
+    for (int end = 0; end < count; ++end) box.extend(node_from(end, 0).image);
+    StreamlineGrid ends = view_.empty_grid(box);
     for (int end = 0; end < count; ++end) {
       if (!node_from(end, 0).is_held) ends.add(outward(end), 0, end / 2, end);
     }

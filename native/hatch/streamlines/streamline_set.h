@@ -7,7 +7,9 @@ namespace illustrate {
 
 class StreamlineSet {
  public:
-  explicit StreamlineSet(const HatchView& view) : grid(view.empty_grid()) {}
+  // box: where streamlines are expected (streamline_grid.h).
+  explicit StreamlineSet(const HatchView& view, const Eigen::AlignedBox2d& box = {})
+      : grid(view.empty_grid(box)) {}
 
   void add(Streamline streamline) {
     grid.add(streamline, static_cast<int>(streamlines.size()));

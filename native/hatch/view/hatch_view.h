@@ -71,8 +71,9 @@ class HatchView {
     return scene_.spacing_on(triangle, spacing_px());
   }
   double scale_on(int triangle) const { return scene_.scale_on(triangle); }
-  StreamlineGrid empty_grid() const {
-    return {double(scene_.camera.width_px()), double(scene_.camera.height_px()), spacing_px()};
+  // box: where nodes are expected (streamline_grid.h).
+  StreamlineGrid empty_grid(const Eigen::AlignedBox2d& box = {}) const {
+    return {double(scene_.camera.width_px()), double(scene_.camera.height_px()), spacing_px(), box};
   }
 
   // Image distance from a node to a piece of a streamline, infinite where the two are not parallel,
