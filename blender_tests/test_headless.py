@@ -47,7 +47,7 @@ def test_writes_every_format_and_sums_up(scene: Any, saved: Any, tmp_path: Any) 
     assert names(tmp_path) == ["new", "shot.blend"]
     assert blend.read_bytes() == before
     last = [line for line in ran.stdout.splitlines() if line.startswith("shot_0001: ")][-1]
-    assert " strokes (" in last and "png " in last
+    assert " strokes (" in last and "png " in last and ", strokes " in last
     assert "Traceback" not in ran.stderr
 
 
@@ -70,6 +70,7 @@ def test_frames_and_style(scene: Any, saved: Any, tmp_path: Any) -> None:
     )
     assert ran.returncode == 0, ran.stdout + ran.stderr
     assert names(tmp_path / "out") == [f"shot_000{i}.svg" for i in (1, 3, 4)]
+    assert ", strokes " not in ran.stdout  # SVG is written without strokes in the scene
     first, third, fourth = ((tmp_path / "out" / f"shot_000{i}.svg").read_text() for i in (1, 3, 4))
     assert first != third
     assert third == fourth.replace('"frame": 4', '"frame": 3')

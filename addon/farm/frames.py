@@ -234,10 +234,12 @@ class Sequence:
     def _write(self, made: Illustration, name: str, frame: int) -> None:
         scene, begun = self._scene, time.perf_counter()
         camera, areas = made.arrays.camera, fills_of(scene, made)
-        strokes = output.write_drawing(
-            scene, made.drawing, camera, scene.illustrate.output, made.names, areas, frame
-        )
-        made.seconds["strokes"] = time.perf_counter() - begun
+        strokes = []
+        if files.READS_STROKES.intersection(self._chosen.format):
+            strokes = output.write_drawing(
+                scene, made.drawing, camera, scene.illustrate.output, made.names, areas, frame
+            )
+            made.seconds["strokes"] = time.perf_counter() - begun
         exposure = float(made.drawing.tone.exposure)
         page = files.Page(
             scene,

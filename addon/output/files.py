@@ -20,6 +20,9 @@ FORMATS = ("svg", "png", "json", "blend")
 PLOT_FORMATS = ("pdf", "dxf")
 """Written as plots, always on the page of the scene's plot settings (plot/plots.py)."""
 
+READS_STROKES = frozenset({"blend", "png"})
+"""Written from the strokes in the scene: all of them, or the colours of their pens."""
+
 
 @dataclass(frozen=True)
 class Page:
@@ -29,7 +32,7 @@ class Page:
     drawing: Any  # illustrate_native.Drawing
     camera: Any  # CameraArrays
     names: list[str]  # of the meshes
-    strokes: list[Any]  # the objects that hold the strokes
+    strokes: list[Any]  # the objects that hold the strokes; none needed but by READS_STROKES
     width_mm: float = 200.0
     svg_style: str = "centerline"
     made_by: dict[str, Any] | None = None  # the stamp (stamps.py)
