@@ -136,10 +136,15 @@ def test_nothing_is_written_elsewhere(shot: Any, tmp_path: Any) -> None:
 
 @pytest.mark.usefixtures("shot")
 def test_many_frames_leave_nothing_behind(tmp_path: Any) -> None:
+    untouched = tools.snapshot()
     assert draw(tmp_path, "--frames", "1-3", "--name", "same_#") == 0
+    moved = {name: untouched[name] for name in ("frame", "things")}
+    assert {**tools.snapshot(), **moved} == untouched
+    pictures = ("--name", "same_#", "--format", "png")  # in the colours of strokes in the scene
+    assert draw(tmp_path, "--frames", "1-3", *pictures) == 0
     before = tools.snapshot()
     things = sum(len(layer.frames) for layer in bpy.data.objects["Illustration"].data.layers)
-    assert draw(tmp_path, "--frames", "4-12", "--name", "same_#") == 0
+    assert draw(tmp_path, "--frames", "4-12", *pictures) == 0
     after = {**tools.snapshot(), "frame": before["frame"], "things": before["things"]}
     assert after == before
     layers = bpy.data.objects["Illustration"].data.layers

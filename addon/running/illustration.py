@@ -202,6 +202,8 @@ def computing(
     is_prepared, (start, end) = cache.has(request.prepared_key), share
     between = start if is_prepared else start + PREPARED * (end - start)
     prepared = yield from preparing(request, (start, between), title, cache)
+    is_new = bool(request.prepare_seconds)
+    before = {} if is_new else prepared.timings
     with _explained(request):
         # Strokes that start from a previous frame's are no function of the request alone.
         is_kept = request.previous is None
@@ -212,7 +214,10 @@ def computing(
         if is_drawn and is_kept:
             cache.keep_drawing(request.drawing_key, request.widths, drawing)
     seconds = {"read": request.read_seconds}
-    seconds.update(request.prepare_seconds)
+    # What only some drawings need is prepared as they are drawn.
+    for stage, spent in prepared.timings.items():
+        if is_new or spent > before[stage]:
+            seconds[stage] = spent - before.get(stage, 0.0)
     seconds.update(drawing.timings if is_drawn else {})
     warnings = remarks.of_meshes(request.arrays, prepared.reports) + request.warnings
     warnings += remarks.of_crowding(drawing.counts, prepared)
