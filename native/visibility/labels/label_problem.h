@@ -1,11 +1,12 @@
 // Labels of a whole view as one convex problem, on plain data.
 //
-// Unknown are whole numbers, each with a least one. What is known of one of them, and what two of them differ by,
-// has a price that grows with the distance from what is asked: every term is convex in one unknown
-// or in a difference of two, so that the sum is L-natural-convex (Murota 2003, "Discrete convex
-// analysis"). Where no set of unknowns can be raised together by one, nor lowered, with gain, the
-// least of all sums is reached, and the best set is a minimum cut (Kolmogorov and Shioura 2009,
-// "New algorithms for convex cost tension problem with application to computer vision").
+// Unknown are whole numbers, each with a least one. What is known of one of them, and what two of
+// them differ by, has a price that grows with the distance from what is asked: every term is convex
+// in one unknown or in a difference of two, so that the sum is L-natural-convex (Murota 2003,
+// "Discrete convex analysis"). Where no set of unknowns can be raised together by one, nor lowered,
+// with gain, the least of all sums is reached, and the best set is a minimum cut (Kolmogorov and
+// Shioura 2009, "New algorithms for convex cost tension problem with application to computer
+// vision").
 #pragma once
 
 #include <cstdint>
@@ -43,9 +44,9 @@ struct LabelProblem {
 // The sum of all terms.
 std::int64_t price(const LabelProblem& problem, const std::vector<int>& x);
 
-// Of all x with the least sum the one with the least numbers, whatever the start (unknowns, none below its least);
-// only the time depends on that. Throws Cancelled through `progress`, which it asks before each
-// cut.
+// Of all x with the least sum the one with the least numbers, whatever the start (unknowns, none
+// below its least); only the time depends on that. Throws Cancelled through `progress`, which it
+// asks before each cut.
 std::vector<int> least_labels(const LabelProblem& problem, std::vector<int> start,
                               const Progress& progress = {});
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "visibility/prices.h"
 namespace illustrate {
@@ -42,6 +43,14 @@ Transition transition_into(const Arrangement& arrangement, const Path& path, con
   const int jump = path.jumps[idx(arc.step)];
   if (jump == 0 || (arc.step == 0 && !path.cyclic)) return {};
   return {Transition::At::cusp, none, arc.step, jump};
+}
+
+std::set<int> open_objects(const CurveNetwork& network) {
+  std::set<int> objects;
+  for (const Strand& strand : network.strands) {
+    if (strand.kind == Kind::boundary) objects.insert(strand.object);
+  }
+  return objects;
 }
 
 // Layers that the front strand of a crossing adds where the back strand comes from and where it
@@ -151,12 +160,26 @@ class Statement {
       }
     }
     view_.problem.least.assign(lengths.size(), 0);
-    for (std::size_t u = 0; u < lengths.size(); ++u) {
-      if (lengths[u] > point_px) continue;
-      view_.problem.least[u] = -most_hidden;
-      view_.problem.values.push_back(
-          {static_cast<int>(u), 0, any_more, as_price(prices.below_none), 0});
+    for (const int u : behind_open_objects()) {
+      if (lengths[idx(u)] > point_px || is_point(u)) continue;
+      view_.problem.least[idx(u)] = -most_hidden;
+      view_.problem.values.push_back({u, 0, any_more, as_price(prices.below_none), 0});
     }
+  }
+
+  // Unknowns that begin or end behind a curve of an object with a border.
+  std::vector<int> behind_open_objects() const {
+    const std::set<int> open = open_objects(arrangement_.network());
+    std::vector<int> found;
+    for_each_transition(arrangement_, arcs_,
+                        [&](std::size_t p, std::size_t before, std::size_t i, const Transition& t) {
+                          if (t.at != Transition::At::crossing) return;
+                          const int front = arrangement_.crossing(t.crossing).front.strand;
+                          if (open.count(arrangement_.strand(front).object) == 0) return;
+                          found.push_back(view_.unknowns[p][before]);
+                          found.push_back(view_.unknowns[p][i]);
+                        });
+    return found;
   }
 
   void ask_for_changes() {

@@ -149,6 +149,7 @@ TEST(ViewLabels, AreNotRaisedWhereABorderIsBesideItsOutline) {
       closed_curves({square(50, 0), square(50.05, -0.5), {{0, 24, -1}, {0, -24, -1}, {60, 0, -1}}});
   network.strands[1].left_layers = 0;
   network.strands[1].right_layers = 1;
+  network.strands[1].kind = Kind::boundary;
   network.strands[2].left_layers = 0;
   Arrangement arrangement = arrange(network, one_px);
   const std::vector<std::vector<PathArc>> arcs = arcs_of_paths(arrangement);
