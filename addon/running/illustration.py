@@ -216,8 +216,9 @@ def computing(
     seconds = {"read": request.read_seconds}
     # What only some drawings need is prepared as they are drawn.
     for stage, spent in prepared.timings.items():
-        if is_new or spent > before[stage]:
-            seconds[stage] = spent - before.get(stage, 0.0)
+        spent -= before.get(stage, 0.0)
+        if is_new or spent > 0.0:
+            seconds[stage] = spent
     seconds.update(drawing.timings if is_drawn else {})
     warnings = remarks.of_meshes(request.arrays, prepared.reports) + request.warnings
     warnings += remarks.of_crowding(drawing.counts, prepared)
