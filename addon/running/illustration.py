@@ -44,7 +44,7 @@ class Request:
     previous: Any = None  # the drawing whose strokes the new one starts from
     follows: bool = False  # it is to start from a drawing that may not be there yet
     view: Any = None  # illustrate_native.View, where it was made ahead of the drawing
-    prepare_seconds: dict[str, float] = field(default_factory=dict)  # if it was prepared anew
+    is_prepared_anew: bool = False
 
     def expose_as(self, drawing: Any) -> None:
         """The light as strong as in another drawing, so that a sequence does not flicker.
@@ -202,8 +202,7 @@ def computing(
     is_prepared, (start, end) = cache.has(request.prepared_key), share
     between = start if is_prepared else start + PREPARED * (end - start)
     prepared = yield from preparing(request, (start, between), title, cache)
-    is_new = bool(request.prepare_seconds)
-    before = {} if is_new else prepared.timings
+    before = {} if request.is_prepared_anew else prepared.timings
     with _explained(request):
         # Strokes that start from a previous frame's are no function of the request alone.
         is_kept = request.previous is None
@@ -217,7 +216,7 @@ def computing(
     # What only some drawings need is prepared as they are drawn.
     for stage, spent in prepared.timings.items():
         spent -= before.get(stage, 0.0)
-        if is_new or spent > 0.0:
+        if request.is_prepared_anew or spent > 0.0:
             seconds[stage] = spent
     seconds.update(drawing.timings if is_drawn else {})
     warnings = remarks.of_meshes(request.arrays, prepared.reports) + request.warnings
@@ -255,7 +254,7 @@ def preparing(
         if not len(prepared.surface.triangles):
             raise _nothing_is_left(request, prepared.reports)
         cache.keep_prepared(request.prepared_key, request.meshes_key, prepared)
-        request.prepare_seconds = prepared.timings
+        request.is_prepared_anew = True
     return prepared
 
 

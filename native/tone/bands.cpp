@@ -93,9 +93,9 @@ class BandMarker {
   void clear_beside_crease(int arc) {
     if (!is_visible_crease(graph_.arcs[arc])) return;
     for (const FoldSample& sample : samples_of(arc)) {
-      each_row_round(sample, options_.undercut_px, [&](int begin, int end) {
-        for (int cell = next_undercut(begin, end); cell < end; cell = next_undercut(cell + 1, end))
-          clear_cell(sample, cell);
+      each_row_round(sample, options_.undercut_px, [&](int row, int column, int end) {
+        for (int i = next_undercut(row, column, end); i < end; i = next_undercut(row, i + 1, end))
+          clear_cell(sample, i, row);
       });
     }
   }
@@ -213,12 +213,12 @@ class BandMarker {
 
   void mark_round(const FoldSample& sample, double least_depth) {
     const double reach = std::max(sample.mach_band_px, sample.undercut_px);
-    each_row_round(sample, reach, [&](int begin, int end) {
-      for (int cell = begin; cell < end; ++cell) mark_cell(sample, least_depth, cell);
+    each_row_round(sample, reach, [&](int row, int column, int end) {
+      for (int i = column; i < end; ++i) mark_cell(sample, least_depth, i, row);
     });
   }
 
-  // Calls use(first cell, end) for the rows of the square round a sample.
+  // Calls use(row, first column, end) for the rows of the square round a sample.
   template <class Use>
   void each_row_round(const FoldSample& sample, double reach, const Use& use) const {
     const double cell_px = visible_.cell_px;
@@ -229,17 +229,18 @@ class BandMarker {
     const int column = cells(sample.image.x() - reach, visible_.width);
     const int column_end = cells(sample.image.x() + reach, visible_.width);
     for (int row = cells(sample.image.y() - reach, visible_.height); row <= row_end; ++row) {
-      use(visible_.index(column, row), visible_.index(column_end, row) + 1);
+      use(row, column, column_end + 1);
     }
   }
 
-  Vec2 middle_of(int cell) const {
-    return Vec2(cell % visible_.width + 0.5, cell / visible_.width + 0.5) * visible_.cell_px;
+  Vec2 middle_of(int column, int row) const {
+    return Vec2(column + 0.5, row + 0.5) * visible_.cell_px;
   }
 
-  void mark_cell(const FoldSample& sample, double least_depth, int cell) {
+  void mark_cell(const FoldSample& sample, double least_depth, int column, int row) {
+    const int cell = visible_.index(column, row);
     if (visible_.triangle[cell] == none) return;
-    const Vec2 centre = middle_of(cell), offset = centre - sample.image;
+    const Vec2 centre = middle_of(column, row), offset = centre - sample.image;
     const bool is_beyond = offset.dot(sample.beyond) > 0;
     const double reach = is_beyond ? sample.undercut_px : sample.mach_band_px;
     const double distance = offset.norm();
@@ -252,15 +253,16 @@ class BandMarker {
     nearest_[cell] = static_cast<float>(distance);
   }
 
-  // The first undercut of the cells [begin, end), or the end.
-  int next_undercut(int begin, int end) const {
-    const Band* const first = band_.data() + begin;
-    const void* found = std::memchr(first, int(Band::undercut), idx(end - begin));
-    return found ? begin + static_cast<int>(static_cast<const Band*>(found) - first) : end;
+  // The first undercut in columns [column, end) of a row, or the end.
+  int next_undercut(int row, int column, int end) const {
+    const Band* const first = band_.data() + visible_.index(column, row);
+    const void* found = std::memchr(first, int(Band::undercut), idx(end - column));
+    return found ? column + static_cast<int>(static_cast<const Band*>(found) - first) : end;
   }
 
-  void clear_cell(const FoldSample& sample, int cell) {
-    const double distance = (middle_of(cell) - sample.image).norm();
+  void clear_cell(const FoldSample& sample, int column, int row) {
+    const int cell = visible_.index(column, row);
+    const double distance = (middle_of(column, row) - sample.image).norm();
     const double apart = std::abs(visible_.depth[cell] - sample.depth) / sample.cell;
     const bool is_beside = apart < behind + recession * distance / visible_.cell_px;
     if (is_beside && distance < nearest_[cell]) band_[cell] = Band::nothing;
