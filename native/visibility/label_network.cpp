@@ -36,7 +36,7 @@ std::vector<LabelledPath> label_paths(Arrangement& arrangement, LayerRays& rays,
     view = state_labels(arrangement, arcs, evidence);
     labels = least_labels(view.problem, std::move(labels), progress.part(0.9, 1));
   }
-  return settle_labels(arrangement, std::move(arcs), view, std::move(labels), repairs);
+  return settle_labels(arrangement, std::move(arcs), view, labels, repairs);
 }
 
 struct CrossingRepairs {

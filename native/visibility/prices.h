@@ -18,9 +18,6 @@ struct Prices {
   // is broken for nothing, and not without end, for rays along a whole path are right against it.
   // Half and double of the greatest move one and two pixels of line in a thousand.
   double least_change = 5, greatest_change = 120;
-  // Of a point (view_labels.h) for each layer that it has less than none: as of the two crossings
-  // beside it, which give way then, if next to nothing hung on them.
-  double below_none = 10;
   // Of a side with fewer layers than the front curve gives it. Less than a change: the front
   // curve's own label may be the wrong one.
   double least_cover = 0.5, greatest_cover = 40;

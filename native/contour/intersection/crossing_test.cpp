@@ -7,6 +7,7 @@
 #include "core/mixed_bits.h"
 #include "core/predicates.h"
 #include "core/spread.h"
+#include "mesh/polygons.h"
 
 namespace illustrate {
 namespace {
@@ -40,6 +41,9 @@ constexpr double largest_inset_of_edge = 1.0 / 400;
 // The farthest that an inset of 1 moves two points towards each other.
 constexpr double in_plane = 20;
 
+// How far borders draw back, in insets: more than any sheet is moved.
+constexpr double border_retreat = 3;
+
 // Bounds the inset where the sides of a place face nearly opposite ways.
 constexpr double least_mean_normal = 0.05;
 
@@ -63,6 +67,12 @@ double share_of(std::size_t place) {
 
 Vec3 winding_normal(const Points& points, const Triangle& t) {
   return (points[idx(t[1])] - points[idx(t[0])]).cross(points[idx(t[2])] - points[idx(t[0])]);
+}
+
+// Unit, in the plane of the three, from the edge between two towards the third.
+Vec3 away_from_edge(const Vec3& a, const Vec3& b, const Vec3& third) {
+  const Vec3 along = unit_or_zero(b - a), offset = third - a;
+  return unit_or_zero(offset - offset.dot(along) * along);
 }
 
 // Which way a sliver faces means nothing.
@@ -200,8 +210,35 @@ void CrossingTest::move_points_inward(const Surface& surface) {
     const Vec3 mean = normals[i] / std::max(1, copies[i]);
     const double depth = inset_ + (parts_[i] + unevenness * share_of(i)) * farther;
     moved_[i] -= mean * (depth / std::max(mean.squaredNorm(), least_mean_normal));
-    for (double& x : moved_[i])
+  }
+  retract_borders(surface);
+  for (Vec3& point : moved_)
+    for (double& x : point)
       if (std::abs(x) < smallest_coordinate) x = 0;
+}
+
+// Sheets that only adjoin, as faces of a solid that are objects of their own, would cross along
+// their border once both are moved inward: each border draws back by more than the other sheet is
+// moved. At a corner both edges do, as above.
+void CrossingTest::retract_borders(const Surface& surface) {
+  Points within(vertices_.size(), Vec3::Zero());
+  std::vector<int> edges(vertices_.size(), 0);
+  for (int t = 0; t < static_cast<int>(triangles_.size()); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      if (surface.edge_kinds[idx(t)][idx(k)] != EdgeKind::boundary) continue;
+      const int next = next_corner(k), third = next_corner(next);
+      const Vec3 away = away_from_edge(at(t, k), at(t, next), at(t, third));
+      for (const int end : {k, next}) {
+        const std::size_t place = idx(triangles_[idx(t)][idx(end)]);
+        within[place] += away;
+        ++edges[place];
+      }
+    }
+  }
+  for (std::size_t i = 0; i < moved_.size(); ++i) {
+    const Vec3 mean = within[i] / std::max(1, edges[i]);
+    if (!mean.allFinite()) continue;
+    moved_[i] += mean * (border_retreat * inset_ / std::max(mean.squaredNorm(), least_mean_normal));
   }
 }
 

@@ -77,6 +77,7 @@ class CrossingTest {
   void measure_size();
   void choose_inset();
   void move_points_inward(const Surface& surface);
+  void retract_borders(const Surface& surface);
   void number_parts();
   int side(int a, int b, int c, int d) const;
   Sides filtered_sides(int triangle, int other) const;

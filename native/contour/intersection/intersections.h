@@ -4,9 +4,10 @@
 // Touching is not crossing: whether triangles cross is decided, exactly, with every vertex moved
 // inward, against its normal, by 2^-22 of the farthest distance from the middle (of a sixteenth of
 // that from the origin where it is larger; at most 1/400 of the median edge), and the farther (at
-// most twice as far) the later its connected part comes. So a solid that stands on another, up to
-// the rounding of single precision, and a copy at the same place as its original, have no curve
-// with it. The curves themselves lie on the surface as it is. Pairs of triangles that share a
+// most twice as far) the later its connected part comes; and borders draw back within their sheet.
+// So a solid that stands on another, up to the rounding of single precision, a copy at the same
+// place as its original, and faces of a solid that are parts of their own have no curve with each
+// other. The curves themselves lie on the surface as it is. Pairs of triangles that share a
 // vertex are left out, coplanar ones too: a curve that reaches such a pair ends.
 #pragma once
 
@@ -63,7 +64,7 @@ using ObjectPair = std::array<int, 2>;  // ascending
 
 // What tells surfaces apart that touch, here and where it is decided what hides what.
 struct Insets {
-  Points moves;            // (vertices) by which each was moved inward
+  Points moves;            // (vertices) by which each was moved
   std::vector<int> parts;  // (vertices) connected part of each
 };
 

@@ -12,8 +12,18 @@ namespace {
 // Of visits at one place that of the earlier crossing, and of a crossing of a strand with itself
 // the visit behind: some order, the same whatever the sort.
 bool runs_before(const Visit& a, const Visit& b) {
-  return std::tie(a.place.segment, a.place.fraction, a.crossing, a.front) <
-         std::tie(b.place.segment, b.place.fraction, b.crossing, b.front);
+  return std::tie(a.place.segment, a.decided, a.crossing, a.front) <
+         std::tie(b.place.segment, b.decided, b.crossing, b.front);
+}
+
+// Of two curves at one place, as the borders of sheets that adjoin, a third one is drawn across in
+// any order: a visit is drawn no earlier than those before it.
+void draw_in_order(std::vector<Visit>& visits) {
+  for (std::size_t i = 1; i < visits.size(); ++i) {
+    StrandPlace& place = visits[i].place;
+    const StrandPlace& before = visits[i - 1].place;
+    if (place.segment == before.segment) place.fraction = std::max(place.fraction, before.fraction);
+  }
 }
 
 class PathFinder {
@@ -73,12 +83,16 @@ std::vector<std::vector<Visit>> sorted_visits(const std::vector<Crossing>& cross
   std::vector<std::vector<Visit>> visits(strands);
   for (std::size_t c = 0; c < crossings.size(); ++c) {
     const auto enter = [&](const StrandPlace& place, bool is_front) {
-      visits[idx(place.strand)].push_back({static_cast<int>(c), is_front, place});
+      const double decided = crossings[c].decided[is_front ? 0 : 1];
+      visits[idx(place.strand)].push_back({static_cast<int>(c), is_front, place, decided});
     };
     enter(crossings[c].front, /*is_front=*/true);
     enter(crossings[c].back, /*is_front=*/false);
   }
-  for (std::vector<Visit>& list : visits) std::sort(list.begin(), list.end(), runs_before);
+  for (std::vector<Visit>& list : visits) {
+    std::sort(list.begin(), list.end(), runs_before);
+    draw_in_order(list);
+  }
   return visits;
 }
 

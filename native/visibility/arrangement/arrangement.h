@@ -16,6 +16,7 @@ struct Visit {
   int crossing;
   bool front;
   StrandPlace place;
+  double decided;  // fraction of the segment where that was decided: visits are in this order
 };
 
 // Strands tied one after another, each by a known change: a potential runs along them.

@@ -90,11 +90,16 @@ class CrossingFinder {
            orientation(c, d, a) != orientation(c, d, b);
   }
 
-  // Shares of s and t at which they cross: where they are, if they cross there too and near where
-  // that was decided, so that it depends on nothing else.
-  std::array<double, 2> fractions(const StrandSegment& s, const StrandSegment& t) const {
-    const Grid &places = strands_.places, &grid = strands_.grid;
-    const std::array<double, 2> decided{fraction(grid, s, t), fraction(grid, t, s)};
+  // Shares of s and t at which they cross.
+  std::array<double, 2> decided_fractions(const StrandSegment& s, const StrandSegment& t) const {
+    return {fraction(strands_.grid, s, t), fraction(strands_.grid, t, s)};
+  }
+
+  // And at which that is drawn: where they are, if they cross there too and near where that was
+  // decided, so that it depends on nothing else.
+  std::array<double, 2> fractions(const StrandSegment& s, const StrandSegment& t,
+                                  const std::array<double, 2>& decided) const {
+    const Grid& places = strands_.places;
     const double gap = std::abs(depth(s, decided[0]) - depth(t, decided[1]));
     if (gap <= strands_.touching || !cross(places, s, t)) return decided;
     const std::array<double, 2> own{fraction(places, s, t), fraction(places, t, s)};
@@ -135,15 +140,21 @@ class CrossingFinder {
   // Of curves at one place, as a border that lies in another sheet and the intersection along it,
   // the first is in front all along.
   Crossing crossing(const StrandSegment& s, const StrandSegment& t) const {
-    const auto [fs, ft] = fractions(s, t);
+    const std::array<double, 2> decided = decided_fractions(s, t);
+    const auto [fs, ft] = fractions(s, t, decided);
     const StrandPlace ps{s.strand, s.segment, fs}, pt{t.strand, t.segment, ft};
-    const double of_s = depth(s, fs), of_t = depth(t, ft);
+    const double of_s = depth(s, decided[0]), of_t = depth(t, decided[1]);
     const bool s_in_front = of_s <= of_t + strands_.same_depth;
     const StrandSegment& front = s_in_front ? s : t;
     const StrandSegment& back = s_in_front ? t : s;
     const bool from_right = orientation(grid(front.a), grid(front.b), grid(back.a)) < 0;
     const Vec2 &a = strands_.image[idx(s.a)], &b = strands_.image[idx(s.b)];
-    return {s_in_front ? ps : pt, s_in_front ? pt : ps, a + fs * (b - a), from_right,
+    const std::array<double, 2> in_order{decided[s_in_front ? 0 : 1], decided[s_in_front ? 1 : 0]};
+    return {s_in_front ? ps : pt,
+            s_in_front ? pt : ps,
+            in_order,
+            a + fs * (b - a),
+            from_right,
             std::abs(of_s - of_t) <= strands_.touching && ends_at(s, fs) && ends_at(t, ft)};
   }
 
@@ -170,8 +181,8 @@ class CrossingFinder {
       return x.is_flush && x.kind == Kind::intersection;
     };
     if (!is_along_edge(a) && !is_along_edge(b)) return false;
-    const auto [fs, ft] = fractions(s, t);
-    return std::abs(depth(s, fs) - depth(t, ft)) <= strands_.touching;
+    const auto [of_s, of_t] = decided_fractions(s, t);
+    return std::abs(depth(s, of_s) - depth(t, of_t)) <= strands_.touching;
   }
 
   const CurveNetwork& network_;

@@ -1,6 +1,7 @@
 // Where strands cross in the image, decided exactly.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <optional>
 
@@ -17,9 +18,10 @@ struct StrandPlace {
 };
 
 struct Crossing {
-  StrandPlace front;
+  StrandPlace front;  // where it is drawn
   StrandPlace back;
-  Vec2 image;        // px
+  std::array<double, 2> decided;  // fractions of front and back where that was decided
+  Vec2 image;                     // px
   bool enters_left;  // the back strand passes to the front strand's left side as the viewer sees it
   bool at_corner;    // both strands end here, up to how far apart what touches is decided to be
 };

@@ -14,6 +14,9 @@ namespace {
 // Of the distance within which hits may be the curve's own surface: those nearer than this share
 // are it, before or behind the curve as rounding has it.
 constexpr double blind_rounding = 1e-6;
+// Beside a curve a ray meets a sheet that the curve touches no farther than this many times that
+// distance away, unless the sheet is seen edge-on.
+constexpr double grazing = 10;
 constexpr int most_steps = 64;  // from the triangle that a ray met to where the line of sight does
 
 }  // namespace
@@ -21,6 +24,10 @@ constexpr int most_steps = 64;  // from the triangle that a ray met to where the
 // An edge of a polygon object is where it is.
 bool LayerRays::is_interpolated(const Strand& strand, int triangle) const {
   return strand.kind == Kind::silhouette && surface_.is_smooth_at(triangle);
+}
+
+int LayerRays::part(int triangle) const {
+  return insets_.parts[idx(surface_.triangles[idx(triangle)][0])];
 }
 
 // Image x runs along the view's first row, image y against its second.
@@ -38,22 +45,22 @@ double LayerRays::blind_distance(const Strand& strand, int triangle, const Vec3&
   return std::max(pixels, reach_of_own_curves(surface_, triangle));
 }
 
-// Of a triangle in whose plane the curve lies, up to rounding. Open where the line of sight would
-// pass the face's rim.
+// Of a triangle in whose plane the curve lies, up to rounding.
 LayerRays::Side LayerRays::side_of_touch(int triangle, const Touching& curve) const {
   if (insets_.moves.empty() || curve.is_of_two) return Side::open;
   const int vertex = surface_.triangles[idx(triangle)][0];
   const Corners moved = moved_corners(triangle);
   const Vec3 normal = unit_or_zero((moved[1] - moved[0]).cross(moved[2] - moved[0]));
-  const double inset = insets_.moves[idx(vertex)].norm();
+  const double inset = std::abs(normal.dot(insets_.moves[idx(vertex)]));
+  if (std::abs(normal.dot(curve.position - surface_.positions[idx(vertex)])) > inset)
+    return Side::apart;
   const double apart = normal.dot(curve.decided - moved[0]);
-  if (std::abs(normal.dot(curve.position - surface_.positions[idx(vertex)])) > inset ||
-      std::abs(apart) < inset / 2)
-    return Side::open;
   const Vec3 to_eye = camera_.to_eye(curve.decided);
   const double slope = normal.dot(to_eye);
   const Vec3 met = curve.decided - apart / slope * to_eye;
-  if (!met.allFinite() || is_beyond_rim(triangle, normal, met)) return Side::open;
+  if (!met.allFinite()) return Side::open;
+  if (is_beyond_rim(triangle, normal, met)) return Side::beside;
+  if (std::abs(apart) < inset / 2) return Side::open;
   return (apart > 0) == (slope > 0) ? Side::behind : Side::before;
 }
 
@@ -91,7 +98,6 @@ bool LayerRays::is_beyond_rim(int triangle, const Vec3& normal, const Vec3& p) c
 bool LayerRays::lies_apart(int triangle, const Touching& curve) const {
   if (!curve.is_on_mesh) {
     if (insets_.parts.empty()) return false;
-    const auto part = [&](int t) { return insets_.parts[idx(surface_.triangles[idx(t)][0])]; };
     if (part(triangle) == part(curve.triangle)) return false;
   }
   const Triangle& t = surface_.triangles[idx(triangle)];
@@ -112,10 +118,10 @@ LayerCount LayerRays::count_from(const Vec3& origin, double blind, const Touchin
   LayerCount count{0, 0, 0, hits_.empty()};
   for (const RayHit& hit : hits_) {
     const double distance = hit.distance * length;
-    const Side side = std::abs(distance) < blind ? side_of_touch(hit.triangle, curve) : Side::open;
-    if (side == Side::before || (side == Side::open && distance > blind)) {
+    const Side side = std::abs(distance) < blind ? side_of_touch(hit.triangle, curve) : Side::apart;
+    if (side == Side::before || (side != Side::behind && distance > blind)) {
       ++count.layers;
-    } else if (side == Side::open && distance > blind_rounding * blind) {
+    } else if (side != Side::behind && distance > blind_rounding * blind) {
       ++(lies_apart(hit.triangle, curve) ? count.layers : count.unsure);
     } else {
       ++count.behind;
@@ -147,7 +153,45 @@ LayerCount LayerRays::count(const Arrangement& arrangement, const StrandPlace& p
         farther.before() < result.before() && farther.behind < result.behind;
     if (leaves_own_rim) result = farther;
   }
+  if (strand.kind == Kind::boundary) add_adjoining_sheets(along, blind, curve, result);
   return result;
+}
+
+// Of each part the triangle that a ray meets nearest to where it starts, no farther than `most`.
+std::map<int, RayHit> LayerRays::near_parts(const Vec3& origin, double most) {
+  const Vec3 towards = camera_.to_eye(origin);
+  const double reach = most / towards.norm();
+  hits_.clear();
+  bvh_.hits(origin, towards, -reach, reach, hits_);
+  ++rays_;
+  std::map<int, RayHit> parts;
+  for (const RayHit& hit : hits_) {
+    RayHit& nearest = parts.emplace(part(hit.triangle), hit).first->second;
+    if (std::abs(hit.distance) < std::abs(nearest.distance)) nearest = hit;
+  }
+  return parts;
+}
+
+// A ray beside a border meets nothing of sheets whose borders lie there too, as where faces of a
+// solid are objects of their own. Of those that lie on the side of the border's own sheet: which
+// are in front once all is moved?
+void LayerRays::add_adjoining_sheets(const Vec2& along, double blind, const Touching& curve,
+                                     LayerCount& count) {
+  if (insets_.parts.empty()) return;
+  const auto near_beside = [&](double aside) {
+    return near_parts(beside(curve.position, along, aside), grazing * blind);
+  };
+  const std::map<int, RayHit> met = near_beside(reaches.aside_first);
+  for (const auto& [sheet, hit] : near_beside(-reaches.aside_first)) {
+    if (sheet == part(curve.triangle) || met.count(sheet) > 0) continue;
+    const Side side = side_of_touch(hit.triangle, curve);
+    if (side == Side::before) {
+      ++count.layers;
+      count.beside_nothing = false;
+    } else if (side == Side::open) {
+      ++count.unsure;
+    }
+  }
 }
 
 }  // namespace illustrate

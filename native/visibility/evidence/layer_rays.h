@@ -1,6 +1,8 @@
 // Layers of surface in front of a curve, counted by a ray to the eye.
 #pragma once
 
+#include <map>
+
 #include "contour/intersection/intersections.h"
 #include "mesh/bvh.h"
 #include "surface/surface.h"
@@ -26,7 +28,8 @@ class LayerRays {
   // At an inner place of a strand. The ray starts a little to the side where the strand's own
   // surface is not, and takes no notice of what is nearer than the mesh can resolve: the contour
   // of a smooth object lies on the smooth surface, not on its triangles. What the curve touches
-  // there, the floor below a wall, is in front or not as it is once both are moved inward.
+  // there, the floor below a wall, is in front or not as it is once both are moved (Insets); and so
+  // is a sheet whose border lies along the strand, which the ray passes.
   LayerCount count(const Arrangement& arrangement, const StrandPlace& place);
 
   std::int64_t rays() const { return rays_; }
@@ -43,9 +46,15 @@ class LayerRays {
     bool is_on_mesh;  // not interpolated
     int triangle;     // that it lies on
   };
-  enum class Side { open, before, behind };
+  // Where a face is, seen from a curve, once all is moved: apart if it does not touch it at all,
+  // open if that cannot be told, beside if the line of sight passes its rim.
+  enum class Side { apart, open, before, behind, beside };
 
   bool is_interpolated(const Strand& strand, int triangle) const;
+  int part(int triangle) const;
+  std::map<int, RayHit> near_parts(const Vec3& origin, double most);
+  void add_adjoining_sheets(const Vec2& along, double blind, const Touching& curve,
+                            LayerCount& count);
   LayerCount count_from(const Vec3& origin, double blind, const Touching& curve);
   bool lies_apart(int triangle, const Touching& curve) const;
   Side side_of_touch(int triangle, const Touching& curve) const;

@@ -86,14 +86,12 @@ class Steps {
   std::int64_t cost_of(const ValueTerm& term, int x) const {
     return price_of(term, x + by_) - price_of(term, x);
   }
-  std::int64_t cost_of_falling(std::size_t i, int x) const {
-    const int least = problem_.least.empty() ? 0 : problem_.least[i];
-    return by_ < 0 && x == least ? forbidden : 0;
-  }
+  // Labels are never less than 0.
+  std::int64_t cost_of_falling(int x) const { return by_ < 0 && x == 0 ? forbidden : 0; }
 
   void add_costs() {
     std::vector<std::int64_t> costs(x_.size());
-    for (std::size_t i = 0; i < x_.size(); ++i) costs[i] = cost_of_falling(i, x_[i]);
+    for (std::size_t i = 0; i < x_.size(); ++i) costs[i] = cost_of_falling(x_[i]);
     for (const ValueTerm& term : problem_.values) {
       costs[idx(term.unknown)] += cost_of(term, x_[idx(term.unknown)]);
     }
@@ -108,7 +106,7 @@ class Steps {
   // Tells the cut what changes as an unknown takes the step with all that are chosen.
   void change(int i, const std::vector<std::uint8_t>& chosen) {
     const int now = x_[idx(i)], then = now + by_;
-    std::int64_t cost = cost_of_falling(idx(i), then) - cost_of_falling(idx(i), now);
+    std::int64_t cost = cost_of_falling(then) - cost_of_falling(now);
     for (const int t : values_of_[idx(i)]) {
       const ValueTerm& term = problem_.values[idx(t)];
       cost += cost_of(term, then) - cost_of(term, now);

@@ -2,16 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "visibility/prices.h"
 namespace illustrate {
 namespace {
 
 std::int64_t as_price(double px) { return std::llround(px * price_of_pixel); }
-
-constexpr double point_px = 0.25;  // units of paper
-constexpr int most_hidden = 8;     // by curves at one place
 
 double change_price(double extent) {
   return std::clamp(prices.per_px * extent, prices.least_change, prices.greatest_change);
@@ -43,14 +39,6 @@ Transition transition_into(const Arrangement& arrangement, const Path& path, con
   const int jump = path.jumps[idx(arc.step)];
   if (jump == 0 || (arc.step == 0 && !path.cyclic)) return {};
   return {Transition::At::cusp, none, arc.step, jump};
-}
-
-std::set<int> open_objects(const CurveNetwork& network) {
-  std::set<int> objects;
-  for (const Strand& strand : network.strands) {
-    if (strand.kind == Kind::boundary) objects.insert(strand.object);
-  }
-  return objects;
 }
 
 // Layers that the front strand of a crossing adds where the back strand comes from and where it
@@ -108,7 +96,6 @@ class Statement {
   ViewProblem run(const std::vector<std::vector<Evidence>>& evidence) {
     for (std::size_t p = 0; p < arcs_.size(); ++p) number(arrangement_.paths()[p], arcs_[p]);
     for (std::size_t p = 0; p < arcs_.size(); ++p) ask_what_rays_say(p, evidence[p]);
-    let_points_fall();
     ask_for_changes();
     ask_for_cover();
     return std::move(view_);
@@ -152,36 +139,6 @@ class Statement {
     }
   }
 
-  void let_points_fall() {
-    std::vector<double> lengths(idx(view_.problem.unknowns), 0);
-    for (std::size_t p = 0; p < arcs_.size(); ++p) {
-      for (std::size_t i = 0; i < arcs_[p].size(); ++i) {
-        lengths[idx(view_.unknowns[p][i])] += arcs_[p][i].length_px;
-      }
-    }
-    view_.problem.least.assign(lengths.size(), 0);
-    for (const int u : behind_open_objects()) {
-      if (lengths[idx(u)] > point_px || is_point(u)) continue;
-      view_.problem.least[idx(u)] = -most_hidden;
-      view_.problem.values.push_back({u, 0, any_more, as_price(prices.below_none), 0});
-    }
-  }
-
-  // Unknowns that begin or end behind a curve of an object with a border.
-  std::vector<int> behind_open_objects() const {
-    const std::set<int> open = open_objects(arrangement_.network());
-    std::vector<int> found;
-    for_each_transition(arrangement_, arcs_,
-                        [&](std::size_t p, std::size_t before, std::size_t i, const Transition& t) {
-                          if (t.at != Transition::At::crossing) return;
-                          const int front = arrangement_.crossing(t.crossing).front.strand;
-                          if (open.count(arrangement_.strand(front).object) == 0) return;
-                          found.push_back(view_.unknowns[p][before]);
-                          found.push_back(view_.unknowns[p][i]);
-                        });
-    return found;
-  }
-
   void ask_for_changes() {
     for_each_transition(
         arrangement_, arcs_,
@@ -202,12 +159,10 @@ class Statement {
       if (view_.at_least[idx(at[c].front)] || arrangement_.crossings()[c].at_corner) continue;
       const auto [in, out] = layers_hidden(arrangement_, arrangement_.crossings()[c]);
       const std::int64_t price = as_price(cover_price(extents_.crossings[c]) / 2);
-      if (!is_point(at[c].in)) add({at[c].front, at[c].in, in, price, 0});
-      if (!is_point(at[c].out)) add({at[c].front, at[c].out, out, price, 0});
+      add({at[c].front, at[c].in, in, price, 0});
+      add({at[c].front, at[c].out, out, price, 0});
     }
   }
-
-  bool is_point(int unknown) const { return view_.problem.least[idx(unknown)] < 0; }
 
   // Of one unknown with itself nothing can be asked.
   void add(const DifferenceTerm& term) {
@@ -349,9 +304,8 @@ std::vector<int> contradicted_paths(const Arrangement& arrangement,
 
 std::vector<LabelledPath> settle_labels(Arrangement& arrangement,
                                         std::vector<std::vector<PathArc>> arcs,
-                                        const ViewProblem& view, std::vector<int> labels,
+                                        const ViewProblem& view, const std::vector<int>& labels,
                                         std::int64_t& repairs) {
-  for (int& label : labels) label = std::max(label, 0);
   std::vector<Relabelling> relabellings;
   for (const std::vector<PathArc>& path : arcs) relabellings.emplace_back(arrangement, path);
   repairs += GiveWay(arrangement, view, labels).run(arcs);

@@ -7,12 +7,7 @@
 // - at a cusp and behind a crossing, that the label changes as it must;
 // - behind a crossing, that no side has fewer layers than the front curve and its surface give it:
 //   not where both curves end there, as at a beam's corner in a wall's face, which is between them
-//   or is not, nor where the front curve is under cover and only a least number is known of it;
-// - no label below 0, but at points: stretches too short to be seen that begin or end behind a
-//   curve of an object with a border. Its outline may lie beyond its border by rounding, as where
-//   faces of a solid are objects of their own; a line behind both leaves the surface before it
-//   enters it. Without such labels all that is seen beyond would have a layer too many. They are
-//   drawn as 0, and what they contradict gives way; what lies in front asks nothing of them.
+//   or is not, nor where the front curve is under cover and only a least number is known of it.
 // What a node asks has a price in proportion to what hangs on it (extents.h): a lens that only the
 // interpolation of the contour has made gives way, an outline does not.
 #pragma once
@@ -47,7 +42,7 @@ std::vector<int> contradicted_paths(const Arrangement& arrangement,
 // anywhere else.
 std::vector<LabelledPath> settle_labels(Arrangement& arrangement,
                                         std::vector<std::vector<PathArc>> arcs,
-                                        const ViewProblem& view, std::vector<int> labels,
+                                        const ViewProblem& view, const std::vector<int>& labels,
                                         std::int64_t& repairs);
 
 }  // namespace illustrate

@@ -77,6 +77,39 @@ TEST(Arrangement, ApartStrandsCrossAndFollowNothing) {
   EXPECT_EQ(arrangement.paths().size(), network.strands.size());
 }
 
+// A line passes over the borders of two sheets that adjoin at x = 0: once all is moved inward the
+// sheets overlap there, or are apart.
+TEST(Arrangement, VisitsOfBordersAtOnePlaceComeInTheOrderThatWasDecided) {
+  CurveNetwork network;
+  const auto add = [&](const Points& points) {
+    for (const Vec3& p : points) network.points.push({p, {}});
+    network.points.close_list();
+    network.strands.push_back({Kind::boundary, 0, none, none, 1, 0});
+  };
+  const auto sheet = [&](double from, double to) {
+    add({{from, -20, -1}, {to, -20, -1}, {to, 20, -1}, {from, 20, -1}});
+  };
+  add({{-50, 0, 0}, {50, 0, 0}, {50, 30, 0}, {-50, 30, 0}});
+  sheet(-40, 0);
+  sheet(0, 40);
+  for (const double overlap : {3e-4, -3e-4}) {
+    Points decided;
+    for (const CurvePoint& p : network.points.values) decided.push_back(p.position);
+    for (const std::size_t i : {5, 6}) decided[i].x() = overlap;
+    for (const std::size_t i : {8, 11}) decided[i].x() = -overlap;
+    const Arrangement arrangement = *arrange(network, one_px, 100, decided);
+    std::vector<int> sheets;
+    double before = 0;
+    for (const Visit& visit : arrangement.visits(0)) {
+      sheets.push_back(arrangement.crossing(visit.crossing).back.strand);
+      EXPECT_GE(visit.place.segment + visit.place.fraction, before);
+      before = visit.place.segment + visit.place.fraction;
+    }
+    EXPECT_EQ(sheets,
+              overlap > 0 ? std::vector<int>({1, 2, 1, 2}) : std::vector<int>({1, 1, 2, 2}));
+  }
+}
+
 // Places on needles have shares of their corners far beyond them. One such place that was moved by
 // as much would have all curves of a view touch each other.
 TEST(InsetPoints, MoveNoFartherThanTheSurface) {

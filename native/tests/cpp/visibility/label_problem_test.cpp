@@ -75,20 +75,6 @@ TEST(LeastLabels, AreThoseFoundByTryingAll) {
   }
 }
 
-// Labels that may be less than none are those of a problem moved by as much.
-TEST(LeastLabels, MayBeLessThanNoneWhereAsked) {
-  RandomProblems random;
-  for (int i = 0; i < 200; ++i) {
-    const LabelProblem problem = random.next();
-    LabelProblem moved = problem;
-    moved.least.assign(idx(problem.unknowns), -2);
-    for (ValueTerm& term : moved.values) term.low -= 2, term.high -= 2;
-    std::vector<int> found = least_labels(moved, random.labels(problem.unknowns));
-    for (int& label : found) label += 2;
-    ASSERT_EQ(found, tried_labels(problem)) << "problem " << i;
-  }
-}
-
 TEST(LeastLabels, DoNotDependOnTheStart) {
   RandomProblems random;
   for (int i = 0; i < 500; ++i) {

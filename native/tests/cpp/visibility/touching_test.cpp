@@ -7,6 +7,7 @@
 
 #include "tests/cpp/blocks.h"
 #include "tests/cpp/cameras.h"
+#include "tests/cpp/stroke_distance.h"
 
 namespace illustrate {
 namespace {
@@ -24,21 +25,6 @@ double inside(const Box& box, const Vec3& p, const Vec3& to_eye) {
     to = std::min(to, std::max(a, b));
   }
   return to - from;
-}
-
-// To the nearest visible stroke.
-double distance_px(const Drawing& drawing, const Vec2& p) {
-  double nearest = 1e9;
-  for (std::size_t s = 0; s < drawing.kinds.size(); ++s) {
-    const int first = drawing.offsets[s], count = drawing.offsets[s + 1] - first;
-    for (int i = 0; i < count - (drawing.closed[s] ? 0 : 1); ++i) {
-      const Vec2& a = drawing.image[idx(first + i)];
-      const Vec2 along = drawing.image[idx(first + (i + 1) % count)] - a;
-      const double t = (p - a).dot(along) / std::max(along.squaredNorm(), 1e-12);
-      nearest = std::min(nearest, (a + std::clamp(t, 0., 1.) * along - p).norm());
-    }
-  }
-  return nearest;
 }
 
 Drawing drawn(const std::vector<Box>& boxes, const Camera& camera, int triangle_budget = 5000) {

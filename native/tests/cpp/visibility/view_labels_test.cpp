@@ -138,40 +138,6 @@ TEST(ViewLabels, GiveUpThinLensesThatContradictTheRays) {
   EXPECT_EQ(scene.arrangement.live_crossings(), 0);
 }
 
-// A surface hides two layers from its outline on, one from its border on; by rounding the border is
-// outside. A line that passes behind both has one layer at its middle and none at its ends, which
-// on the way asks for one less than none.
-TEST(ViewLabels, AreNotRaisedWhereABorderIsBesideItsOutline) {
-  const auto square = [](double half, double z) {
-    return Points{{-half, -half, z}, {half, -half, z}, {half, half, z}, {-half, half, z}};
-  };
-  CurveNetwork network =
-      closed_curves({square(50, 0), square(50.05, -0.5), {{0, 24, -1}, {0, -24, -1}, {60, 0, -1}}});
-  network.strands[1].left_layers = 0;
-  network.strands[1].right_layers = 1;
-  network.strands[1].kind = Kind::boundary;
-  network.strands[2].left_layers = 0;
-  Arrangement arrangement = arrange(network, one_px);
-  const std::vector<std::vector<PathArc>> arcs = arcs_of_paths(arrangement);
-  std::vector<std::vector<Evidence>> evidence;
-  for (const std::vector<PathArc>& path : arcs) evidence.emplace_back(path.size());
-  for (Evidence& e : evidence[0]) e = {0, 0, 1000, false};
-  const auto is_inside = [](const PathArc& arc) { return arc.length_px > 25; };
-  for (std::size_t i = 0; i < arcs[2].size(); ++i) {
-    if (arcs[2][i].length_px > 1) evidence[2][i] = {is_inside(arcs[2][i]) ? 1 : 0, 0, 200, false};
-  }
-  const ViewProblem view = state_labels(arrangement, arcs, evidence);
-  const std::vector<int> labels = least_labels(view.problem, view.start);
-  EXPECT_EQ(*std::min_element(labels.begin(), labels.end()), -1);
-  std::int64_t repairs = 0;
-  const LabelledPath line = settle_labels(arrangement, arcs, view, labels, repairs)[2];
-  for (std::size_t i = 0; i < line.arcs.size(); ++i) {
-    const bool is_point = line.arcs[i].length_px < 1;
-    EXPECT_EQ(line.layers[i], !is_point && is_inside(line.arcs[i]) ? 1 : 0);
-  }
-  EXPECT_EQ(repairs, 4);
-}
-
 // One unknown for the square, two for the triangle: it passes behind the square twice.
 TEST(ViewLabels, HaveOneUnknownBetweenPlacesWhereTheyChange) {
   const Scene scene(2);
