@@ -108,13 +108,16 @@ bool LayerRays::lies_apart(int triangle, const Touching& curve) const {
          reaches.blind_on_mesh * camera_.pixel_size(curve.position);
 }
 
-LayerCount LayerRays::count_from(const Vec3& origin, double blind, const Touching& curve) {
-  const Vec3 towards = camera_.to_eye(origin);
-  const double length = towards.norm();
+void LayerRays::cast(const Vec3& origin) {
   hits_.clear();
-  bvh_.hits(origin, towards, -std::numeric_limits<double>::infinity(), camera_.ray_end(origin),
-            hits_);
+  bvh_.hits(origin, camera_.to_eye(origin), -std::numeric_limits<double>::infinity(),
+            camera_.ray_end(origin), hits_);
   ++rays_;
+}
+
+LayerCount LayerRays::count_from(const Vec3& origin, double blind, const Touching& curve) {
+  cast(origin);
+  const double length = camera_.to_eye(origin).norm();
   LayerCount count{0, 0, 0, hits_.empty()};
   for (const RayHit& hit : hits_) {
     const double distance = hit.distance * length;
@@ -145,7 +148,10 @@ LayerCount LayerRays::count(const Arrangement& arrangement, const StrandPlace& p
     return {on_curve.layers, on_curve.unsure, on_curve.behind, false};
   }
   const Vec2 along = arrangement.image().image[j] - arrangement.image().image[i];
-  LayerCount result = count_from(beside(p, along, reaches.aside_first), blind, curve);
+  const Vec3 outside = beside(p, along, reaches.aside_first);
+  LayerCount result = count_from(outside, blind, curve);
+  const bool is_border = strand.kind == Kind::boundary && !insets_.parts.empty();
+  const SheetHits met = is_border ? near_sheets(outside, blind) : SheetHits{};
   for (const double aside : {reaches.aside_second, reaches.aside_last}) {
     if (result.before() == 0) break;
     const LayerCount farther = count_from(beside(p, along, aside), blind, curve);
@@ -153,37 +159,33 @@ LayerCount LayerRays::count(const Arrangement& arrangement, const StrandPlace& p
         farther.before() < result.before() && farther.behind < result.behind;
     if (leaves_own_rim) result = farther;
   }
-  if (strand.kind == Kind::boundary) add_adjoining_sheets(along, blind, curve, result);
+  if (is_border) {
+    const Vec3 inside = beside(p, along, -reaches.aside_first);
+    cast(inside);
+    add_adjoining_sheets(met, near_sheets(inside, blind), curve, result);
+  }
   return result;
 }
 
-// Of each part the triangle that a ray meets nearest to where it starts, no farther than `most`.
-std::map<int, RayHit> LayerRays::near_parts(const Vec3& origin, double most) {
-  const Vec3 towards = camera_.to_eye(origin);
-  const double reach = most / towards.norm();
-  hits_.clear();
-  bvh_.hits(origin, towards, -reach, reach, hits_);
-  ++rays_;
-  std::map<int, RayHit> parts;
+// Of those that the last ray met, which started at `origin`.
+LayerRays::SheetHits LayerRays::near_sheets(const Vec3& origin, double blind) const {
+  const double reach = grazing * blind / camera_.to_eye(origin).norm();
+  SheetHits sheets;
   for (const RayHit& hit : hits_) {
-    RayHit& nearest = parts.emplace(part(hit.triangle), hit).first->second;
+    if (std::abs(hit.distance) >= reach) continue;
+    RayHit& nearest = sheets.emplace(part(hit.triangle), hit).first->second;
     if (std::abs(hit.distance) < std::abs(nearest.distance)) nearest = hit;
   }
-  return parts;
+  return sheets;
 }
 
 // A ray beside a border meets nothing of sheets whose borders lie there too, as where faces of a
 // solid are objects of their own. Of those that lie on the side of the border's own sheet: which
 // are in front once all is moved?
-void LayerRays::add_adjoining_sheets(const Vec2& along, double blind, const Touching& curve,
-                                     LayerCount& count) {
-  if (insets_.parts.empty()) return;
-  const auto near_beside = [&](double aside) {
-    return near_parts(beside(curve.position, along, aside), grazing * blind);
-  };
-  const std::map<int, RayHit> met = near_beside(reaches.aside_first);
-  for (const auto& [sheet, hit] : near_beside(-reaches.aside_first)) {
-    if (sheet == part(curve.triangle) || met.count(sheet) > 0) continue;
+void LayerRays::add_adjoining_sheets(const SheetHits& outside, const SheetHits& inside,
+                                     const Touching& curve, LayerCount& count) const {
+  for (const auto& [sheet, hit] : inside) {
+    if (sheet == part(curve.triangle) || outside.count(sheet) > 0) continue;
     const Side side = side_of_touch(hit.triangle, curve);
     if (side == Side::before) {
       ++count.layers;

@@ -49,12 +49,15 @@ class LayerRays {
   // Where a face is, seen from a curve, once all is moved: apart if it does not touch it at all,
   // open if that cannot be told, beside if the line of sight passes its rim.
   enum class Side { apart, open, before, behind, beside };
+  // Of each part of the surface its hit that is nearest to where a ray starts.
+  using SheetHits = std::map<int, RayHit>;
 
   bool is_interpolated(const Strand& strand, int triangle) const;
   int part(int triangle) const;
-  std::map<int, RayHit> near_parts(const Vec3& origin, double most);
-  void add_adjoining_sheets(const Vec2& along, double blind, const Touching& curve,
-                            LayerCount& count);
+  void cast(const Vec3& origin);
+  SheetHits near_sheets(const Vec3& origin, double blind) const;
+  void add_adjoining_sheets(const SheetHits& outside, const SheetHits& inside,
+                            const Touching& curve, LayerCount& count) const;
   LayerCount count_from(const Vec3& origin, double blind, const Touching& curve);
   bool lies_apart(int triangle, const Touching& curve) const;
   Side side_of_touch(int triangle, const Touching& curve) const;

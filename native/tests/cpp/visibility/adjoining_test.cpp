@@ -57,32 +57,36 @@ Vec3 normal_of(const PolygonMesh& mesh, const Face& face) {
   return normal.normalized();
 }
 
-// Faces that share an edge within a plane are one mesh, all others meshes of their own.
-std::vector<PolygonMesh> sheets_of(const PolygonMesh& solid) {
-  struct Plane {
-    Vec3 normal;
-    double distance;
-    std::vector<Face> faces;
-  };
-  std::vector<Plane> planes;
-  std::size_t corner = 0;
+struct PlaneFaces {
+  Vec3 normal;
+  double distance;
+  std::vector<Face> faces;
+};
+
+std::vector<PlaneFaces> faces_by_plane(const PolygonMesh& solid) {
+  std::vector<PlaneFaces> planes;
+  auto corner = solid.corner_vertices.begin();
   for (const int size : solid.face_sizes) {
-    const auto first = solid.corner_vertices.begin() + static_cast<std::ptrdiff_t>(corner);
-    const Face face(first, first + size);
-    corner += idx(size);
+    const Face face(corner, corner + size);
+    corner += size;
     const Vec3 normal = normal_of(solid, face);
     const double distance = normal.dot(solid.positions[idx(face[0])]);
-    const auto found = std::find_if(planes.begin(), planes.end(), [&](const Plane& plane) {
+    const auto found = std::find_if(planes.begin(), planes.end(), [&](const PlaneFaces& plane) {
       return (plane.normal - normal).norm() < 1e-3 && std::abs(plane.distance - distance) < 1e-3;
     });
-    if (found != planes.end()) {
-      found->faces.push_back(face);
-    } else {
+    if (found == planes.end()) {
       planes.push_back({normal, distance, {face}});
+    } else {
+      found->faces.push_back(face);
     }
   }
+  return planes;
+}
+
+// The faces of each plane are a mesh of their own.
+std::vector<PolygonMesh> sheets_of(const PolygonMesh& solid) {
   std::vector<PolygonMesh> sheets;
-  for (const Plane& plane : planes) {
+  for (const PlaneFaces& plane : faces_by_plane(solid)) {
     sheets.push_back(blocks::sharp(shapes::polygon_mesh(solid.positions, plane.faces)));
   }
   return sheets;
@@ -99,13 +103,15 @@ void expect_same_lines_from_all_sides(const PolygonMesh& solid) {
   EXPECT_EQ(blocks::prepared(sheets_of(solid))->intersections().curves.size(), 0u);
   std::mt19937 random(3);
   std::normal_distribution<double> normal;
-  const auto any = [&] { return normal(random); };
   for (int view = 0; view < 12; ++view) {
     SCOPED_TRACE(view);
-    const Eigen::Quaterniond by = Eigen::Quaterniond(any(), any(), any(), any()).normalized();
-    const PolygonMesh mesh = turned(solid, by);
-    const Vec3 eye = 12 * Vec3(any(), any(), any()).normalized();
-    expect_same_lines(mesh, sheets_of(mesh), cameras::perspective(eye, Vec3::Zero()));
+    Eigen::Quaterniond by;
+    for (double& x : by.coeffs()) x = normal(random);
+    Vec3 eye;
+    for (double& x : eye) x = normal(random);
+    const PolygonMesh mesh = turned(solid, by.normalized());
+    const Camera camera = cameras::perspective(12 * eye.normalized(), Vec3::Zero());
+    expect_same_lines(mesh, sheets_of(mesh), camera);
   }
 }
 
