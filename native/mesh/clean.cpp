@@ -240,26 +240,33 @@ Faces clean_faces(const PolygonMesh& mesh, Counts& report) {
   return faces;
 }
 
-std::vector<int> weld_open_edges(Faces& faces, const Points& positions, Counts& report) {
-  std::vector<int> numbers(positions.size());
-  std::iota(numbers.begin(), numbers.end(), 0);
-  const std::vector<PlacedVertex> open = open_vertices_by_position(faces, positions);
+void weld(DisjointSets& sets, const Points& positions, Faces& faces, std::vector<int>& numbers,
+          Counts& report) {
   std::int64_t welded = 0;
-  for (std::size_t i = 1; i < open.size(); ++i) {
-    if (open[i].place != open[i - 1].place) continue;
-    numbers[open[i].vertex] = numbers[open[i - 1].vertex];
-    ++welded;
-  }
-  if (welded == 0) return numbers;
+  for (std::size_t v = 0; v < positions.size(); ++v)
+    welded += sets.root(static_cast<int>(v)) != static_cast<int>(v);
+  if (welded == 0) return;
   report["welded_vertices"] += welded;
+  for (int& number : numbers) number = sets.root(number);
 
   // Two corners of a face may now be one vertex, and two faces the same face.
-  for (int& vertex : faces.corners) vertex = numbers[vertex];
+  for (int& vertex : faces.corners) vertex = sets.root(vertex);
   Faces cleaned;
   FaceCleaner cleaner(positions, report);
   for (int f = 0; f < faces.size(); ++f) cleaner.add(faces[f], faces.sources[f], cleaned);
   report["degenerate_faces"] += count_sources(faces) - count_sources(cleaned);
   faces = without_duplicates(cleaned, positions.size(), report);
+}
+
+std::vector<int> weld_open_edges(Faces& faces, const Points& positions, Counts& report) {
+  const std::vector<PlacedVertex> open = open_vertices_by_position(faces, positions);
+  DisjointSets sets(positions.size());
+  for (std::size_t i = 1; i < open.size(); ++i) {
+    if (open[i].place == open[i - 1].place) sets.join(open[i - 1].vertex, open[i].vertex);
+  }
+  std::vector<int> numbers(positions.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  weld(sets, positions, faces, numbers, report);
   return numbers;
 }
 

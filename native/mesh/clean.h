@@ -1,6 +1,7 @@
 // What is no face goes: the first repairs of stage `mesh`.
 #pragma once
 
+#include "core/disjoint_sets.h"
 #include "core/report.h"
 #include "mesh/faces.h"
 #include "mesh/polygon_mesh.h"
@@ -19,9 +20,13 @@ constexpr double max_coordinate = 1e150;
 // counts as dropped where nothing of it is left.
 Faces clean_faces(const PolygonMesh& mesh, Counts& report);
 
-// Gives vertices of open edges that lie at the same position, to within rounding, the same number,
-// the lowest; cleans the faces again. Counts "welded_vertices" besides. Returns the new number of
-// each vertex.
+// Gives vertices that are one in `sets` the same number, the lowest, and numbers of the input with
+// them; cleans the faces again. Counts "welded_vertices" besides.
+void weld(DisjointSets& sets, const Points& positions, Faces& faces, std::vector<int>& numbers,
+          Counts& report);
+
+// Welds vertices of open edges that lie at the same position, to within rounding. Returns the new
+// number of each vertex.
 std::vector<int> weld_open_edges(Faces& faces, const Points& positions, Counts& report);
 
 }  // namespace illustrate

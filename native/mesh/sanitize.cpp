@@ -5,6 +5,7 @@
 #include "mesh/clean.h"
 #include "mesh/edges.h"
 #include "mesh/faces.h"
+#include "mesh/gaps.h"
 #include "mesh/memory_order.h"
 #include "mesh/orient.h"
 #include "mesh/split.h"
@@ -13,16 +14,15 @@ namespace illustrate {
 namespace {
 
 void name_counts(Counts& report) {
-  for (const char* name : {"input_faces",      "kept_faces",        "nan_faces",
-                           "degenerate_faces", "huge_faces",        "duplicate_faces",
-                           "nan_vertices",     "repeated_corners",  "split_faces",
-                           "welded_vertices",  "isolated_vertices", "split_edges",
-                           "split_vertices",   "flipped_faces",     "turned_parts",
-                           "covered_parts",    "ignored_creases",   "ignored_marks",
-                           "angle_creases",    "normal_creases",    "breaks",
-                           "lone_bends",       "fine_bends",        "tips",
-                           "corners",          "empty_meshes",      "parts",
-                           "polygons",         "open_edges"})
+  for (const char* name :
+       {"input_faces",    "kept_faces",      "nan_faces",     "degenerate_faces",
+        "huge_faces",     "duplicate_faces", "nan_vertices",  "repeated_corners",
+        "split_faces",    "welded_vertices", "closed_gaps",   "isolated_vertices",
+        "split_edges",    "split_vertices",  "flipped_faces", "turned_parts",
+        "covered_parts",  "ignored_creases", "ignored_marks", "angle_creases",
+        "normal_creases", "breaks",          "lone_bends",    "fine_bends",
+        "tips",           "corners",         "empty_meshes",  "parts",
+        "polygons",       "open_edges"})
     report[name] += 0;
 }
 
@@ -94,7 +94,8 @@ SoundMesh sanitize(const PolygonMesh& mesh, Counts& report, const Progress& prog
   progress.report(0);
   Faces faces = clean_faces(mesh, report);
   // Before faces are joined, so that what is welded is joined like any other edge.
-  const std::vector<int> numbers = weld_open_edges(faces, mesh.positions, report);
+  std::vector<int> numbers = weld_open_edges(faces, mesh.positions, report);
+  close_gaps(mesh, faces, numbers, report);
   progress.report(0.25);
   FaceAdjacency adjacency = join_faces(faces, mesh.positions, report);
   progress.report(0.5);

@@ -8,11 +8,11 @@
 // Order: vertices that are not finite are dropped with their faces; repeated corners go, faces that
 // come to a vertex twice are taken apart, faces with fewer than three corners go; duplicate faces
 // go (the first stays, whatever the winding); positions on open edges that are the same to within
-// rounding are welded; edges with more than two faces and vertices with more than one fan are split
-// (the new open edges are `seams`: never drawn, smooth across); winding is made consistent by flood
-// fill; closed parts of negative volume are turned outward; parts that cannot be oriented become
-// their orientation double cover. Faces and vertices of large meshes whose neighbours are scattered
-// in memory get another order (mesh/memory_order.h).
+// rounding are welded, and the two sides of gaps (mesh/gaps.h); edges with more than two faces and
+// vertices with more than one fan are split (the new open edges are `seams`: never drawn, smooth
+// across); winding is made consistent by flood fill; closed parts of negative volume are turned
+// outward; parts that cannot be oriented become their orientation double cover. Faces and vertices
+// of large meshes whose neighbours are scattered in memory get another order (mesh/memory_order.h).
 #pragma once
 
 #include "core/progress.h"
@@ -58,9 +58,10 @@ struct SoundMesh {
 //   input_faces = kept_faces + nan_faces (at a vertex that is not finite) + degenerate_faces (no
 //   three different corners) + huge_faces (more than 65535 corners) + duplicate_faces.
 // Mended: nan_vertices, repeated_corners, split_faces (kept in parts), welded_vertices,
-//   isolated_vertices, split_edges, split_vertices (copies made), flipped_faces (against the
-//   majority of their part), turned_parts, covered_parts, ignored_creases (sharpness that is not a
-//   number or of no edge), ignored_marks (of no edge), empty_meshes (without a face left).
+//   closed_gaps (pairs of edges), isolated_vertices, split_edges, split_vertices (copies made),
+//   flipped_faces (against the majority of their part), turned_parts, covered_parts,
+//   ignored_creases (sharpness that is not a number or of no edge), ignored_marks (of no edge),
+//   empty_meshes (without a face left).
 // Found, not mended: parts, polygons (faces of more than four corners), open_edges (boundaries,
 //   not seams). Made sharp: angle_creases and normal_creases (edges; of these breaks:
 //   mesh/breaks.h), lone_bends and fine_bends (edges: mesh/lone_bends.h, mesh/fine_bends.h), tips

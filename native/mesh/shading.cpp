@@ -6,6 +6,7 @@
 
 #include "core/angles.h"
 #include "mesh/mesh_size.h"
+#include "mesh/source_corners.h"
 
 namespace illustrate {
 namespace {
@@ -139,36 +140,6 @@ class SliverNormals {
   std::vector<int> slivers_;           // those, ascending
   std::vector<int> all_;               // all slivers
   std::vector<int> mates_;
-};
-
-// Where the corners of a sound face stand in the face that it comes from.
-class SourceCorners {
- public:
-  SourceCorners(const PolygonMesh& mesh, const std::vector<int>& numbers)
-      : mesh_(mesh), numbers_(numbers), offsets_{0} {
-    for (const int size : mesh.face_sizes) offsets_.push_back(offsets_.back() + size);
-  }
-
-  // The corner of an input face at a vertex (of the welded numbers), nearest to where the last one
-  // was found: sound faces read their corners in order, forward or backward.
-  int find(int source_face, int vertex) {
-    const int first = offsets_[source_face], size = offsets_[source_face + 1] - first;
-    last_ %= size;
-    for (int step = 0; step <= size / 2; ++step) {
-      for (const int k : {(last_ + step) % size, (last_ + size - step) % size}) {
-        if (numbers_[mesh_.corner_vertices[first + k]] != vertex) continue;
-        last_ = k;
-        return first + k;
-      }
-    }
-    return none;
-  }
-
- private:
-  const PolygonMesh& mesh_;
-  const std::vector<int>& numbers_;
-  std::vector<int> offsets_;
-  int last_ = 0;
 };
 
 // Whether most steps from corner to corner go backwards in the input. Not all: where a face was

@@ -42,9 +42,16 @@ PolygonMesh prism(Random& random) {
   return mesh;
 }
 
+// Faces of their own, next to each other nearly.
+PolygonMesh patches(const PolygonMesh& mesh, Random& random) {
+  PolygonMesh loose = shapes::unwelded(mesh);
+  for (Vec3& position : loose.positions) position += Vec3::Constant(random.between(0, 1e-4));
+  return loose;
+}
+
 PolygonMesh any_shape(Random& random) {
   const int m = random.below(9), n = random.below(7);
-  switch (random.below(14)) {
+  switch (random.below(15)) {
     case 0:
       return {};
     case 1:
@@ -71,6 +78,8 @@ PolygonMesh any_shape(Random& random) {
       return shapes::klein_mesh(4 + m, 4 + n);
     case 12:
       return shapes::split_triangles(shapes::torus_mesh(2, 0.7, 3 + m, 3 + n));
+    case 13:
+      return patches(shapes::plane(1 + m, 1 + n), random);
     default:
       return shapes::unwelded(shapes::cube());
   }
@@ -127,8 +136,12 @@ void add_attributes(PolygonMesh& mesh, Random& random) {
       mesh.hole_faces.push_back(random.below(faces));
 }
 
-// Any directions, some of them none.
+// Any directions, some of them none; or one direction, as a flat surface has it.
 void add_normals(PolygonMesh& mesh, Random& random) {
+  if (random.one_in(4)) {
+    mesh.corner_normals.assign(mesh.corner_vertices.size(), Vec3(0, 0, 1));
+    return;
+  }
   const double odd = random.one_in(2) ? std::nan("") : 0;
   for (std::size_t c = 0; c < mesh.corner_vertices.size(); ++c) {
     const double x = random.one_in(20) ? odd : random.between(-1, 1);

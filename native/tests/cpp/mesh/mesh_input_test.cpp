@@ -51,7 +51,8 @@ TEST(MeshInput, NastyMeshesBecomeSound) {
     if (HasFailure()) FAIL() << "seed " << seed;
   }
   for (const auto& [name, count] : total)
-    if (name != "huge_faces" && name != "fine_bends") {  // random faces are no strips
+    // Random faces are no strips, and near no others.
+    if (name != "huge_faces" && name != "fine_bends" && name != "closed_gaps") {
       EXPECT_GT(count, 0) << name;
     }
 }

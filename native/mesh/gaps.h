@@ -1,0 +1,23 @@
+// Gaps between the patches of a surface that was triangulated patch by patch.
+//
+// Programs for mechanical design mesh each face of a solid by itself. Its corners lie where that
+// face ends, which is where the next one begins only to within the program's tolerance: between a
+// millionth and a ten-thousandth of the object. A *gap* are two open edges so close to each other,
+// running in opposite directions as those of neighbours do, whose faces are shaded as one surface.
+// The two sides of a thin sheet or of a groove are shaded apart.
+#pragma once
+
+#include "mesh/clean.h"
+
+namespace illustrate {
+
+// Gives the vertices at both sides of a gap the same number, the lowest. Its edges are apart at
+// both ends by less than 1 % of their length, half of the height of their faces over them (a thin
+// strip is no gap) and a ten-thousandth of the mesh's diagonal; each is the nearest to the other;
+// and the corner normals there differ by less than crease_normals_deg. A cage has none, since its
+// surface ends where its faces end, nor has a mesh without corner normals.
+// numbers: weld_open_edges', with which it goes on. Counts "closed_gaps", and "welded_vertices" and
+// what cleaning the faces again counts.
+void close_gaps(const PolygonMesh& mesh, Faces& faces, std::vector<int>& numbers, Counts& report);
+
+}  // namespace illustrate
