@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "core/angles.h"
 #include "mesh/mesh_size.h"
@@ -19,6 +20,10 @@ constexpr double coordinate_noise = 1e-6;
 const double noisy_height = 2 * coordinate_noise / radians(flat_shading_deg);
 // ...and whose shape is that of a needle: small faces of good shape are detail.
 constexpr double needle_aspect = 0.01;
+
+// Cosines between its normal and its neighbours' are compared in steps of one millionth, so that
+// rounding does not choose.
+constexpr double cosine_steps = 1e6;
 
 // Of a sliver's edges those count as its long sides that have this share of the longest.
 constexpr double long_side = 1.0 / 3;
@@ -97,19 +102,24 @@ class SliverNormals {
     }
   }
 
-  // The face across the longest side of at least a share of the face's longest edge whose normal
-  // is known.
+  // The face across a side of at least a share of the face's longest edge whose normal is known: of
+  // several the one that the face's own normal, noisy as it is, lies nearest to, whichever side of
+  // it is up; else the one across the longest side.
   int best_neighbour(int face, double share) const {
-    double best = share * longest_edge(face);
+    const double least = share * longest_edge(face);
+    double best_cosine = -1, best_length = 0;
     int found = none;
     for (int h = faces_.offsets[face]; h < faces_.offsets[face + 1]; ++h) {
-      if (mates_[h] == none) continue;
-      const int other = faces_.corner_faces[mates_[h]];
-      if (is_open_[other]) continue;
+      const int other = mates_[h] == none ? none : faces_.corner_faces[mates_[h]];
+      if (other == none || is_open_[other]) continue;
       const double length = edge_length(h);
+      const double cosine =
+          std::round(cosine_steps * std::abs(normals_[face].dot(normals_[other])));
       // Of sides that are equally long the first.
-      if (length < best || (found != none && length == best)) continue;
-      best = length;
+      if (length < least || std::tie(cosine, length) <= std::tie(best_cosine, best_length))
+        continue;
+      best_cosine = cosine;
+      best_length = length;
       found = other;
     }
     return found;

@@ -249,6 +249,26 @@ TEST(Creases, NoneComesFromASliversNoise) {
   }
 }
 
+// The tangent point of a round wall that stands on the rim of a plate: the needle between the
+// wall's foot and the rim belongs to the plate's top, not to its side, though that is across its
+// longest edge.
+TEST(Creases, ASliverLiesAlongTheFaceThatItsOwnNormalIsNearest) {
+  const PolygonMesh mesh =
+      shapes::polygon_mesh({{0, 0, 0},
+                            {1, 0, 0},
+                            {0.01, 1e-5, 0},
+                            {1, 1, 0},
+                            {0, 1, 0},
+                            {0, 0, -1},
+                            {1, 0, -1},
+                            {0, 0, 1},
+                            {0.01, 1e-5, 1}},
+                           {{0, 1, 2}, {2, 1, 3, 4}, {1, 0, 5, 6}, {0, 2, 8, 7}});
+  const Mended mended = mend(shaded(mesh, own_normal));
+  EXPECT_EQ(mended.report.at("angle_creases"), 2);  // of the needle, to the side and to the wall
+  EXPECT_EQ(mended.report.at("normal_creases"), 0);
+}
+
 // Nor is a face a sliver for where it is: a chamfer as narrow as that stays one.
 TEST(Creases, AreTheSameWhereverAMeshIs) {
   const PolygonMesh mesh = shapes::polygon_mesh({{0, 0, 0},
