@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "core/angles.h"
 #include "surface/edge_kinds.h"
 #include "surface/locate.h"
 
@@ -127,6 +128,11 @@ class PieceMaker {
   const std::vector<NetworkNode>& nodes_;
 };
 
+// Where a crease seen as a fold turns by over 100 degrees, as at the tip of a dart, the surface may
+// fold too, within a triangle and unnoticed: what is hidden on one side of the tip need not be on
+// the other.
+const double least_cosine = std::cos(radians(80));
+
 // Joins pieces that meet two by two at a place and agree, and puts nodes everywhere else.
 class Linker {
  public:
@@ -188,7 +194,19 @@ class Linker {
                       p.strand.right_layers == q.strand.right_layers &&
                       p.strand.is_flush == q.strand.is_flush;
     const bool in_line = p.symmetric() || a.end != b.end;
-    return same && in_line && !p.from_polygons && !q.from_polygons && a.piece != b.piece;
+    return same && in_line && !p.from_polygons && !q.from_polygons && a.piece != b.piece &&
+           (p.symmetric() || !turns_back(a, b));
+  }
+
+  bool turns_back(const End& a, const End& b) const {
+    const Vec3 one = along(a), other = along(b);
+    return one.dot(other) > least_cosine * one.norm() * other.norm();
+  }
+
+  // From an end of a piece to its other end.
+  Vec3 along(const End& end) const {
+    const auto& points = pieces_[idx(end.piece)].points;
+    return points[idx(1 - end.end)].position - points[idx(end.end)].position;
   }
 
   // Follows from the start at `first` to a node or back to where it began.
