@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "core/tolerances.h"
+#include "mesh/mesh_size.h"
 #include "mesh/split_polygon.h"
 
 namespace illustrate {
@@ -268,6 +269,18 @@ std::vector<int> weld_open_edges(Faces& faces, const Points& positions, Counts& 
   std::iota(numbers.begin(), numbers.end(), 0);
   weld(sets, positions, faces, numbers, report);
   return numbers;
+}
+
+void collapse_edges(const Points& positions, Faces& faces, std::vector<int>& numbers,
+                    Counts& report) {
+  const double rounding = tolerance::same_place * diagonal(faces, positions);
+  DisjointSets sets(positions.size());
+  for (int h = 0; h < faces.corner_count(); ++h) {
+    const int tail = faces.corners[idx(h)], head = faces.head(h);
+    const Vec3 along = positions[idx(head)] - positions[idx(tail)];
+    if ((along.array().abs() <= rounding).all()) sets.join(tail, head);
+  }
+  weld(sets, positions, faces, numbers, report);
 }
 
 }  // namespace illustrate

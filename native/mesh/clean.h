@@ -29,4 +29,10 @@ void weld(DisjointSets& sets, const Points& positions, Faces& faces, std::vector
 // number of each vertex.
 std::vector<int> weld_open_edges(Faces& faces, const Points& positions, Counts& report);
 
+// Makes one vertex of the two ends of an edge that lie at the same position, to within rounding: a
+// cap shrunk to a point becomes the tip that it is, where its faces, each without area, would cross
+// each other in the last bits. Not for a cage, whose limit knows such vertices apart.
+void collapse_edges(const Points& positions, Faces& faces, std::vector<int>& numbers,
+                    Counts& report);
+
 }  // namespace illustrate

@@ -121,7 +121,7 @@ class BorderEdges {
 }  // namespace
 
 void close_gaps(const PolygonMesh& mesh, Faces& faces, std::vector<int>& numbers, Counts& report) {
-  if (mesh.cage || mesh.corner_normals.empty()) return;
+  if (mesh.corner_normals.empty()) return;
   BorderEdges open(mesh, faces, numbers);
   const std::vector<Edge> gaps = open.find_gaps();
   if (gaps.empty()) return;

@@ -95,7 +95,10 @@ SoundMesh sanitize(const PolygonMesh& mesh, Counts& report, const Progress& prog
   Faces faces = clean_faces(mesh, report);
   // Before faces are joined, so that what is welded is joined like any other edge.
   std::vector<int> numbers = weld_open_edges(faces, mesh.positions, report);
-  close_gaps(mesh, faces, numbers, report);
+  if (!mesh.cage) {
+    close_gaps(mesh, faces, numbers, report);
+    collapse_edges(mesh.positions, faces, numbers, report);
+  }
   progress.report(0.25);
   FaceAdjacency adjacency = join_faces(faces, mesh.positions, report);
   progress.report(0.5);

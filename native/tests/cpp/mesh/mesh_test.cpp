@@ -217,6 +217,31 @@ TEST(Mesh, WeldingDropsFacesThatCollapse) {
   EXPECT_EQ(mended.mesh.source_faces, std::vector<int>({1}));
 }
 
+// A pipe whose end was closed by shrinking it: the ring of the cap and its middle are one place.
+TEST(Mesh, ACapShrunkToAPointIsATip) {
+  const int n = 7;
+  PolygonMesh pipe;
+  for (int i = 0; i < n; ++i) {
+    pipe.positions.emplace_back(std::cos(i), std::sin(i), 0);
+    pipe.positions.emplace_back(0, 0, 2);
+  }
+  pipe.positions.emplace_back(0, 0, 2);
+  for (int i = 0; i < n; ++i) {
+    const int next = (i + 1) % n;
+    shapes::add_face(pipe, {2 * i, 2 * next, 2 * next + 1, 2 * i + 1});
+    shapes::add_face(pipe, {2 * i + 1, 2 * next + 1, 2 * n});
+  }
+  EXPECT_EQ(mend(pipe).mesh.positions.size(), 15U);  // a cage stays as it is
+
+  pipe.cage = false;
+  const Mended mended = mend(pipe);
+  EXPECT_EQ(mended.mesh.positions.size(), 8U);
+  EXPECT_EQ(mended.report.at("welded_vertices"), n);
+  EXPECT_EQ(mended.report.at("degenerate_faces"), n);
+  EXPECT_EQ(mended.report.at("kept_faces"), n);
+  EXPECT_EQ(mended.report.at("open_edges"), n);
+}
+
 TEST(Mesh, CrossingSheetsOnASharedEdgeGoStraightOn) {
   // Four quads on edge 0-1, two in each plane.
   PolygonMesh mesh = shapes::polygon_mesh({{0, 0, 0},
