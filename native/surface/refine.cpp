@@ -111,7 +111,7 @@ class Refiner {
 
 // Puts the control mesh that keeps to it in the place of a mesh that is no cage. That one is split
 // once: the level is one less, so that there are as many triangles. What is drawn at level 0 by
-// choice of the edge's length has edges so short that the cage's limit is as good.
+// choice of the edge's length has edges so short along bends that the cage's limit is as good.
 bool keep_if_no_cage(SoundMesh& mesh, ArcFaces& arcs, Scheme scheme, int& level,
                      const Progress& progress) {
   if (mesh.cage || scheme == Scheme::polygons || level == 0) return false;

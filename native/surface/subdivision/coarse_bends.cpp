@@ -12,6 +12,8 @@ namespace {
 // Of the longest edge, which the add-on asks to be three pixels: .4 pixels.
 constexpr double chord_share = 1.0 / 8;
 constexpr double curve_rad = radians(curve_deg);
+// Faces that turn by less lie in one plane, where it does not show how the limit slides.
+constexpr double straight_rad = radians(1);
 
 class CoarseBends {
  public:
@@ -46,16 +48,29 @@ class CoarseBends {
   int level_of(int h) const {
     const int mate = edges_.mates[idx(h)];
     if (mate == none || edges_.is_sharp(h)) return 0;
+    return std::max(level_across(h, mate), level_along(h, mate));
+  }
+
+  double turn(int h, int mate) const {
+    const std::vector<int>& faces = edges_.faces.corner_faces;
+    return angle_between(normals_[idx(faces[idx(h)])], normals_[idx(faces[idx(mate)])]);
+  }
+
+  // A long edge along a bend draws the limit of its ends along, away from the mesh.
+  int level_along(int h, int mate) const {
+    const double length = (head(h) - start(h)).norm();
+    const bool is_long = is_coarse(length, median_) && length * chord_share > nearest_;
+    return !mesh_.cage && is_long && turn(h, mate) > straight_rad ? 1 : 0;
+  }
+
+  int level_across(int h, int mate) const {
     const double reach =
         (reach_of_face(edges_, mesh_.positions, h) + reach_of_face(edges_, mesh_.positions, mate)) /
         2;
     if (!is_coarse(reach, median_)) return 0;
-    const std::vector<int>& faces = edges_.faces.corner_faces;
-    const Vec3 &a = normals_[idx(faces[idx(h)])], &b = normals_[idx(faces[idx(mate)])];
-    const double turn = angle_between(a, b);
-    const double sagitta = reach * turn / 8;
+    const double turned = turn(h, mate), sagitta = reach * turned / 8;
     if (!(sagitta > nearest_)) return 0;
-    if (!mesh_.cage && turn > curve_rad) return 1;
+    if (!mesh_.cage && turned > curve_rad) return 1;
     // A level halves chords, and quarters how far they are from their arcs.
     return std::min(highest_,
                     static_cast<int>(std::ceil(std::log(sagitta / nearest_) / std::log(4))));

@@ -18,8 +18,10 @@ constexpr double ignored_coarse_share = 0.02;
 // The level on which chords over coarse bends stay within an eighth of `longest`, the longest edge
 // wanted, of their arcs; 0 where there are none. A bend is a smooth edge between two faces. It is
 // coarse where the faces reach so far from it beside `median`, the median edge. What the surface
-// keeps to the mesh as a fold (control/folds.h) asks for one level, on which folds are made. In
-// units of the mesh. At most `highest`.
+// keeps to the mesh as a fold (control/folds.h) asks for one level, on which folds are made; and so
+// does, where the mesh is no cage, a bend whose edge is itself that long and longer than `longest`,
+// as those along a rounding are: the limit would slide along it, where from the first level on the
+// surface keeps to the mesh (control/slides.h). In units of the mesh. At most `highest`.
 int level_for_coarse_bends(const SoundMesh& mesh, double median, double longest, int highest);
 
 }  // namespace illustrate

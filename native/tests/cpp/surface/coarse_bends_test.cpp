@@ -58,6 +58,33 @@ TEST(CoarseBends, OfFoldsAskForOneLevel) {
   EXPECT_EQ(level_for_coarse_bends(sound_cage(mesh), .001, .01, 7), 1);
 }
 
+// A rounding between two walls: its strips are narrow, and as long as the walls.
+PolygonMesh rounded_wall(int strips) {
+  std::vector<Vec2> outline{{-4, 1}};
+  for (int i = 0; i <= strips; ++i) {
+    const double angle = pi / 2 * i / strips;
+    outline.emplace_back(std::sin(angle), std::cos(angle));
+  }
+  outline.emplace_back(1, -4);
+  PolygonMesh mesh;
+  for (const Vec2& p : outline) {
+    for (const double y : {0., 6.}) mesh.positions.emplace_back(p.x(), y, p.y());
+  }
+  for (int i = 0; i + 1 < static_cast<int>(outline.size()); ++i)
+    shapes::add_face(mesh, {2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1});
+  return mesh;
+}
+
+// The limit of what is no cage would slide along the strips, so it is kept to its vertices; but not
+// where the strips are too short to be seen.
+TEST(CoarseBends, AlongARoundingAskForOneLevel) {
+  PolygonMesh mesh = rounded_wall(12);
+  EXPECT_EQ(level_for_coarse_bends(sound_cage(mesh), .2, 1, 7), 0);
+  mesh.cage = false;
+  EXPECT_EQ(level_for_coarse_bends(sound_cage(mesh), .2, 1, 7), 1);
+  EXPECT_EQ(level_for_coarse_bends(sound_cage(mesh), .2, 7, 7), 0);
+}
+
 std::int64_t level_beside(const PolygonMesh& mesh, int budget) {
   PolygonMesh all = shapes::joined(shapes::icosphere_mesh(.1, 4), shapes::moved(mesh, {3, 0, 0}));
   SurfaceOptions options;
