@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "control/smoothstep.h"
 #include "core/pi.h"
 #include "mesh/polygons.h"
 
@@ -11,6 +12,10 @@ namespace {
 
 // A quarter of a circle has .207 of its chord: what bends more is no coarse curve.
 constexpr double largest_sag = 0.2;
+
+// What goes on behind an end for less than the first share of an edge turns by itself, and the edge
+// stays straight; for more than the second the edge has its part of the turn.
+constexpr double turns_itself = 1.0 / 16, turns_with_edge = 0.25;
 
 // The sag of a circular arc over a chord of length 1 that it leaves at an angle with this sine:
 // half of the half angle's tangent. `side`: where the arc lies, any length, across the chord.
@@ -81,11 +86,11 @@ class Bender {
 
   // Of creases at the vertices that they pass: from the first to the second neighbour.
   void find_tangents() {
-    const std::vector<Edge> neighbours = crease_neighbours(edges_, p_.size());
+    neighbours_ = crease_neighbours(edges_, p_.size());
     tangents_.assign(p_.size(), Vec3::Zero());
     for (std::size_t v = 0; v < p_.size(); ++v) {
       if (sectors_.sharp_edges[v] != 2 || is_held(static_cast<int>(v))) continue;
-      tangents_[v] = unit_or_zero(p_[idx(neighbours[v][1])] - p_[idx(neighbours[v][0])]);
+      tangents_[v] = unit_or_zero(p_[idx(neighbours_[v][1])] - p_[idx(neighbours_[v][0])]);
     }
   }
 
@@ -100,12 +105,19 @@ class Bender {
   }
 
   Vec3 sag_of_crease(int h, const Vec3& away) const {
-    const auto at = [&](int vertex, const Vec3& direction) -> Vec3 {
-      const Vec3& tangent = tangents_[idx(vertex)];
-      if (tangent.isZero()) return Vec3::Zero();
-      return sag_of_tangent(tangent.dot(direction) < 0 ? Vec3(-tangent) : tangent, direction);
-    };
-    return (at(faces_.corners[idx(h)], away) + at(faces_.head(h), -away)) / 2;
+    const int tail = faces_.corners[idx(h)], head = faces_.head(h);
+    return (sag_of_crease_at(tail, head, away) + sag_of_crease_at(head, tail, -away)) / 2;
+  }
+
+  // At a vertex of a crease's edge, which runs away from it to `other`.
+  Vec3 sag_of_crease_at(int vertex, int other, const Vec3& away) const {
+    const Vec3& tangent = tangents_[idx(vertex)];
+    if (tangent.isZero()) return Vec3::Zero();
+    const auto [first, second] = neighbours_[idx(vertex)];
+    const Vec3& behind = p_[idx(first == other ? second : first)];
+    const Vec3 &here = p_[idx(vertex)], &there = p_[idx(other)];
+    return share_of_turn((behind - here).norm(), (there - here).norm()) *
+           sag_of_tangent(tangent.dot(away) < 0 ? Vec3(-tangent) : tangent, away);
   }
 
   // Both faces of an edge see the normal of the sector that it lies in, but at the end of a crease.
@@ -125,17 +137,20 @@ class Bender {
     return lesser(bend(normals_.shading), bend(normals_.geometric));
   }
 
-  // Of the turn at the start of a half-edge, 1 unless the smooth surface goes on behind it for less
-  // than a quarter of the edge: so short a piece turns itself, and not the long edge before it.
+  // How much of a turn at its end an edge takes part in, by how far what is smooth goes on there.
+  static double share_of_turn(double behind, double length) {
+    return length > 0 ? smoothstep(turns_itself, turns_with_edge, behind / length) : 0;
+  }
+
+  // At the start of a half-edge within the smooth surface.
   double share_of_turn(int h) const {
-    constexpr double small = 0.25;
     if (sectors_.sharp_edges[idx(faces_.corners[idx(h)])] > 1) return 1;
     const Vec3 along = end(h) - start(h);
     double reach = 0;
     for (const int corner : sectors_.corners[idx(sectors_.corner_sectors[idx(h)])])
       for (const int vertex : faces_[faces_.corner_faces[idx(corner)]])
         reach = std::max(reach, along.dot(start(h) - p_[idx(vertex)]));
-    return std::min(1., reach / (small * along.squaredNorm()));
+    return share_of_turn(reach, along.squaredNorm());
   }
 
   static Vec3 end_normal(const Points& normals, int corner, int other) {
@@ -165,8 +180,9 @@ class Bender {
   const VertexSectors& sectors_;
   const FanNormals normals_;
   const bool quads_;
-  Points tangents_;  // (n) of creases that pass; else zero
-  Points sags_;      // (e)
+  std::vector<Edge> neighbours_;  // (n) crease_neighbours'
+  Points tangents_;               // (n) of creases that pass; else zero
+  Points sags_;                   // (e)
 };
 
 }  // namespace

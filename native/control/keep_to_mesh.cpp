@@ -18,11 +18,29 @@ constexpr double longest_step = 0.2;  // of the shortest edge at the point
 // Lengths outside of this are not squared without loss; such a mesh stays a cage.
 constexpr double least_extent = 1e-100, largest_extent = 1e100;
 
-double median(std::vector<double>& values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+struct Weighted {
+  double value, weight;
+};
+
+// Where half of the weight lies below: between the middles of two values in proportion, so that it
+// is continuous in the values and in their weights.
+double median(std::vector<Weighted>& values) {
+  std::sort(values.begin(), values.end(),
+            [](const Weighted& a, const Weighted& b) { return a.value < b.value; });
+  double total = 0;
+  for (const Weighted& v : values) total += v.weight;
+  double below = 0, last_middle = 0, last_value = values.empty() ? 0 : values.front().value;
+  for (const Weighted& v : values) {
+    const double middle = below + v.weight / 2;
+    if (middle > total / 2) {
+      const double share = (total / 2 - last_middle) / (middle - last_middle);
+      return last_value + share * (v.value - last_value);
+    }
+    below += v.weight;
+    last_middle = middle;
+    last_value = v.value;
+  }
+  return last_value;
 }
 
 bool is_usable(const SoundMesh& mesh) {
@@ -59,15 +77,9 @@ class Keeper {
   }
 
   std::vector<double> weights() const {
-    const double px = diagonal_px / diagonal(mesh_);
     std::vector<double> patch_weights;
-    const Ragged<int> vertices = vertices_of_patches();
-    for (std::size_t patch = 0; patch < vertices.size(); ++patch) {
-      std::vector<double> shifts;
-      for (const int v : vertices[patch])
-        shifts.push_back(px * (cage_limits_.positions[idx(v)] - mesh_.positions[idx(v)]).norm());
+    for (std::vector<Weighted>& shifts : shifts_of_patches())
       patch_weights.push_back(smoothstep(invisible_px, visible_px, median(shifts)));
-    }
     std::vector<double> weights;
     for (const int patch : patches_) weights.push_back(patch_weights[idx(patch)]);
     return weights;
@@ -153,19 +165,30 @@ class Keeper {
       if (is_inside[v]) cage_[v] = p[v];
   }
 
-  // Each vertex once in each of its patches.
-  Ragged<int> vertices_of_patches() const {
-    Ragged<int> vertices;
-    std::vector<std::vector<int>> lists(idx(patch_count_));
+  // How far the corners of each patch's faces are from their limits, in pixels, weighed by the
+  // faces' areas: what is large is seen, however many vertices the letters in it have.
+  std::vector<std::vector<Weighted>> shifts_of_patches() const {
+    std::vector<std::vector<Weighted>> shifts(idx(patch_count_));
     const Faces& faces = edges_.faces;
-    for (int c = 0; c < faces.corner_count(); ++c)
-      lists[idx(patches_[idx(faces.corner_faces[idx(c)])])].push_back(faces.corners[idx(c)]);
-    for (std::vector<int>& list : lists) {
-      std::sort(list.begin(), list.end());
-      list.erase(std::unique(list.begin(), list.end()), list.end());
-      vertices.add(list);
+    const double px = diagonal_px / diagonal(mesh_);
+    for (int f = 0; f < faces.size(); ++f) {
+      const double weight = area(faces[f], px) / static_cast<double>(faces[f].size());
+      for (const int v : faces[f]) {
+        const double shift = px * (cage_limits_.positions[idx(v)] - mesh_.positions[idx(v)]).norm();
+        if (std::isfinite(shift)) shifts[idx(patches_[idx(f)])].push_back({shift, weight});
+      }
     }
-    return vertices;
+    return shifts;
+  }
+
+  double area(Span<const int> face, double scale) const {
+    const Vec3& start = mesh_.positions[idx(face[0])];
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t k = 1; k + 1 < face.size(); ++k) {
+      const Vec3 a = scale * (mesh_.positions[idx(face[k])] - start);
+      sum += a.cross(scale * (mesh_.positions[idx(face[k + 1])] - start));
+    }
+    return sum.norm() / 2;
   }
 
   // How far smooth vertices step along their normals: as far as their limit is off, or as those of

@@ -13,8 +13,9 @@
 // 3. Where the cage's limit is at its vertices anyway, all that would only sharpen noise. So each
 //    patch between creases has a weight, by which its points fade to those of the cage's own first
 //    level, whose limit is the cage's. The weight is smoothstep(.75, 2.25) of the median distance
-//    from a vertex to its limit, in pixels of a drawing in which the object's diagonal has 1400:
-//    lines a pixel wide do not show less than .75, and clearly show 2.25.
+//    from a corner of a face to its limit, weighed by the face's area, in pixels of a drawing in
+//    which the object's diagonal has 1400: lines a pixel wide do not show less than .75, and
+//    clearly show 2.25.
 // 4. Beside flat faces whose edges are far longer than those of their roundings the limit slides
 //    within itself, farther than the roundings are wide (control/slides.h). There the surface is
 //    not the limit, but made of the arcs (control/arc_faces.h).

@@ -8,11 +8,12 @@
 // Order: vertices that are not finite are dropped with their faces; repeated corners go, faces that
 // come to a vertex twice are taken apart, faces with fewer than three corners go; duplicate faces
 // go (the first stays, whatever the winding); positions on open edges that are the same to within
-// rounding are welded, and the two sides of gaps (mesh/gaps.h); edges with more than two faces and
-// vertices with more than one fan are split (the new open edges are `seams`: never drawn, smooth
-// across); winding is made consistent by flood fill; closed parts of negative volume are turned
-// outward; parts that cannot be oriented become their orientation double cover. Faces and vertices
-// of large meshes whose neighbours are scattered in memory get another order (mesh/memory_order.h).
+// rounding are welded, and where the mesh is no cage the two sides of gaps (mesh/gaps.h) and the
+// ends of edges without length; edges with more than two faces and vertices with more than one fan
+// are split (the new open edges are `seams`: never drawn, smooth across); winding is made
+// consistent by flood fill; closed parts of negative volume are turned outward; parts that cannot
+// be oriented become their orientation double cover. Faces and vertices of large meshes whose
+// neighbours are scattered in memory get another order (mesh/memory_order.h).
 #pragma once
 
 #include "core/progress.h"

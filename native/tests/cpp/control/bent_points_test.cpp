@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/pi.h"
 #include "mesh/sanitize.h"
 #include "tests/cpp/shapes.h"
 
@@ -84,6 +85,34 @@ TEST(BentPoints, LongEdgesUpToAMitreStayStraight) {
     for (const Bent& edge : bent_edges(mitred_rim(width))) {
       const bool is_long = edge.is_inside && (edge.from - edge.to).norm() > 0.9;
       EXPECT_TRUE(!is_long || edge.sag() < width / 4) << edge.sag();
+    }
+  }
+}
+
+// A plate whose corners are rounded with a few short edges, as housings have them: a polygon, the
+// border of which is a crease.
+PolygonMesh rounded_plate(int segments) {
+  PolygonMesh plate;
+  plate.boundary = BoundaryRule::edges;
+  std::vector<int> outline;
+  const std::vector<Vec2> centres{{5, 2}, {-5, 2}, {-5, -2}, {5, -2}};
+  for (int corner = 0; corner < 4; ++corner) {
+    for (int i = 0; i <= segments; ++i) {
+      const double angle = pi / 2 * (corner + static_cast<double>(i) / segments);
+      const Vec2 p = centres[idx(corner)] + 0.3 * Vec2(std::cos(angle), std::sin(angle));
+      outline.push_back(static_cast<int>(plate.positions.size()));
+      plate.positions.emplace_back(p.x(), p.y(), 0);
+    }
+  }
+  shapes::add_face(plate, outline);
+  return plate;
+}
+
+TEST(BentPoints, LongEdgesOfACreaseUpToARoundedCornerStayStraight) {
+  for (const int segments : {2, 3, 6}) {
+    for (const Bent& edge : bent_edges(rounded_plate(segments))) {
+      const bool is_long = (edge.from - edge.to).norm() > 1;
+      EXPECT_EQ(is_long, edge.sag() == 0) << segments << ": " << edge.sag();
     }
   }
 }

@@ -212,6 +212,20 @@ TEST(Control, TheFadeIsSteady) {
   EXPECT_EQ(last, 0);
 }
 
+// A quarter of a coarse tube that runs on level: what is seen is the tube, however finely the
+// little level piece is divided.
+TEST(Control, APatchIsKeptForItsLargeFaces) {
+  std::vector<Vec2> outline;
+  for (int i = 0; i <= 4; ++i) outline.emplace_back(std::cos(i * pi / 8), std::sin(i * pi / 8));
+  for (int i = 1; i <= 60; ++i) outline.emplace_back(-0.005 * i, 1);
+  PolygonMesh mesh;
+  for (const Vec2& p : outline)
+    for (const double y : {0., 1., 2.}) mesh.positions.emplace_back(p.x(), y, p.y());
+  for (int i = 0; i + 1 < static_cast<int>(outline.size()); ++i)
+    for (const int v : {3 * i, 3 * i + 1}) shapes::add_face(mesh, {v, v + 1, v + 4, v + 3});
+  EXPECT_EQ(kept_weights(sound(mesh), Scheme::catmull_clark)[0], 1);
+}
+
 TEST(Control, WeightsMayComeFromARestPose) {
   const SoundMesh parent = sound(shapes::icosphere_mesh(1, 1));
   const std::vector<double> none(parent.face_sizes.size(), 0), half(parent.face_sizes.size(), .5);
