@@ -15,8 +15,8 @@ class SourceCorners {
     for (const int size : mesh.face_sizes) offsets_.push_back(offsets_.back() + size);
   }
 
-  // The corner of an input face at a vertex of `numbers`, nearest to where the last one
-  // was found: faces read their corners in order, forward or backward.
+  // The corner of an input face at a vertex of `numbers`, nearest to where the last one was found:
+  // faces read their corners in order, forward or backward.
   int find(int source_face, int vertex) {
     const int first = offsets_[source_face], size = offsets_[source_face + 1] - first;
     last_ %= size;

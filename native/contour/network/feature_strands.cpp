@@ -131,7 +131,7 @@ class PieceMaker {
 // Where a crease seen as a fold turns by over 100 degrees, as at the tip of a dart, the surface may
 // fold too, within a triangle and unnoticed: what is hidden on one side of the tip need not be on
 // the other.
-const double least_cosine = std::cos(radians(80));
+const double tip_cosine = std::cos(radians(80));
 
 // Joins pieces that meet two by two at a place and agree, and puts nodes everywhere else.
 class Linker {
@@ -200,7 +200,7 @@ class Linker {
 
   bool turns_back(const End& a, const End& b) const {
     const Vec3 one = along(a), other = along(b);
-    return one.dot(other) > least_cosine * one.norm() * other.norm();
+    return one.dot(other) > tip_cosine * one.norm() * other.norm();
   }
 
   // From an end of a piece to its other end.
