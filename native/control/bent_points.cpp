@@ -58,10 +58,10 @@ class Bender {
         faces_(edges.faces),
         sectors_(sectors),
         normals_(fan_normals(parent, edges, sectors)),
-        quads_(scheme == Scheme::catmull_clark) {}
+        quads_(scheme == Scheme::catmull_clark),
+        neighbours_(crease_neighbours(edges, parent.positions.size())) {}
 
   Points run() {
-    find_tangents();
     for (const int h : edges_.first) sags_.push_back(sag(h));
     Points points = p_;
     for (std::size_t e = 0; e < sags_.size(); ++e) {
@@ -84,16 +84,6 @@ class Bender {
   // Or on a border.
   bool is_on_crease(int vertex) const { return sectors_.sharp_edges[idx(vertex)] > 0; }
 
-  // Of creases at the vertices that they pass: from the first to the second neighbour.
-  void find_tangents() {
-    neighbours_ = crease_neighbours(edges_, p_.size());
-    tangents_.assign(p_.size(), Vec3::Zero());
-    for (std::size_t v = 0; v < p_.size(); ++v) {
-      if (sectors_.sharp_edges[v] != 2 || is_held(static_cast<int>(v))) continue;
-      tangents_[v] = unit_or_zero(p_[idx(neighbours_[v][1])] - p_[idx(neighbours_[v][0])]);
-    }
-  }
-
   Vec3 sag(int h) const {
     const Vec3 along = end(h) - start(h);
     const double length = along.norm();
@@ -109,13 +99,14 @@ class Bender {
     return (sag_of_crease_at(tail, head, away) + sag_of_crease_at(head, tail, -away)) / 2;
   }
 
-  // At a vertex of a crease's edge, which runs away from it to `other`.
+  // At a vertex of a crease's edge, which runs away from it to `other`: none where the crease does
+  // not pass.
   Vec3 sag_of_crease_at(int vertex, int other, const Vec3& away) const {
-    const Vec3& tangent = tangents_[idx(vertex)];
-    if (tangent.isZero()) return Vec3::Zero();
+    if (sectors_.sharp_edges[idx(vertex)] != 2 || is_held(vertex)) return Vec3::Zero();
     const auto [first, second] = neighbours_[idx(vertex)];
     const Vec3& behind = p_[idx(first == other ? second : first)];
     const Vec3 &here = p_[idx(vertex)], &there = p_[idx(other)];
+    const Vec3 tangent = unit_or_zero(there - behind);
     return share_of_turn((behind - here).norm(), (there - here).norm()) *
            sag_of_tangent(tangent.dot(away) < 0 ? Vec3(-tangent) : tangent, away);
   }
@@ -180,9 +171,8 @@ class Bender {
   const VertexSectors& sectors_;
   const FanNormals normals_;
   const bool quads_;
-  std::vector<Edge> neighbours_;  // (n) crease_neighbours'
-  Points tangents_;               // (n) of creases that pass; else zero
-  Points sags_;                   // (e)
+  const std::vector<Edge> neighbours_;  // (n) crease_neighbours'
+  Points sags_;                         // (e)
 };
 
 }  // namespace

@@ -30,7 +30,6 @@ Points corner_weights(const SoundMesh& mesh, const Faces& faces) {
 
 // The mean of the sector's shading normals; zero where one of them is far from it.
 Vec3 agreed_normal(const Points& normals, Span<const int> corners) {
-  static const double same = std::cos(radians(crease_normals_deg));
   Vec3 sum = Vec3::Zero();
   for (const int c : corners) {
     const Vec3& n = normals[idx(c)];
@@ -38,7 +37,7 @@ Vec3 agreed_normal(const Points& normals, Span<const int> corners) {
   }
   const Vec3 mean = unit_or_zero(sum);
   const bool agree = std::all_of(corners.begin(), corners.end(), [&](int c) {
-    return std::abs(normals[idx(c)].dot(mean)) >= same;
+    return std::abs(normals[idx(c)].dot(mean)) >= crease_normals_cosine;
   });
   return agree ? mean : Vec3(Vec3::Zero());
 }

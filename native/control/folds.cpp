@@ -147,8 +147,8 @@ class FoldFinder {
                   missed_share(h, of_faces.degrees), folded_share(h), folded_share(mate)});
     if (share == 0) return 0;
     // A cubic spline's limit is a sixth of its control polygon's second difference inside it.
-    const double height = std::min(reach_of_face(edges_, mesh_.positions, h),
-                                   reach_of_face(edges_, mesh_.positions, mate));
+    const double height = std::min(reach_of_face(edges_.faces, mesh_.positions, h),
+                                   reach_of_face(edges_.faces, mesh_.positions, mate));
     const double rounding = px_ * height * std::sin(radians(std::min(turn.degrees, 90.))) / 6;
     if (!(rounding > rounding_px)) return 0;
     return share * std::min(sharpest_fold, std::log(rounding / rounding_px) / std::log(2.));

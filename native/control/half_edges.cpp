@@ -44,16 +44,6 @@ HalfEdges::HalfEdges(const SoundMesh& mesh)
   }
 }
 
-double reach_of_face(const HalfEdges& half_edges, const Points& positions, int half_edge) {
-  const Faces& faces = half_edges.faces;
-  const Vec3& start = positions[idx(faces.corners[idx(half_edge)])];
-  const Vec3 along = unit_or_zero(positions[idx(faces.head(half_edge))] - start);
-  double reach = 0;
-  for (const int v : faces[faces.corner_faces[idx(half_edge)]])
-    reach = std::max(reach, (positions[idx(v)] - start).cross(along).norm());
-  return reach;
-}
-
 std::vector<double> shortest_edges(const HalfEdges& half_edges, const Points& positions) {
   std::vector<double> shortest(positions.size(), std::numeric_limits<double>::max());
   for (const int h : half_edges.first) {

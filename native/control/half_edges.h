@@ -23,9 +23,6 @@ struct HalfEdges {
   int next_round_vertex(int corner) const { return mates[idx(faces.previous(corner))]; }
 };
 
-// How far the face of a half-edge reaches from the half-edge's line.
-double reach_of_face(const HalfEdges& half_edges, const Points& positions, int half_edge);
-
 // (n) length of the shortest edge at each vertex; the largest number where there is none.
 std::vector<double> shortest_edges(const HalfEdges& half_edges, const Points& positions);
 

@@ -10,6 +10,7 @@
 #include "control/smoothstep.h"
 #include "control/split_once.h"
 #include "mesh/mesh_size.h"
+#include "mesh/polygons.h"
 
 namespace illustrate {
 namespace {
@@ -172,7 +173,7 @@ class Keeper {
     const Faces& faces = edges_.faces;
     const double px = diagonal_px / diagonal(mesh_);
     for (int f = 0; f < faces.size(); ++f) {
-      const double weight = area(faces[f], px) / static_cast<double>(faces[f].size());
+      const double weight = twice_area(faces[f], px) / static_cast<double>(faces[f].size());
       for (const int v : faces[f]) {
         const double shift = px * (cage_limits_.positions[idx(v)] - mesh_.positions[idx(v)]).norm();
         if (std::isfinite(shift)) shifts[idx(patches_[idx(f)])].push_back({shift, weight});
@@ -181,14 +182,11 @@ class Keeper {
     return shifts;
   }
 
-  double area(Span<const int> face, double scale) const {
-    const Vec3& start = mesh_.positions[idx(face[0])];
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t k = 1; k + 1 < face.size(); ++k) {
-      const Vec3 a = scale * (mesh_.positions[idx(face[k])] - start);
-      sum += a.cross(scale * (mesh_.positions[idx(face[k + 1])] - start));
-    }
-    return sum.norm() / 2;
+  double twice_area(Span<const int> face, double scale) const {
+    Points polygon;
+    for (const int v : face)
+      polygon.push_back(scale * (mesh_.positions[idx(v)] - mesh_.positions[idx(face[0])]));
+    return newell_normal({polygon.data(), polygon.size()}).norm();
   }
 
   // How far smooth vertices step along their normals: as far as their limit is off, or as those of

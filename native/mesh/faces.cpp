@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/angles.h"
+#include "mesh/polygons.h"
 
 namespace illustrate {
 namespace {
@@ -67,6 +68,15 @@ double corner_angle(const Faces& faces, const Points& positions, int corner) {
   const Vec3& here = positions[faces.corners[corner]];
   return angle_between(positions[faces.head(corner)] - here,
                        positions[faces.corners[faces.previous(corner)]] - here);
+}
+
+double reach_of_face(const Faces& faces, const Points& positions, int half_edge) {
+  const Vec3& start = positions[idx(faces.corners[idx(half_edge)])];
+  const Vec3 along = unit_or_zero(positions[idx(faces.head(half_edge))] - start);
+  double reach = 0;
+  for (const int v : faces[faces.corner_faces[idx(half_edge)]])
+    reach = std::max(reach, (positions[idx(v)] - start).cross(along).norm());
+  return reach;
 }
 
 Points unit_normals(const Faces& faces, const Points& positions) {

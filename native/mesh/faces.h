@@ -54,6 +54,9 @@ Ragged<int> half_edges_by_edge(const Faces& faces, std::size_t vertex_count);
 // Of a face at one of its corners, between the two edges there, radians.
 double corner_angle(const Faces& faces, const Points& positions, int corner);
 
+// How far the face of a half-edge reaches from the half-edge's line.
+double reach_of_face(const Faces& faces, const Points& positions, int half_edge);
+
 // Unit normals by Newell's formula, at any scale; zero for faces without area.
 Points unit_normals(const Faces& faces, const Points& positions);
 

@@ -1,10 +1,8 @@
 #include "mesh/gaps.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
-#include "core/angles.h"
 #include "core/disjoint_sets.h"
 #include "mesh/bvh.h"
 #include "mesh/mesh_size.h"
@@ -37,20 +35,7 @@ struct BorderEdge {
 };
 
 bool shaded_alike(const Vec3& normal, const Vec3& other) {
-  static const double same = std::cos(radians(crease_normals_deg));
-  return normal.dot(other) >= same;
-}
-
-// Of a half-edge's face over its edge.
-double height_over(const Faces& faces, const Points& positions, int half_edge) {
-  const Vec3& tail = positions[idx(faces.corners[idx(half_edge)])];
-  const Vec3 along = (positions[idx(faces.head(half_edge))] - tail).stableNormalized();
-  double highest = 0;
-  for (const int v : faces[faces.corner_faces[idx(half_edge)]]) {
-    const Vec3 to = positions[idx(v)] - tail;
-    highest = std::max(highest, (to - along.dot(to) * along).stableNorm());
-  }
-  return highest;
+  return normal.dot(other) >= crease_normals_cosine;
 }
 
 class BorderEdges {
@@ -67,9 +52,11 @@ class BorderEdges {
   // Two edges, ascending, for each gap.
   std::vector<Edge> find_gaps() {
     std::vector<Triangle> boxes;
-    for (const BorderEdge& edge : edges_) boxes.push_back({edge.tail, edge.head, edge.head});
     double margin = 0;
-    for (const BorderEdge& edge : edges_) margin = std::max(margin, edge.reach);
+    for (const BorderEdge& edge : edges_) {
+      boxes.push_back({edge.tail, edge.head, edge.head});
+      margin = std::max(margin, edge.reach);
+    }
     Bvh(mesh_.positions, boxes, 1).overlapping_pairs([&](int a, int b) { compare(a, b); }, margin);
     std::vector<Edge> gaps;
     for (int a = 0; a < static_cast<int>(edges_.size()); ++a) {
@@ -84,9 +71,7 @@ class BorderEdges {
  private:
   Vec3 normal(int half_edge) {
     const int source = faces_.sources[idx(faces_.corner_faces[idx(half_edge)])];
-    const int corner = corners_.find(source, faces_.corners[idx(half_edge)]);
-    const Vec3 normal = corner == none ? Vec3(Vec3::Zero()) : mesh_.corner_normals[idx(corner)];
-    return normal.allFinite() ? Vec3(normal.stableNormalized()) : Vec3(Vec3::Zero());
+    return given_normal(mesh_, corners_.find(source, faces_.corners[idx(half_edge)]));
   }
 
   BorderEdge read(int half_edge, double widest) {
@@ -94,7 +79,7 @@ class BorderEdges {
     const double length = (mesh_.positions[idx(head)] - mesh_.positions[idx(tail)]).stableNorm();
     const double reach =
         std::min({widest, most_of_length * length,
-                  most_of_height * height_over(faces_, mesh_.positions, half_edge)});
+                  most_of_height * reach_of_face(faces_, mesh_.positions, half_edge)});
     return {tail, head, normal(half_edge), normal(faces_.next(half_edge)), reach};
   }
 

@@ -164,11 +164,6 @@ bool runs_backwards(Span<const int> input_corners, int size) {
   return balance < 0;
 }
 
-// Zero where there is none.
-Vec3 unit_if_known(const Vec3& v) {
-  return v.allFinite() ? Vec3(v.stableNormalized()) : Vec3(Vec3::Zero());
-}
-
 class ShadingReader {
  public:
   ShadingReader(const PolygonMesh& mesh, const Faces& faces, const std::vector<int>& numbers,
@@ -225,22 +220,19 @@ class ShadingReader {
     shading_.is_reversed[f] = reversed;
     for (std::size_t k = 0; k < found.size(); ++k) {
       Vec3& normal = shading_.corner_normals[first + static_cast<int>(k)];
-      normal = Vec3::Zero();
-      if (!mesh_.corner_normals.empty() && found[k] != none)
-        normal = unit_if_known(mesh_.corner_normals[found[k]]);
+      normal = given_normal(mesh_, found[k]);
       if (reversed) normal = -normal;
       if (normal.isZero()) normal = shading_.face_normals[f];
     }
   }
 
   bool agrees_with_neighbour(int f, const std::vector<int>& mates) const {
-    static const double same = std::cos(radians(crease_normals_deg));
     const Points& normals = shading_.corner_normals;
     for (int h = faces_.offsets[f]; h < faces_.offsets[f + 1]; ++h) {
       const int mate = mates[h];
       if (mate == none) continue;
-      if (std::abs(normals[h].dot(normals[faces_.next(mate)])) >= same &&
-          std::abs(normals[faces_.next(h)].dot(normals[mate])) >= same)
+      if (std::abs(normals[h].dot(normals[faces_.next(mate)])) >= crease_normals_cosine &&
+          std::abs(normals[faces_.next(h)].dot(normals[mate])) >= crease_normals_cosine)
         return true;
     }
     return false;
@@ -265,11 +257,10 @@ class ShadingReader {
 };
 
 bool differ(const Faces& faces, int corner, int other, const Shading& shading) {
-  static const double same = std::cos(radians(crease_normals_deg));
   const double cosine = shading.corner_normals[corner].dot(shading.corner_normals[other]);
   const bool same_winding = shading.is_reversed[faces.corner_faces[corner]] ==
                             shading.is_reversed[faces.corner_faces[other]];
-  return (same_winding ? cosine : std::abs(cosine)) < same;
+  return (same_winding ? cosine : std::abs(cosine)) < crease_normals_cosine;
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 // How the faces of a sound mesh are shaded: what its creases are found from.
 #pragma once
 
+#include <cmath>
+
+#include "core/angles.h"
 #include "mesh/faces.h"
 #include "mesh/sanitize.h"
 
@@ -22,6 +25,7 @@ constexpr double flat_shading_deg = 1;
 // Corner normals that differ by more make a crease: the angles that files hold are nearly all below
 // .05 degrees, where the edge is smooth, or above 5.
 constexpr double crease_normals_deg = 5;
+inline const double crease_normals_cosine = std::cos(radians(crease_normals_deg));
 
 // Whether corner normals differ at the two ends of an edge.
 struct EndsDiffer {
@@ -36,8 +40,8 @@ EndsDiffer ends_differ(const Faces& faces, Span<const int> edge, const Shading& 
 bool are_flat(const Faces& faces, Span<const int> edge, const Shading& shading);
 
 // faces: those of `sound`, whose positions, source_vertices, twins and kept stand. numbers:
-// weld_open_edges'. edges: half_edges_by_edge's. Normals of reversed faces are turned with them.
-// Of a face and its twin the normals are opposite, to the bit.
+// of the vertices as welded. edges: half_edges_by_edge's. Normals of reversed faces are turned with
+// them. Of a face and its twin the normals are opposite, to the bit.
 Shading read_shading(const PolygonMesh& mesh, const Faces& faces, const Ragged<int>& edges,
                      const std::vector<int>& numbers, const SoundMesh& sound);
 

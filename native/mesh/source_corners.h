@@ -37,4 +37,12 @@ class SourceCorners {
   int last_ = 0;
 };
 
+// The unit normal that the input gives to one of its corners; zero where it gives none, and for no
+// corner.
+inline Vec3 given_normal(const PolygonMesh& mesh, int corner) {
+  if (mesh.corner_normals.empty() || corner == none) return Vec3::Zero();
+  const Vec3& normal = mesh.corner_normals[idx(corner)];
+  return normal.allFinite() ? Vec3(normal.stableNormalized()) : Vec3(Vec3::Zero());
+}
+
 }  // namespace illustrate

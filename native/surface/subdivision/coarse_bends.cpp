@@ -64,9 +64,9 @@ class CoarseBends {
   }
 
   int level_across(int h, int mate) const {
-    const double reach =
-        (reach_of_face(edges_, mesh_.positions, h) + reach_of_face(edges_, mesh_.positions, mate)) /
-        2;
+    const double reach = (reach_of_face(edges_.faces, mesh_.positions, h) +
+                          reach_of_face(edges_.faces, mesh_.positions, mate)) /
+                         2;
     if (!is_coarse(reach, median_)) return 0;
     const double turned = turn(h, mate), sagitta = reach * turned / 8;
     if (!(sagitta > nearest_)) return 0;
