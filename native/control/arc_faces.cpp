@@ -1,5 +1,7 @@
 #include "control/arc_faces.h"
 
+#include "control/split_values.h"
+
 namespace illustrate {
 namespace {
 
@@ -22,7 +24,7 @@ class ArcMaker {
 
   ArcFaces run() {
     for (int f = 0; f < faces_.size(); ++f) quads_ ? add_quads(read(f)) : add_triangles(read(f));
-    spread(arcs_.weights);
+    append_means(edges_, arcs_.places.size(), arcs_.weights);
     return std::move(arcs_);
   }
 
@@ -69,16 +71,6 @@ class ArcMaker {
         arcs_.sags.push_back(face.sags[along] / 4);
     }
     for (const std::size_t along : {2, 0, 1}) arcs_.sags.push_back(face.sags[along] / 4);
-  }
-
-  void spread(std::vector<double>& weights) const {
-    for (const int h : edges_.first)
-      weights.push_back((weights[idx(faces_.corners[idx(h)])] + weights[idx(faces_.head(h))]) / 2);
-    for (int f = 0; quads_ && f < faces_.size(); ++f) {
-      double sum = 0;
-      for (const int v : faces_[f]) sum += weights[idx(v)];
-      weights.push_back(sum / static_cast<double>(faces_[f].size()));
-    }
   }
 
   const HalfEdges& edges_;

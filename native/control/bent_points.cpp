@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "control/smoothstep.h"
 #include "core/pi.h"
+#include "mesh/edge_table.h"
 #include "mesh/polygons.h"
 
 namespace illustrate {
@@ -12,6 +14,9 @@ namespace {
 
 // A quarter of a circle has .207 of its chord: what bends more is no coarse curve.
 constexpr double largest_sag = 0.2;
+
+// Of the way to where a triangle beside a sharp edge turns over, how much its sag may take.
+constexpr double share_of_room = 0.5;
 
 // What goes on behind an end for less than the first share of an edge turns by itself, and the edge
 // stays straight; for more than the second the edge has its part of the turn.
@@ -59,7 +64,8 @@ class Bender {
         sectors_(sectors),
         normals_(fan_normals(parent, edges, sectors)),
         quads_(scheme == Scheme::catmull_clark),
-        neighbours_(crease_neighbours(edges, parent.positions.size())) {}
+        neighbours_(crease_neighbours(edges, parent.positions.size())),
+        seams_(parent.positions.size(), parent.seams) {}
 
   Points run() {
     for (const int h : edges_.first) sags_.push_back(sag(h));
@@ -91,7 +97,34 @@ class Bender {
     Vec3 bend = edges_.is_sharp(h) ? sag_of_crease(h, away) : sag_of_smooth(h, away);
     const double size = bend.norm();
     if (size > largest_sag) bend *= largest_sag / size;
-    return length * bend;
+    return edges_.is_sharp(h) ? beside_faces(h, away, length * bend) : Vec3(length * bend);
+  }
+
+  // The sag of a sharp edge, within the faces beside it no farther than these have room for. Both
+  // sides of a seam have the same, and know one face each.
+  Vec3 beside_faces(int h, const Vec3& away, Vec3 sag) const {
+    if (seams_.find(faces_.corners[idx(h)], faces_.head(h)) != none) return sag;
+    for (const int side : {h, edges_.mates[idx(h)]}) {
+      if (side == none) continue;
+      const Vec3 normal = end_normal(normals_.geometric, side, faces_.next(side));
+      const double within = (sag - sag.dot(normal) * normal).norm(), most = room(side, away);
+      if (within > most) sag *= most / within;
+    }
+    return sag;
+  }
+
+  // How far the middle of an edge, which runs along `away`, may move within its face, so that no
+  // triangle that the face is split into turns over: half of the way to the nearest line, which is
+  // that of another edge, or the one between the middles of the others.
+  double room(int h, const Vec3& away) const {
+    const Vec3 middle = (start(h) + end(h)) / 2;
+    double farthest = 0, nearest = std::numeric_limits<double>::max();
+    for (int other = faces_.next(h); other != h; other = faces_.next(other)) {
+      farthest = std::max(farthest, away.cross(end(other) - middle).norm());
+      nearest = std::min(
+          nearest, unit_or_zero(end(other) - start(other)).cross(middle - start(other)).norm());
+    }
+    return share_of_room * std::min(nearest, farthest / 2);
   }
 
   Vec3 sag_of_crease(int h, const Vec3& away) const {
@@ -172,7 +205,8 @@ class Bender {
   const FanNormals normals_;
   const bool quads_;
   const std::vector<Edge> neighbours_;  // (n) crease_neighbours'
-  Points sags_;                         // (e)
+  const EdgeTable seams_;
+  Points sags_;  // (e)
 };
 
 }  // namespace

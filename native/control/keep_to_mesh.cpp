@@ -55,6 +55,16 @@ bool is_none(const std::vector<double>& weights) {
   return std::all_of(weights.begin(), weights.end(), [](double w) { return w == 0; });
 }
 
+// All copies of a vertex have the largest value of them, or the surface would tear there.
+void join_copies(const std::vector<int>& sources, std::vector<double>& values) {
+  std::vector<double> largest(idx(1 + *std::max_element(sources.begin(), sources.end())), 0);
+  for (std::size_t v = 0; v < values.size(); ++v)
+    if (sources[v] != none)
+      largest[idx(sources[v])] = std::max(largest[idx(sources[v])], values[v]);
+  for (std::size_t v = 0; v < values.size(); ++v)
+    if (sources[v] != none) values[v] = largest[idx(sources[v])];
+}
+
 // What a mesh is given.
 struct Shape {
   Points points;               // of the split mesh
@@ -128,6 +138,7 @@ class Keeper {
     child_.positions = std::move(shape.points);
     join_twins();
     if (is_none(shape.slides)) return {std::move(child_), {}};
+    join_copies(mesh_.source_vertices, shape.slides);
     return {std::move(child_),
             arc_faces(edges_, std::move(bent), std::move(shape.slides), scheme_)};
   }

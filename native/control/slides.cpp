@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "control/smoothstep.h"
+#include "control/turned_faces.h"
 
 namespace illustrate {
 namespace {
@@ -58,10 +59,8 @@ std::vector<double> reached(const HalfEdges& edges, const std::vector<double>& v
   return result;
 }
 
-}  // namespace
-
-std::vector<double> slides(const SoundMesh& mesh, const HalfEdges& edges, const LimitPlaces& limits,
-                           double diagonal) {
+std::vector<double> slides_from_planes(const SoundMesh& mesh, const HalfEdges& edges,
+                                       const LimitPlaces& limits, double diagonal) {
   std::vector<double> all(mesh.positions.size(), 0);
   const std::vector<std::uint8_t> is_level = vertices_of_planes(mesh);
   if (std::find(is_level.begin(), is_level.end(), 1) == is_level.end()) return all;
@@ -76,6 +75,14 @@ std::vector<double> slides(const SoundMesh& mesh, const HalfEdges& edges, const 
   std::vector<double> result = reached(edges, all, is_level);
   for (int ring = 0; ring < rings; ++ring) result = wider(edges, result);
   return result;
+}
+
+}  // namespace
+
+std::vector<double> slides(const SoundMesh& mesh, const HalfEdges& edges, const LimitPlaces& limits,
+                           double diagonal) {
+  return weights_of_turned_faces(mesh, edges, limits,
+                                 slides_from_planes(mesh, edges, limits, diagonal));
 }
 
 }  // namespace illustrate

@@ -13,7 +13,8 @@ namespace illustrate {
 // within three edges of these: beside one that slides are others that slide less, and what held one
 // of them alone would ripple.
 // Beside no flat face vertices slide as well, at slivers of scans and of metaballs, and do no harm:
-// what is bent evenly is the same surface wherever its vertices are.
+// what is bent evenly is the same surface wherever its vertices are; unless a face turns over
+// (control/turned_faces.h), which is counted wherever it is.
 // limits: of the mesh split once. diagonal: of the mesh.
 std::vector<double> slides(const SoundMesh& mesh, const HalfEdges& edges, const LimitPlaces& limits,
                            double diagonal);

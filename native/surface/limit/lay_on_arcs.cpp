@@ -1,5 +1,6 @@
 #include "surface/limit/lay_on_arcs.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "mesh/polygons.h"
@@ -8,6 +9,9 @@
 
 namespace illustrate {
 namespace {
+
+// Corners of less than 2 degrees, and of more than 178.
+constexpr double sine_of_sliver = 0.035;
 
 class Layer {
  public:
@@ -50,11 +54,13 @@ class Layer {
     }
   }
 
-  // Those of the refined faces, weighted by the angles of their corners.
+  // Those of the refined faces, weighted by the angles of their corners; slivers, whose normals are
+  // nearly noise, by less.
   void turn_normals() {
     Points sums(sectors_.count(), Vec3::Zero());
     for_each_laid_corner([&](int c, double angle, const Vec3& across) {
-      sums[idx(sector(c))] += angle * unit_or_zero(across);
+      const double share = std::min(1., std::sin(angle) / sine_of_sliver);
+      sums[idx(sector(c))] += share * angle * unit_or_zero(across);
     });
     for (std::size_t s = 0; s < sums.size(); ++s) {
       if (is_laid_[s]) limits_.normals[s] = unit_or_zero(sums[s]);

@@ -143,5 +143,38 @@ TEST(BentPoints, ArcsConverge) {
   EXPECT_LT(last, 0.05);
 }
 
+// A plate with a round hole of twelve sides and radius 1. A vertex of the plate is `above` the
+// first side.
+PolygonMesh plate_with_hole(double above) {
+  constexpr int n = 12;
+  PolygonMesh mesh;
+  for (const double r : {1., 3.}) {
+    for (int k = 0; k < n; ++k) {
+      const double angle = (k - .5) * 2 * pi / n;
+      mesh.positions.emplace_back(r * std::cos(angle), r * std::sin(angle), 0);
+    }
+  }
+  mesh.positions.emplace_back(std::cos(pi / n) + above, 0, 0);
+  for (int k = 1; k < n; ++k) shapes::add_face(mesh, {k, n + k, n + (k + 1) % n, (k + 1) % n});
+  for (const auto& face :
+       {std::array<int, 3>{0, 2 * n, 1}, {0, n, 2 * n}, {n, n + 1, 2 * n}, {n + 1, 1, 2 * n}})
+    shapes::add_face(mesh, {face[0], face[1], face[2]});
+  mesh.boundary = BoundaryRule::edges;
+  return mesh;
+}
+
+TEST(BentPoints, SharpEdgesLeaveRoomForTheFacesBesideThem) {
+  const double sagitta = 1 - std::cos(pi / 12);
+  for (const double above : {.5 * sagitta, 3 * sagitta, 10 * sagitta}) {
+    for (const Bent& edge : bent_edges(plate_with_hole(above))) {
+      const bool is_on_hole = edge.from.norm() < 1.01 && edge.to.norm() < 1.01 &&
+                              std::abs(edge.middle.norm() - 1) < 2 * sagitta && !edge.is_inside;
+      if (!is_on_hole) continue;
+      const bool is_first = std::abs(edge.middle.y()) < .1 && edge.middle.x() > 0;
+      EXPECT_NEAR(edge.sag(), is_first ? std::min(sagitta, above / 4) : sagitta, 1e-12) << above;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace illustrate

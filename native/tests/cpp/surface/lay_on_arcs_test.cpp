@@ -115,6 +115,35 @@ TEST(LayOnArcs, AWallDoesNotFold) {
   EXPECT_LE(count_backward(surface), 1) << "at the open end of the strips";
 }
 
+// Rounding tilts slivers, however level the face is that they are part of.
+TEST(LayOnArcs, SliversDoNotTurnNormals) {
+  for (const double tilt : {-3., 0., 3.}) {
+    const double height = 1e-5;
+    PolygonMesh mesh = shapes::polygon_mesh({{-4, 0, 0},
+                                             {0, 0, 0},
+                                             {0, -1, 0},
+                                             {-4, -1, 0},
+                                             {-.6, -.1, 0},
+                                             {-.2, -.09, 0},
+                                             {-.05, -.12, 0},
+                                             {-.4, -.095 - height, tilt * height}},
+                                            {{0, 4, 1},
+                                             {4, 5, 1},
+                                             {4, 7, 5},
+                                             {5, 6, 1},
+                                             {6, 2, 1},
+                                             {3, 4, 0},
+                                             {3, 7, 4},
+                                             {3, 5, 7},
+                                             {3, 6, 5},
+                                             {3, 2, 6}});
+    mesh.cage = false;
+    mesh.boundary = BoundaryRule::edges;
+    const Surface surface = refined(mesh, at_level(1));
+    for (const Vec3& normal : surface.normals) EXPECT_GT(normal.z(), .95) << tilt;
+  }
+}
+
 TEST(LayOnArcs, TheLimitSaysNothingThere) {
   const Surface surface = refined(mesh_of({{2, 1, .5}, .02, 3}), at_level(2));
   const LimitSurface limit(surface);
