@@ -11,6 +11,8 @@ namespace {
 
 constexpr double level_deg = 5, bent_deg = 15;
 constexpr double least_kept = 0.1;  // of its area that a piece of a face keeps
+// Of its longest edge squared: areas that are less are rounding, as that of a straight corner.
+constexpr double least_loss = 1e-6;
 constexpr int faces_around = 3, most_rounds = 8;
 
 // Raises values to `others`, and tells whether any is raised.
@@ -44,12 +46,11 @@ class Turner {
   }
 
   // (n) by the faces that turn over where the surface leaves the limit by these weights.
-  std::vector<double> turned(const std::vector<double>& weights) {
+  std::vector<double> weights_of_turned(const std::vector<double>& weights) {
     mix(weights);
     std::vector<double> of_faces(idx(faces_.size()), 0);
     for (int f = 0; f < faces_.size(); ++f)
-      if (levelness_[idx(f)] > 0)
-        of_faces[idx(f)] = levelness_[idx(f)] * (1 - smoothstep(0, least_kept, share_kept(f)));
+      if (levelness_[idx(f)] > 0) of_faces[idx(f)] = levelness_[idx(f)] * turned(f);
     std::vector<double> result(weights.size(), 0);
     if (*std::max_element(of_faces.begin(), of_faces.end()) == 0) return result;
     for (int ring = 0; ring < faces_around; ++ring) of_faces = wider(of_faces);
@@ -92,27 +93,32 @@ class Turner {
     return result;
   }
 
-  // Of the area of a piece of a face, which has these corners in the split mesh.
-  double share_kept(int f, int a, int b, int c) const {
+  // 0 .. 1 how far a piece of a face, which has these corners in the split mesh, turns over.
+  double turned(int f, int a, int b, int c) const {
     const Vec3& n = normals_[idx(f)];
-    const double area = twice_area(n, places_[idx(a)], places_[idx(b)], places_[idx(c)]);
-    if (!(area > 0)) return 1;
-    return twice_area(n, mixed_[idx(a)], mixed_[idx(b)], mixed_[idx(c)]) / area;
+    const Vec3 &pa = places_[idx(a)], &pb = places_[idx(b)], &pc = places_[idx(c)];
+    const double area = twice_area(n, pa, pb, pc);
+    const double left = twice_area(n, mixed_[idx(a)], mixed_[idx(b)], mixed_[idx(c)]);
+    const double longest =
+        std::max({(pb - pa).squaredNorm(), (pc - pb).squaredNorm(), (pa - pc).squaredNorm()});
+    if (!(area > 0)) return 0;
+    return smoothstep(least_loss, 10 * least_loss, (area - left) / longest) *
+           (1 - smoothstep(0, least_kept, left / area));
   }
 
-  // The least of its pieces: of quads the halves at a vertex and at the centre.
-  double share_kept(int f) const {
-    const int first = faces_.offsets[idx(f)], edges = vertices_,
-              centres = edges + edges_.edge_count();
+  // The most of its pieces: of quads the halves at a vertex and at the centre.
+  double turned(int f) const {
+    const int first = faces_.offsets[idx(f)];
+    const int edges = vertices_, centres = edges + edges_.edge_count();
     const auto middle = [&](int h) { return edges + edges_.edges[idx(h)]; };
-    double least = 1;
+    double most = 0;
     for (int h = first; h < faces_.offsets[idx(f) + 1]; ++h) {
       const int after = middle(h), before = middle(faces_.previous(h));
-      least = std::min(least, share_kept(f, faces_.corners[idx(h)], after, before));
-      if (has_centres_) least = std::min(least, share_kept(f, centres + f, before, after));
+      most = std::max(most, turned(f, faces_.corners[idx(h)], after, before));
+      if (has_centres_) most = std::max(most, turned(f, centres + f, before, after));
     }
-    if (has_centres_) return least;
-    return std::min(least, share_kept(f, middle(first), middle(first + 1), middle(first + 2)));
+    if (has_centres_) return most;
+    return std::max(most, turned(f, middle(first), middle(first + 1), middle(first + 2)));
   }
 
   const HalfEdges& edges_;
@@ -134,7 +140,8 @@ std::vector<double> weights_of_turned_faces(const SoundMesh& mesh, const HalfEdg
                                             std::vector<double> weights) {
   if (edges.faces.size() == 0) return weights;
   Turner turner(mesh, edges, limits);
-  for (int round = 0; round < most_rounds && raise(weights, turner.turned(weights)); ++round) {
+  for (int round = 0; round < most_rounds && raise(weights, turner.weights_of_turned(weights));
+       ++round) {
   }
   return weights;
 }
