@@ -76,11 +76,8 @@ class Bvh::Pairs {
   std::vector<Edge> stack_;
 };
 
-void Bvh::met_by_plane(const Vec4& plane, const std::function<void(int)>& visit) const {
-  const auto meets = [&](const Eigen::AlignedBox3d& box) {
-    const double middle = plane.dot(box.center().homogeneous());
-    return std::abs(middle) <= plane.head<3>().cwiseAbs().dot(box.sizes()) / 2;
-  };
+template <class Meets>
+void Bvh::visit_boxes(const Meets& meets, const std::function<void(int)>& visit) const {
   std::vector<int> stack;
   if (!nodes_.empty()) stack.push_back(0);
   while (!stack.empty()) {
@@ -95,6 +92,21 @@ void Bvh::met_by_plane(const Vec4& plane, const std::function<void(int)>& visit)
       if (meets(boxes_[idx(i)])) visit(order_[idx(i)]);
     }
   }
+}
+
+void Bvh::met_by_plane(const Vec4& plane, const std::function<void(int)>& visit) const {
+  const auto meets = [&](const Eigen::AlignedBox3d& box) {
+    const double middle = plane.dot(box.center().homogeneous());
+    return std::abs(middle) <= plane.head<3>().cwiseAbs().dot(box.sizes()) / 2;
+  };
+  visit_boxes(meets, visit);
+}
+
+void Bvh::near_point(const Vec3& p, double reach, const std::function<void(int)>& visit) const {
+  const auto meets = [&](const Eigen::AlignedBox3d& box) {
+    return ((box.min() - p).array() <= reach).all() && ((p - box.max()).array() <= reach).all();
+  };
+  visit_boxes(meets, visit);
 }
 
 void Bvh::overlapping_pairs(const std::function<void(int, int)>& visit, double margin) const {

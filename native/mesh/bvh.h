@@ -47,6 +47,10 @@ class Bvh {
   // order. plane: zero for homogeneous points on it.
   void met_by_plane(const Vec4& plane, const std::function<void(int)>& visit) const;
 
+  // Calls visit(t) for every triangle whose box is at most `reach` from p along each axis, in a
+  // fixed order.
+  void near_point(const Vec3& p, double reach, const std::function<void(int)>& visit) const;
+
   // Half of the area of a box's surface, 0 for an empty one.
   static double half_area(const Eigen::AlignedBox3d& box);
 
@@ -57,6 +61,9 @@ class Bvh {
   template <class Visit>
   bool any_hit(const Vec3& origin, const Vec3& direction, double low, double high,
                const Visit& visit) const;
+  // Calls visit(t) for every triangle whose box meets, as all boxes round it do.
+  template <class Meets>
+  void visit_boxes(const Meets& meets, const std::function<void(int)>& visit) const;
   static constexpr std::size_t depth_limit = 128;  // no path from the root is longer
 
   const Points* positions_ = nullptr;

@@ -4,111 +4,82 @@
 #include <limits>
 
 #include "core/disjoint_sets.h"
+#include "mesh/border_edges.h"
 #include "mesh/bvh.h"
-#include "mesh/mesh_size.h"
-#include "mesh/shading.h"
-#include "mesh/source_corners.h"
 
 namespace illustrate {
 namespace {
 
-// Of the mesh's diagonal: a tenth of a pixel where it fills a page, and as much as programs for
-// mechanical design let faces be apart.
-constexpr double widest_gap = 1e-4;
+// Of an edge: what is moved so far keeps its shape.
+constexpr double most_of_length = 0.01;
 
-// Of an edge and of the height of its face over it: what is moved so far keeps its shape.
-constexpr double most_of_length = 0.01, most_of_height = 0.5;
-
-struct BorderEdge {
-  int tail, head;
-  Vec3 tail_normal, head_normal;  // unit, or zero where there is none
-  double reach;                   // how far away its other side may be
-  int nearest = none;             // open edge that may be its other side
+// The open edge that may be the other side of one.
+struct OtherSide {
+  int edge = none;
   double distance = std::numeric_limits<double>::infinity();
 
   // Of several that are equally near, the first.
   void offer(int other, double other_distance) {
     if (!(other_distance < distance)) return;
     distance = other_distance;
-    nearest = other;
+    edge = other;
   }
 };
 
-bool shaded_alike(const Vec3& normal, const Vec3& other) {
-  return normal.dot(other) >= crease_normals_cosine;
-}
-
-class BorderEdges {
+class GapFinder {
  public:
-  BorderEdges(const PolygonMesh& mesh, const Faces& faces, const std::vector<int>& numbers)
-      : mesh_(mesh), faces_(faces), corners_(mesh, numbers) {
-    const double widest = widest_gap * diagonal(faces, mesh.positions);
-    const Ragged<int> edges = half_edges_by_edge(faces, mesh.positions.size());
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-      if (edges[e].size() == 1) edges_.push_back(read(edges[e][0], widest));
-    }
-  }
+  GapFinder(const Points& positions, const BorderEdges& edges)
+      : positions_(positions), edges_(edges), nearest_(idx(edges.size())) {}
 
   // Two edges, ascending, for each gap.
-  std::vector<Edge> find_gaps() {
+  std::vector<Edge> run() {
+    // Edges that are close at both ends are so in the middle; at their ends thousands may meet.
+    Points middles;
     std::vector<Triangle> boxes;
-    double margin = 0;
-    for (const BorderEdge& edge : edges_) {
-      boxes.push_back({edge.tail, edge.head, edge.head});
-      margin = std::max(margin, edge.reach);
+    for (int e = 0; e < edges_.size(); ++e) {
+      middles.push_back((positions_[idx(edges_[e].tail)] + positions_[idx(edges_[e].head)]) / 2);
+      boxes.push_back({e, e, e});
     }
-    Bvh(mesh_.positions, boxes, 1).overlapping_pairs([&](int a, int b) { compare(a, b); }, margin);
+    Bvh(middles, boxes, 1)
+        .overlapping_pairs([&](int a, int b) { compare(a, b); }, edges_.widest_reach());
     std::vector<Edge> gaps;
-    for (int a = 0; a < static_cast<int>(edges_.size()); ++a) {
-      const int b = edges_[idx(a)].nearest;
-      if (b > a && edges_[idx(b)].nearest == a) gaps.push_back({a, b});
+    for (int a = 0; a < edges_.size(); ++a) {
+      const int b = nearest_[idx(a)].edge;
+      if (b > a && nearest_[idx(b)].edge == a) gaps.push_back({a, b});
     }
     return gaps;
   }
 
-  const BorderEdge& operator[](int edge) const { return edges_[idx(edge)]; }
-
  private:
-  Vec3 normal(int half_edge) {
-    const int source = faces_.sources[idx(faces_.corner_faces[idx(half_edge)])];
-    return given_normal(mesh_, corners_.find(source, faces_.corners[idx(half_edge)]));
+  double apart(int vertex, int other) const {
+    return (positions_[idx(vertex)] - positions_[idx(other)]).stableNorm();
   }
 
-  BorderEdge read(int half_edge, double widest) {
-    const int tail = faces_.corners[idx(half_edge)], head = faces_.head(half_edge);
-    const double length = (mesh_.positions[idx(head)] - mesh_.positions[idx(tail)]).stableNorm();
-    const double reach =
-        std::min({widest, most_of_length * length,
-                  most_of_height * reach_of_face(faces_, mesh_.positions, half_edge)});
-    return {tail, head, normal(half_edge), normal(faces_.next(half_edge)), reach};
+  double reach(const BorderEdge& edge) const {
+    return std::min(edge.reach, most_of_length * apart(edge.tail, edge.head));
   }
 
   void compare(int a, int b) {
-    BorderEdge &edge = edges_[idx(a)], &other = edges_[idx(b)];
-    const Points& positions = mesh_.positions;
-    const double distance =
-        std::max((positions[idx(edge.tail)] - positions[idx(other.head)]).stableNorm(),
-                 (positions[idx(edge.head)] - positions[idx(other.tail)]).stableNorm());
-    if (!(distance < std::min(edge.reach, other.reach))) return;
-    if (!shaded_alike(edge.tail_normal, other.head_normal) ||
-        !shaded_alike(edge.head_normal, other.tail_normal))
+    const BorderEdge &edge = edges_[a], &other = edges_[b];
+    const double distance = std::max(apart(edge.tail, other.head), apart(edge.head, other.tail));
+    if (!(distance < std::min(reach(edge), reach(other)))) return;
+    if (!edges_.shaded_alike(edge, edge.tail_normal, other, other.head_normal) ||
+        !edges_.shaded_alike(edge, edge.head_normal, other, other.tail_normal))
       return;
-    edge.offer(b, distance);
-    other.offer(a, distance);
+    nearest_[idx(a)].offer(b, distance);
+    nearest_[idx(b)].offer(a, distance);
   }
 
-  const PolygonMesh& mesh_;
-  const Faces& faces_;
-  SourceCorners corners_;
-  std::vector<BorderEdge> edges_;
+  const Points& positions_;
+  const BorderEdges& edges_;
+  std::vector<OtherSide> nearest_;
 };
 
 }  // namespace
 
 void close_gaps(const PolygonMesh& mesh, Faces& faces, std::vector<int>& numbers, Counts& report) {
-  if (mesh.corner_normals.empty()) return;
-  BorderEdges open(mesh, faces, numbers);
-  const std::vector<Edge> gaps = open.find_gaps();
+  const BorderEdges open(mesh, faces, numbers);
+  const std::vector<Edge> gaps = GapFinder(mesh.positions, open).run();
   if (gaps.empty()) return;
   report["closed_gaps"] += static_cast<std::int64_t>(gaps.size());
   DisjointSets sets(mesh.positions.size());

@@ -12,12 +12,11 @@
 namespace illustrate {
 
 // Gives the vertices at both sides of a gap the same number, the lowest. Its edges are apart at
-// both ends by less than 1 % of their length, half of the height of their faces over them (a thin
-// strip is no gap) and a ten-thousandth of the mesh's diagonal; each is the nearest to the other;
-// and the corner normals there differ by less than crease_normals_deg. Not for a cage, whose
-// surface ends where its faces end; a mesh without corner normals has none.
-// numbers: weld_open_edges', with which it goes on. Counts "closed_gaps", "welded_vertices" and
-// what cleaning the faces again counts.
+// both ends by less than 1 % of their length and are within reach of each other, each is the
+// nearest to the other, and they are shaded alike there (mesh/border_edges.h). Not for a cage,
+// whose surface ends where its faces end; a mesh without corner normals has none. numbers:
+// weld_open_edges', with which it goes on. Counts "closed_gaps", "welded_vertices" and what
+// cleaning the faces again counts.
 void close_gaps(const PolygonMesh& mesh, Faces& faces, std::vector<int>& numbers, Counts& report);
 
 }  // namespace illustrate

@@ -6,6 +6,7 @@
 #include "mesh/edges.h"
 #include "mesh/faces.h"
 #include "mesh/gaps.h"
+#include "mesh/junctions.h"
 #include "mesh/memory_order.h"
 #include "mesh/orient.h"
 #include "mesh/split.h"
@@ -15,14 +16,14 @@ namespace {
 
 void name_counts(Counts& report) {
   for (const char* name :
-       {"input_faces",    "kept_faces",      "nan_faces",     "degenerate_faces",
-        "huge_faces",     "duplicate_faces", "nan_vertices",  "repeated_corners",
-        "split_faces",    "welded_vertices", "closed_gaps",   "isolated_vertices",
-        "split_edges",    "split_vertices",  "flipped_faces", "turned_parts",
-        "covered_parts",  "ignored_creases", "ignored_marks", "angle_creases",
-        "normal_creases", "breaks",          "lone_bends",    "fine_bends",
-        "tips",           "corners",         "empty_meshes",  "parts",
-        "polygons",       "open_edges"})
+       {"input_faces",   "kept_faces",    "nan_faces",         "degenerate_faces",
+        "huge_faces",    "nan_vertices",  "repeated_corners",  "duplicate_faces",
+        "split_faces",   "junctions",     "welded_vertices",   "closed_gaps",
+        "split_edges",   "flipped_faces", "isolated_vertices", "split_vertices",
+        "turned_parts",  "covered_parts", "ignored_creases",   "ignored_marks",
+        "angle_creases", "breaks",        "normal_creases",    "lone_bends",
+        "fine_bends",    "tips",          "corners",           "empty_meshes",
+        "parts",         "polygons",      "open_edges"})
     report[name] += 0;
 }
 
@@ -96,6 +97,7 @@ SoundMesh sanitize(const PolygonMesh& mesh, Counts& report, const Progress& prog
   // Before faces are joined, so that what is welded is joined like any other edge.
   std::vector<int> numbers = weld_open_edges(faces, mesh.positions, report);
   if (!mesh.cage) {
+    divide_at_junctions(mesh, faces, numbers, report);
     close_gaps(mesh, faces, numbers, report);
     collapse_edges(mesh.positions, faces, numbers, report);
   }

@@ -59,10 +59,10 @@ struct SoundMesh {
 //   input_faces = kept_faces + nan_faces (at a vertex that is not finite) + degenerate_faces (no
 //   three different corners) + huge_faces (more than 65535 corners) + duplicate_faces.
 // Mended: nan_vertices, repeated_corners, split_faces (kept in parts), welded_vertices,
-//   closed_gaps (pairs of edges), isolated_vertices, split_edges, split_vertices (copies made),
-//   flipped_faces (against the majority of their part), turned_parts, covered_parts,
-//   ignored_creases (sharpness that is not a number or of no edge), ignored_marks (of no edge),
-//   empty_meshes (without a face left).
+//   closed_gaps (pairs of edges), junctions (vertices that an open edge was divided at),
+//   isolated_vertices, split_edges, split_vertices (copies made), flipped_faces (against the
+//   majority of their part), turned_parts, covered_parts, ignored_creases (sharpness that is not a
+//   number or of no edge), ignored_marks (of no edge), empty_meshes (without a face left).
 // Found, not mended: parts, polygons (faces of more than four corners), open_edges (boundaries,
 //   not seams). Made sharp: angle_creases and normal_creases (edges; of these breaks:
 //   mesh/breaks.h), lone_bends and fine_bends (edges: mesh/lone_bends.h, mesh/fine_bends.h), tips

@@ -153,9 +153,12 @@ class SliverNormals {
 };
 
 // Whether most steps from corner to corner go backwards in the input. Not all: where a face was
-// taken apart, or lost corners, a step may jump either way.
-bool runs_backwards(Span<const int> input_corners, int size) {
+// taken apart, or lost corners, a step may jump either way. Corners that are none of the input's
+// have no say.
+bool runs_backwards(std::vector<int> input_corners, int size) {
   int balance = 0;
+  input_corners.erase(std::remove(input_corners.begin(), input_corners.end(), none),
+                      input_corners.end());
   for (std::size_t k = 0; k < input_corners.size(); ++k) {
     const int here = input_corners[k], next = input_corners[(k + 1) % input_corners.size()];
     const int step = ((next - here) % size + size) % size;
@@ -215,15 +218,33 @@ class ShadingReader {
     input_corners_.clear();
     for (const int v : faces_[f])
       input_corners_.push_back(corners_.find(source, sound_.source_vertices[v]));
-    const Span<const int> found{input_corners_.data(), input_corners_.size()};
-    const bool reversed = runs_backwards(found, mesh_.face_sizes[source]);
+    const bool reversed = runs_backwards(input_corners_, mesh_.face_sizes[source]);
     shading_.is_reversed[f] = reversed;
-    for (std::size_t k = 0; k < found.size(); ++k) {
+    for (std::size_t k = 0; k < input_corners_.size(); ++k) {
       Vec3& normal = shading_.corner_normals[first + static_cast<int>(k)];
-      normal = given_normal(mesh_, found[k]);
+      normal = input_corners_[k] == none ? between(f, first + static_cast<int>(k))
+                                         : given_normal(mesh_, input_corners_[k]);
       if (reversed) normal = -normal;
       if (normal.isZero()) normal = shading_.face_normals[f];
     }
+  }
+
+  // At a corner of a face where an edge of the input was divided (mesh/junctions.h): as shading has
+  // it, linear between the ends of that edge.
+  Vec3 between(int f, int corner) const {
+    int before = corner, after = corner;
+    const auto input = [&](int c) { return input_corners_[idx(c - faces_.offsets[f])]; };
+    do before = faces_.previous(before);
+    while (input(before) == none && before != corner);
+    do after = faces_.next(after);
+    while (input(after) == none && after != corner);
+    const auto place = [&](int c) -> const Vec3& {
+      return sound_.positions[idx(faces_.corners[c])];
+    };
+    const double from = (place(corner) - place(before)).stableNorm();
+    const double to = (place(after) - place(corner)).stableNorm();
+    return unit_or_zero(to * given_normal(mesh_, input(before)) +
+                        from * given_normal(mesh_, input(after)));
   }
 
   bool agrees_with_neighbour(int f, const std::vector<int>& mates) const {

@@ -38,12 +38,17 @@ std::vector<Pair> pairs_of(const Bvh& tree) {
   return pairs;
 }
 
-std::set<Pair> pairs_by_brute_force(const Soup& soup) {
+std::vector<Eigen::AlignedBox3d> boxes_of(const Soup& soup) {
   std::vector<Eigen::AlignedBox3d> boxes;
   for (const Triangle& t : soup.triangles) {
     boxes.emplace_back();
     for (const int v : t) boxes.back().extend(soup.positions[v]);
   }
+  return boxes;
+}
+
+std::set<Pair> pairs_by_brute_force(const Soup& soup) {
+  const std::vector<Eigen::AlignedBox3d> boxes = boxes_of(soup);
   std::set<Pair> pairs;
   for (int a = 0; a < static_cast<int>(boxes.size()); ++a)
     for (int b = a + 1; b < static_cast<int>(boxes.size()); ++b)
@@ -103,6 +108,22 @@ TEST(Bvh, BoxesWithinTheMarginAreAPair) {
   EXPECT_EQ(count(0), 0);
   EXPECT_EQ(count(0.99), 0);
   EXPECT_EQ(count(1), 1);
+}
+
+TEST(Bvh, TrianglesNearAPointAreThoseOfBruteForce) {
+  const Soup soup = random_soup(400, .1, 6);
+  const Bvh tree(soup.positions, soup.triangles);
+  const std::vector<Eigen::AlignedBox3d> boxes = boxes_of(soup);
+  for (const double reach : {0., .05, .5}) {
+    for (const Vec3& p : random_soup(30, .1, 7).positions) {
+      const Eigen::AlignedBox3d around(Vec3(p.array() - reach), Vec3(p.array() + reach));
+      std::multiset<int> found, expected;
+      tree.near_point(p, reach, [&](int t) { found.insert(t); });
+      for (int t = 0; t < static_cast<int>(boxes.size()); ++t)
+        if (boxes[idx(t)].intersects(around)) expected.insert(t);
+      EXPECT_EQ(found, expected);
+    }
+  }
 }
 
 TEST(Bvh, HitsAreThoseOfTheTriangleEquation) {

@@ -54,13 +54,30 @@ TEST(Gaps, WhatIsShadedApartStaysOpen) {
   EXPECT_EQ(closed_gaps(two_squares(1e-6, 5.5)), 0);
 }
 
-TEST(Gaps, CagesAndMeshesWithoutNormalsHaveNone) {
+TEST(Gaps, CagesHaveNone) {
   PolygonMesh mesh = two_squares(1e-6);
   mesh.cage = true;
   EXPECT_EQ(closed_gaps(mesh), 0);
-  mesh = two_squares(1e-6);
-  mesh.corner_normals.clear();
-  EXPECT_EQ(closed_gaps(mesh), 0);
+}
+
+// Two squares shaded flat that meet at an angle.
+TEST(Gaps, BetweenFlatFacesCloseUpToTheCreaseAngle) {
+  for (const bool has_normals : {true, false}) {
+    for (const double turn : {0., 20., 29., 31., 90., 180.}) {
+      PolygonMesh mesh = two_squares(0);
+      const double angle = turn * pi / 180;
+      const Vec3 normal(std::sin(angle), 0, std::cos(angle));
+      for (std::size_t v = 4; v < 8; ++v) {
+        Vec3& p = mesh.positions[v];
+        p = {p.x() * std::cos(angle) + 1e-6, p.y(), -p.x() * std::sin(angle)};
+        mesh.corner_normals[v] = normal;
+      }
+      if (!has_normals) mesh.corner_normals.clear();
+      EXPECT_EQ(closed_gaps(mesh), turn < 30 ? 1 : 0) << turn;
+      mesh.crease_angle_deg = 10;
+      EXPECT_EQ(closed_gaps(mesh), turn < 10 ? 1 : 0) << turn;
+    }
+  }
 }
 
 TEST(Gaps, TheSidesOfAThinSheetStayApart) {
