@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "control/pieces.h"
 #include "control/smoothstep.h"
+#include "control/split_values.h"
 #include "core/pi.h"
 #include "mesh/edge_table.h"
 #include "mesh/polygons.h"
@@ -15,8 +17,9 @@ namespace {
 // A quarter of a circle has .207 of its chord: what bends more is no coarse curve.
 constexpr double largest_sag = 0.2;
 
-// Of the way to where a triangle beside a sharp edge turns over, how much its sag may take.
-constexpr double share_of_room = 0.5;
+// Of the way to where a piece of a face beside a sharp edge turns over, how much its sag may take
+// if nothing of the piece would be left; it is free where half of it is.
+constexpr double share_of_room = 0.5, free_from = 0.5;
 
 // What goes on behind an end for less than the first share of an edge turns by itself, and the edge
 // stays straight; for more than the second the edge has its part of the turn.
@@ -69,13 +72,8 @@ class Bender {
 
   Points run() {
     for (const int h : edges_.first) sags_.push_back(sag(h));
-    Points points = p_;
-    for (std::size_t e = 0; e < sags_.size(); ++e) {
-      const int h = edges_.first[e];
-      points.push_back((start(h) + end(h)) / 2 + sags_[e]);
-    }
-    for (int f = 0; quads_ && f < faces_.size(); ++f) points.push_back(face_point(f));
-    return points;
+    leave_room();
+    return points();
   }
 
  private:
@@ -90,6 +88,16 @@ class Bender {
   // Or on a border.
   bool is_on_crease(int vertex) const { return sectors_.sharp_edges[idx(vertex)] > 0; }
 
+  Points points() const {
+    Points points = p_;
+    for (std::size_t e = 0; e < sags_.size(); ++e) {
+      const int h = edges_.first[e];
+      points.push_back((start(h) + end(h)) / 2 + sags_[e]);
+    }
+    for (int f = 0; quads_ && f < faces_.size(); ++f) points.push_back(face_point(f));
+    return points;
+  }
+
   Vec3 sag(int h) const {
     const Vec3 along = end(h) - start(h);
     const double length = along.norm();
@@ -97,20 +105,46 @@ class Bender {
     Vec3 bend = edges_.is_sharp(h) ? sag_of_crease(h, away) : sag_of_smooth(h, away);
     const double size = bend.norm();
     if (size > largest_sag) bend *= largest_sag / size;
-    return edges_.is_sharp(h) ? beside_faces(h, away, length * bend) : Vec3(length * bend);
+    return length * bend;
   }
 
-  // The sag of a sharp edge, within the faces beside it no farther than these have room for. Both
-  // sides of a seam have the same, and know one face each.
-  Vec3 beside_faces(int h, const Vec3& away, Vec3 sag) const {
-    if (seams_.find(faces_.corners[idx(h)], faces_.head(h)) != none) return sag;
-    for (const int side : {h, edges_.mates[idx(h)]}) {
-      if (side == none) continue;
-      const Vec3 normal = end_normal(normals_.geometric, side, faces_.next(side));
-      const double within = (sag - sag.dot(normal) * normal).norm(), most = room(side, away);
-      if (within > most) sag *= most / within;
+  // Sags of sharp edges that would turn pieces of the faces beside them over, which the sags of the
+  // other edges do not make up for: within these faces they get no longer than there is room. Both
+  // sides of a seam have the same sag, and know one face each.
+  void leave_room() {
+    const Points bent = points();
+    Points level = p_;
+    append_means(edges_, bent.size(), level);
+    for (std::size_t e = 0; e < sags_.size(); ++e) {
+      const int h = edges_.first[e];
+      const bool is_seam = seams_.find(faces_.corners[idx(h)], faces_.head(h)) != none;
+      if (!edges_.is_sharp(h) || is_seam || sags_[e].isZero()) continue;
+      for (const int side : {h, edges_.mates[idx(h)]})
+        if (side != none) sags_[e] *= share_with_room(side, sags_[e], level, bent);
     }
-    return sag;
+  }
+
+  double share_with_room(int h, const Vec3& sag, const Points& level, const Points& bent) const {
+    const double crowded = 1 - smoothstep(0, free_from, least_kept(h, level, bent));
+    if (crowded == 0) return 1;
+    const Vec3 normal = end_normal(normals_.geometric, h, faces_.next(h));
+    const double within = (sag - sag.dot(normal) * normal).norm();
+    const double most = room(h, unit_or_zero(end(h) - start(h)));
+    return within > most ? 1 + crowded * (most / within - 1) : 1;
+  }
+
+  // Of its area, by the piece of the face of a half-edge that keeps least.
+  double least_kept(int h, const Points& level, const Points& bent) const {
+    const int f = faces_.corner_faces[idx(h)];
+    Vec3 normal = Vec3::Zero();
+    for (int c = faces_.offsets[idx(f)]; c < faces_.offsets[idx(f) + 1]; ++c)
+      normal += (start(c) - start(h)).cross(end(c) - start(h));
+    double least = 1;
+    for_each_piece(edges_, static_cast<int>(p_.size()), quads_, f, [&](int a, int b, int c) {
+      const double area = twice_area(level, normal, a, b, c);
+      if (area > 0) least = std::min(least, twice_area(bent, normal, a, b, c) / area);
+    });
+    return least;
   }
 
   // How far the middle of an edge, which runs along `away`, may move within its face, so that no
@@ -182,7 +216,8 @@ class Bender {
   }
 
   // Where the sphere through the edges' arcs has the middle of a regular polygon: the polygon's
-  // height of arc is 1 / sin^2(pi / n) times that of its sides.
+  // height of arc is 1 / sin^2(pi / n) times that of its sides. That of a quad is where Coons' patch
+  // of its sides has it, also within its plane: a narrow strip bends along with its borders.
   Vec3 face_point(int face) const {
     constexpr double most_sides = 6;  // beyond it sags of sides say little about the middle
     Vec3 mean = Vec3::Zero(), sag = Vec3::Zero(), normal = Vec3::Zero();
@@ -192,6 +227,7 @@ class Bender {
       sag += sags_[idx(edges_.edges[idx(h)])] / n;
       normal += normals_.geometric[idx(h)];
     }
+    if (n == 4) return mean + 2 * sag;
     normal = unit_or_zero(normal);
     const double sine = std::sin(pi / std::min(n, most_sides));
     return mean + sag + (1 / (sine * sine) - 1) * normal.dot(sag) * normal;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "control/pieces.h"
 #include "control/smoothstep.h"
 #include "control/split_values.h"
 #include "core/angles.h"
@@ -23,11 +24,6 @@ bool raise(std::vector<double>& values, const std::vector<double>& others) {
     values[i] = std::max(values[i], others[i]);
   }
   return is_raised;
-}
-
-// Seen along a normal.
-double twice_area(const Vec3& normal, const Vec3& a, const Vec3& b, const Vec3& c) {
-  return (b - a).cross(c - a).dot(normal);
 }
 
 class Turner {
@@ -93,12 +89,11 @@ class Turner {
     return result;
   }
 
-  // 0 .. 1 how far a piece of a face, which has these corners in the split mesh, turns over.
+  // 0 .. 1 how far a piece of a face turns over.
   double turned(int f, int a, int b, int c) const {
     const Vec3& n = normals_[idx(f)];
     const Vec3 &pa = places_[idx(a)], &pb = places_[idx(b)], &pc = places_[idx(c)];
-    const double area = twice_area(n, pa, pb, pc);
-    const double left = twice_area(n, mixed_[idx(a)], mixed_[idx(b)], mixed_[idx(c)]);
+    const double area = twice_area(places_, n, a, b, c), left = twice_area(mixed_, n, a, b, c);
     const double longest =
         std::max({(pb - pa).squaredNorm(), (pc - pb).squaredNorm(), (pa - pc).squaredNorm()});
     if (!(area > 0)) return 0;
@@ -106,19 +101,12 @@ class Turner {
            (1 - smoothstep(0, least_kept, left / area));
   }
 
-  // The most of its pieces: of quads the halves at a vertex and at the centre.
+  // The most of its pieces.
   double turned(int f) const {
-    const int first = faces_.offsets[idx(f)];
-    const int edges = vertices_, centres = edges + edges_.edge_count();
-    const auto middle = [&](int h) { return edges + edges_.edges[idx(h)]; };
     double most = 0;
-    for (int h = first; h < faces_.offsets[idx(f) + 1]; ++h) {
-      const int after = middle(h), before = middle(faces_.previous(h));
-      most = std::max(most, turned(f, faces_.corners[idx(h)], after, before));
-      if (has_centres_) most = std::max(most, turned(f, centres + f, before, after));
-    }
-    if (has_centres_) return most;
-    return std::max(most, turned(f, middle(first), middle(first + 1), middle(first + 2)));
+    for_each_piece(edges_, vertices_, has_centres_, f,
+                   [&](int a, int b, int c) { most = std::max(most, turned(f, a, b, c)); });
+    return most;
   }
 
   const HalfEdges& edges_;
