@@ -78,15 +78,15 @@ class Bvh::Pairs {
 
 template <class Meets>
 void Bvh::visit_boxes(const Meets& meets, const std::function<void(int)>& visit) const {
-  std::vector<int> stack;
-  if (!nodes_.empty()) stack.push_back(0);
-  while (!stack.empty()) {
-    const BvhNode& node = nodes_[idx(stack.back())];
-    stack.pop_back();
+  std::array<int, depth_limit> stack;
+  std::size_t depth = 0;
+  if (!nodes_.empty()) stack[depth++] = 0;
+  while (depth > 0) {
+    const BvhNode& node = nodes_[idx(stack[--depth])];
     if (!meets(node.box)) continue;
     if (node.count == 0) {
-      stack.push_back(node.first + 1);
-      stack.push_back(node.first);
+      stack[depth++] = node.first + 1;
+      stack[depth++] = node.first;
     }
     for (int i = node.first; i < node.first + node.count; ++i) {
       if (meets(boxes_[idx(i)])) visit(order_[idx(i)]);

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "core/disjoint_sets.h"
-#include "mesh/border_edges.h"
 #include "mesh/bvh.h"
 
 namespace illustrate {
@@ -77,17 +76,17 @@ class GapFinder {
 
 }  // namespace
 
-void close_gaps(const PolygonMesh& mesh, Faces& faces, std::vector<int>& numbers, Counts& report) {
-  const BorderEdges open(mesh, faces, numbers);
-  const std::vector<Edge> gaps = GapFinder(mesh.positions, open).run();
+void close_gaps(const Points& positions, const BorderEdges& open, Faces& faces,
+                std::vector<int>& numbers, Counts& report) {
+  const std::vector<Edge> gaps = GapFinder(positions, open).run();
   if (gaps.empty()) return;
   report["closed_gaps"] += static_cast<std::int64_t>(gaps.size());
-  DisjointSets sets(mesh.positions.size());
+  DisjointSets sets(positions.size());
   for (const auto& [a, b] : gaps) {
     sets.join(open[a].tail, open[b].head);
     sets.join(open[a].head, open[b].tail);
   }
-  weld(sets, mesh.positions, faces, numbers, report);
+  weld(sets, positions, faces, numbers, report);
 }
 
 }  // namespace illustrate

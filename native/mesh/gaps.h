@@ -7,6 +7,7 @@
 // The two sides of a thin sheet or of a groove are shaded apart.
 #pragma once
 
+#include "mesh/border_edges.h"
 #include "mesh/clean.h"
 
 namespace illustrate {

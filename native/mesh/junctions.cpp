@@ -5,7 +5,6 @@
 #include <tuple>
 
 #include "core/angles.h"
-#include "mesh/border_edges.h"
 #include "mesh/bvh.h"
 #include "mesh/polygons.h"
 
@@ -109,12 +108,13 @@ Faces divided(const Faces& faces, const std::vector<Junction>& junctions) {
 
 }  // namespace
 
-void divide_at_junctions(const PolygonMesh& mesh, Faces& faces, const std::vector<int>& numbers,
+bool divide_at_junctions(const Points& positions, const BorderEdges& open, Faces& faces,
                          Counts& report) {
-  const BorderEdges open(mesh, faces, numbers);
-  const std::vector<Junction> junctions = JunctionFinder(mesh.positions, faces, open).run();
+  const std::vector<Junction> junctions = JunctionFinder(positions, faces, open).run();
   report["junctions"] += static_cast<std::int64_t>(junctions.size());
-  if (!junctions.empty()) faces = divided(faces, junctions);
+  if (junctions.empty()) return false;
+  faces = divided(faces, junctions);
+  return true;
 }
 
 }  // namespace illustrate

@@ -7,8 +7,7 @@
 #pragma once
 
 #include "core/report.h"
-#include "mesh/faces.h"
-#include "mesh/polygon_mesh.h"
+#include "mesh/border_edges.h"
 
 namespace illustrate {
 
@@ -17,8 +16,9 @@ namespace illustrate {
 // its ends; an open edge at it runs in the opposite direction, and the normals there differ little,
 // both to within 30 degrees. Whether a crease runs there is asked of joined faces (mesh/creases.h).
 // Not for a cage.
-// numbers: weld_open_edges'. Counts "junctions".
-void divide_at_junctions(const PolygonMesh& mesh, Faces& faces, const std::vector<int>& numbers,
+// open: of these faces, of which it holds no more where there are any. Whether there are; counts
+// "junctions".
+bool divide_at_junctions(const Points& positions, const BorderEdges& open, Faces& faces,
                          Counts& report);
 
 }  // namespace illustrate

@@ -86,6 +86,15 @@ std::int64_t count_split(const SoundMesh& sound) {
   return copies - on_both_sheets / 2;
 }
 
+// Those of a surface that was triangulated patch by patch.
+void join_patches(const PolygonMesh& mesh, Faces& faces, std::vector<int>& numbers,
+                  Counts& report) {
+  BorderEdges open(mesh, faces, numbers);
+  if (divide_at_junctions(mesh.positions, open, faces, report))
+    open = BorderEdges(mesh, faces, numbers);
+  close_gaps(mesh.positions, open, faces, numbers, report);
+}
+
 }  // namespace
 
 SoundMesh sanitize(const PolygonMesh& mesh, Counts& report, const Progress& progress) {
@@ -97,8 +106,7 @@ SoundMesh sanitize(const PolygonMesh& mesh, Counts& report, const Progress& prog
   // Before faces are joined, so that what is welded is joined like any other edge.
   std::vector<int> numbers = weld_open_edges(faces, mesh.positions, report);
   if (!mesh.cage) {
-    divide_at_junctions(mesh, faces, numbers, report);
-    close_gaps(mesh, faces, numbers, report);
+    join_patches(mesh, faces, numbers, report);
     collapse_edges(mesh.positions, faces, numbers, report);
   }
   progress.report(0.25);

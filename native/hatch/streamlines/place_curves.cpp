@@ -40,7 +40,7 @@ class CurvePlacer {
     Vec2 image;
     double facing;
     bool is_held;
-    bool is_seen;
+    bool is_seen = false;  // known when its run is placed
   };
 
   static HatchPoint point(const Place& p) { return {p.position, p.on, p.image}; }
