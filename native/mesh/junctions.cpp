@@ -91,15 +91,21 @@ class JunctionFinder {
   std::vector<Junction> junctions_;
 };
 
-// The faces with the vertices of junctions as corners.
-Faces divided(const Faces& faces, const std::vector<Junction>& junctions) {
+// The faces with the vertices of junctions as corners, none twice: a tip that is narrower than the
+// reach may have one on both of its sides. Counts the corners.
+Faces divided(const Faces& faces, const std::vector<Junction>& junctions, std::int64_t& count) {
   Faces result;
   auto next = junctions.begin();
   for (int f = 0; f < faces.size(); ++f) {
+    const auto first = next;
     for (int h = faces.offsets[idx(f)]; h < faces.offsets[idx(f) + 1]; ++h) {
       result.push_corner(faces.corners[idx(h)]);
-      for (; next != junctions.end() && next->half_edge == h; ++next)
+      for (; next != junctions.end() && next->half_edge == h; ++next) {
+        const auto is_same = [&](const Junction& j) { return j.vertex == next->vertex; };
+        if (std::any_of(first, next, is_same)) continue;
         result.push_corner(next->vertex);
+        ++count;
+      }
     }
     result.close_face(faces.sources[idx(f)]);
   }
@@ -111,9 +117,8 @@ Faces divided(const Faces& faces, const std::vector<Junction>& junctions) {
 bool divide_at_junctions(const Points& positions, const BorderEdges& open, Faces& faces,
                          Counts& report) {
   const std::vector<Junction> junctions = JunctionFinder(positions, faces, open).run();
-  report["junctions"] += static_cast<std::int64_t>(junctions.size());
   if (junctions.empty()) return false;
-  faces = divided(faces, junctions);
+  faces = divided(faces, junctions, report["junctions"]);
   return true;
 }
 

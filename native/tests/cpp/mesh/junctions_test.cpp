@@ -90,6 +90,25 @@ TEST(Junctions, AreNoneOfOneSheetBehindAnother) {
   EXPECT_EQ(mend(mesh).report.at("junctions"), 0) << "their edges run the same way";
 }
 
+// A needle, and two patches on its sides that meet at a vertex within it: all three of their
+// vertices are within reach of both sides.
+TEST(Junctions, TakeAVertexIntoAFaceOnce) {
+  const double thin = 1e-5;
+  PolygonMesh mesh = shapes::polygon_mesh({{0, 0, 0},
+                                           {1, thin, 0},
+                                           {1, -thin, 0},
+                                           {.5, 0, 0},
+                                           {.25, thin / 8, 0},
+                                           {.25, -thin / 8, 0},
+                                           {.4, 1, 0},
+                                           {.4, -1, 0}},
+                                          {{0, 2, 1}, {6, 4, 3}, {7, 3, 5}});
+  mesh.cage = false;
+  const Mended mended = mend(mesh);
+  EXPECT_EQ(mended.report.at("junctions"), 3);
+  EXPECT_EQ(mended.report.at("kept_faces"), 3);
+}
+
 // Sixty thousand open edges that end at one vertex.
 TEST(Junctions, AreFoundInAFanOfSingleFaces) {
   PolygonMesh mesh;
