@@ -15,9 +15,11 @@ namespace illustrate {
 // Gives the vertices at both sides of a gap the same number, the lowest. Its edges are apart at
 // both ends by less than 1 % of their length and are within reach of each other, each is the
 // nearest to the other, and they are shaded alike there (mesh/border_edges.h). Not for a cage,
-// whose surface ends where its faces end; a mesh without corner normals has none. numbers:
-// weld_open_edges', with which it goes on. Counts "closed_gaps", "welded_vertices" and what
-// cleaning the faces again counts.
-void close_gaps(const PolygonMesh& mesh, Faces& faces, std::vector<int>& numbers, Counts& report);
+// whose surface ends where its faces end.
+//
+// open: of these faces. numbers: weld_open_edges', with which it goes on. Counts "closed_gaps",
+// "welded_vertices" and what cleaning the faces again counts.
+void close_gaps(const Points& positions, const BorderEdges& open, Faces& faces,
+                std::vector<int>& numbers, Counts& report);
 
 }  // namespace illustrate

@@ -16,7 +16,8 @@ namespace illustrate {
 // its ends; an open edge at it runs in the opposite direction, and the normals there differ little,
 // both to within 30 degrees. Whether a crease runs there is asked of joined faces (mesh/creases.h).
 // Not for a cage.
-// open: of these faces, of which it holds no more where there are any. Whether there are; counts
+//
+// open: of these faces; it holds no more where there are junctions. Whether there are; counts
 // "junctions".
 bool divide_at_junctions(const Points& positions, const BorderEdges& open, Faces& faces,
                          Counts& report);

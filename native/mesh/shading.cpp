@@ -7,6 +7,7 @@
 
 #include "core/angles.h"
 #include "mesh/mesh_size.h"
+#include "mesh/polygons.h"
 #include "mesh/source_corners.h"
 
 namespace illustrate {
