@@ -30,6 +30,11 @@ struct Prices {
   // curve rather misses a layer than that it meets one too many. Half moves two pixels in a
   // thousand.
   double missed_share = 0.75;
+  // Of the weight besides, against a label that shows what the ray says is hidden: where rules that
+  // contradict each other leave the choice, one hidden line less is hardly seen, and one through
+  // what hides it is. Without it false lines of 84 scenes and CAD files are 2 % more, missed ones 1
+  // in 1000 fewer.
+  double shown_share = 1;
   // An arc next to the empty background is nearly certain; but a sliver may hide a short one, which
   // therefore gains so many times its length at most.
   double beside_nothing = 100, beside_nothing_share = 3;

@@ -134,6 +134,9 @@ class Statement {
         if (e.unsure == any_more) view_.at_least[idx(unknown)] = 1;
         view_.problem.values.push_back({unknown, e.layers, e.layers + e.unsure, as_price(e.weight),
                                         as_price(missed_share(e) * e.weight)});
+        if (e.layers > 0)
+          view_.problem.values.push_back(
+              {unknown, 1, any_more, as_price(prices.shown_share * e.weight), 0});
       }
       view_.start[idx(unknown)] = label = std::max(label, 0);
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tests/cpp/cameras.h"
+#include "visibility/prices.h"
 
 namespace illustrate {
 namespace {
@@ -121,6 +122,20 @@ TEST(ViewLabels, FollowRaysThatObeyTheRules) {
   EXPECT_EQ(scene.triangle_labels(2, 100, repairs), (std::vector<int>{2, 0}));
   EXPECT_EQ(repairs, 0);
   EXPECT_EQ(scene.arrangement.live_crossings(), 2);
+}
+
+TEST(ViewLabels, RatherHideALineThanShowWhatHides) {
+  const CurveNetwork network =
+      closed_curves({{{-50, -50, 0}, {50, -50, 0}, {50, 50, 0}, {-50, 50, 0}}});
+  const Arrangement arrangement = arrange(network, one_px);
+  const std::vector<std::vector<PathArc>> arcs{path_arcs(arrangement, arrangement.paths()[0])};
+  const ViewProblem view = state_labels(arrangement, arcs, {{{2, 0, 10, false}}});
+  const auto pixels = [&](int label) {
+    return static_cast<double>(price(view.problem, {label})) / price_of_pixel;
+  };
+  EXPECT_EQ(pixels(2), 0);
+  EXPECT_EQ(pixels(1), 10);
+  EXPECT_EQ(pixels(0), 20 + 10 * prices.shown_share);
 }
 
 TEST(ViewLabels, KeepTheRulesWhereARayIsWrong) {
