@@ -139,10 +139,10 @@ class Bender {
     Vec3 normal = Vec3::Zero();
     for (int c = faces_.offsets[idx(f)]; c < faces_.offsets[idx(f) + 1]; ++c)
       normal += (start(c) - start(h)).cross(end(c) - start(h));
+    normal = unit_or_zero(normal);
     double least = 1;
     for_each_piece(edges_, static_cast<int>(p_.size()), quads_, f, [&](int a, int b, int c) {
-      const double area = twice_area(level, normal, a, b, c);
-      if (area > 0) least = std::min(least, twice_area(bent, normal, a, b, c) / area);
+      least = std::min(least, share_kept(level, bent, normal, a, b, c));
     });
     return least;
   }
@@ -216,8 +216,8 @@ class Bender {
   }
 
   // Where the sphere through the edges' arcs has the middle of a regular polygon: the polygon's
-  // height of arc is 1 / sin^2(pi / n) times that of its sides. That of a quad is where Coons' patch
-  // of its sides has it, also within its plane: a narrow strip bends along with its borders.
+  // height of arc is 1 / sin^2(pi / n) times that of its sides. That of a quad is where Coons'
+  // patch of its sides has it, also within its plane: a narrow strip bends along with its borders.
   Vec3 face_point(int face) const {
     constexpr double most_sides = 6;  // beyond it sags of sides say little about the middle
     Vec3 mean = Vec3::Zero(), sag = Vec3::Zero(), normal = Vec3::Zero();

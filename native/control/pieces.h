@@ -1,6 +1,8 @@
 // The triangles by which a face that is split once is seen to turn over.
 #pragma once
 
+#include <algorithm>
+
 #include "control/half_edges.h"
 
 namespace illustrate {
@@ -23,10 +25,23 @@ void for_each_piece(const HalfEdges& edges, int vertex_count, bool has_middles, 
   if (!has_middles) visit(in_edge(first), in_edge(first + 1), in_edge(first + 2));
 }
 
-// Twice the area of a triangle seen along a normal.
-inline double twice_area(const Points& points, const Vec3& normal, int a, int b, int c) {
-  const Vec3& p = points[idx(a)];
-  return (points[idx(b)] - p).cross(points[idx(c)] - p).dot(normal);
+// What a piece keeps of its area, seen along a unit normal, when its corners move from `places`:
+// below 0 it turns over. An area of less than a millionth of its longest edge squared is rounding,
+// as that of a straight corner, and counts as so much; what is turned over from the start keeps
+// all.
+inline double share_kept(const Points& places, const Points& moved, const Vec3& normal, int a,
+                         int b, int c) {
+  constexpr double least_area = 1e-6;
+  const auto twice_area = [&](const Points& p) {
+    return (p[idx(b)] - p[idx(a)]).cross(p[idx(c)] - p[idx(a)]).dot(normal);
+  };
+  const auto squared = [&](int from, int to) {
+    return (places[idx(to)] - places[idx(from)]).squaredNorm();
+  };
+  const double least = least_area * std::max({squared(a, b), squared(b, c), squared(c, a)});
+  const double area = twice_area(places);
+  if (!(area >= -least && least > 0)) return 1;
+  return 1 - (area - twice_area(moved)) / std::max(area, least);
 }
 
 }  // namespace illustrate

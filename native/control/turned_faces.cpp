@@ -12,8 +12,6 @@ namespace {
 
 constexpr double level_deg = 5, bent_deg = 15;
 constexpr double least_kept = 0.1;  // of its area that a piece of a face keeps
-// Of its longest edge squared: areas that are less are rounding, as that of a straight corner.
-constexpr double least_loss = 1e-6;
 constexpr int faces_around = 3, most_rounds = 8;
 
 // Raises values to `others`, and tells whether any is raised.
@@ -89,24 +87,13 @@ class Turner {
     return result;
   }
 
-  // 0 .. 1 how far a piece of a face turns over.
-  double turned(int f, int a, int b, int c) const {
-    const Vec3& n = normals_[idx(f)];
-    const Vec3 &pa = places_[idx(a)], &pb = places_[idx(b)], &pc = places_[idx(c)];
-    const double area = twice_area(places_, n, a, b, c), left = twice_area(mixed_, n, a, b, c);
-    const double longest =
-        std::max({(pb - pa).squaredNorm(), (pc - pb).squaredNorm(), (pa - pc).squaredNorm()});
-    if (!(area > 0)) return 0;
-    return smoothstep(least_loss, 10 * least_loss, (area - left) / longest) *
-           (1 - smoothstep(0, least_kept, left / area));
-  }
-
-  // The most of its pieces.
+  // 0 .. 1 by the piece of a face that keeps least.
   double turned(int f) const {
-    double most = 0;
-    for_each_piece(edges_, vertices_, has_centres_, f,
-                   [&](int a, int b, int c) { most = std::max(most, turned(f, a, b, c)); });
-    return most;
+    double least = 1;
+    for_each_piece(edges_, vertices_, has_centres_, f, [&](int a, int b, int c) {
+      least = std::min(least, share_kept(places_, mixed_, normals_[idx(f)], a, b, c));
+    });
+    return 1 - smoothstep(0, least_kept, least);
   }
 
   const HalfEdges& edges_;
