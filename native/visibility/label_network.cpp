@@ -26,7 +26,7 @@ constexpr std::size_t most_settled = 1'000'000;
 std::vector<LabelledPath> label_paths(Arrangement& arrangement, LayerRays& rays,
                                       std::int64_t& repairs, int threads,
                                       const Progress& progress) {
-  std::vector<std::vector<PathArc>> arcs = arcs_of_paths(arrangement);
+  const std::vector<std::vector<PathArc>> arcs = arcs_of_paths(arrangement);
   auto evidence = gather_evidence(arrangement, arcs, rays, threads, progress.part(0, 0.6));
   ViewProblem view = state_labels(arrangement, arcs, evidence);
   std::vector<int> labels = least_labels(view.problem, view.start, progress.part(0.6, 0.8));
@@ -36,7 +36,7 @@ std::vector<LabelledPath> label_paths(Arrangement& arrangement, LayerRays& rays,
     view = state_labels(arrangement, arcs, evidence);
     labels = least_labels(view.problem, std::move(labels), progress.part(0.9, 1));
   }
-  return settle_labels(arrangement, std::move(arcs), view, labels, repairs);
+  return settle_labels(arrangement, arcs, view, labels, repairs);
 }
 
 struct CrossingRepairs {

@@ -306,7 +306,7 @@ std::vector<int> contradicted_paths(const Arrangement& arrangement,
 }
 
 std::vector<LabelledPath> settle_labels(Arrangement& arrangement,
-                                        std::vector<std::vector<PathArc>> arcs,
+                                        const std::vector<std::vector<PathArc>>& arcs,
                                         const ViewProblem& view, const std::vector<int>& labels,
                                         std::int64_t& repairs) {
   std::vector<Relabelling> relabellings;

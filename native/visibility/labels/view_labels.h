@@ -41,7 +41,7 @@ std::vector<int> contradicted_paths(const Arrangement& arrangement,
 // back strand, cusps that they contradict become joints: `repairs` counts them. No rule is broken
 // anywhere else.
 std::vector<LabelledPath> settle_labels(Arrangement& arrangement,
-                                        std::vector<std::vector<PathArc>> arcs,
+                                        const std::vector<std::vector<PathArc>>& arcs,
                                         const ViewProblem& view, const std::vector<int>& labels,
                                         std::int64_t& repairs);
 
