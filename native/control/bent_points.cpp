@@ -67,8 +67,7 @@ class Bender {
         sectors_(sectors),
         normals_(fan_normals(parent, edges, sectors)),
         quads_(scheme == Scheme::catmull_clark),
-        neighbours_(crease_neighbours(edges, parent.positions.size())),
-        seams_(parent.positions.size(), parent.seams) {}
+        neighbours_(crease_neighbours(edges, parent.positions.size())) {}
 
   Points run() {
     for (const int h : edges_.first) sags_.push_back(sag(h));
@@ -108,24 +107,31 @@ class Bender {
     return length * bend;
   }
 
+  bool is_bent_crease(int h) const {
+    return edges_.is_sharp(h) && !sags_[idx(edges_.edges[idx(h)])].isZero();
+  }
+
   // Sags of sharp edges that would turn pieces of the faces beside them over, which the sags of the
   // other edges do not make up for: within these faces they get no longer than there is room. Both
   // sides of a seam have the same sag, and know one face each.
   void leave_room() {
-    const Points bent = points();
-    Points level = p_;
-    append_means(edges_, bent.size(), level);
+    const auto is_bent = [&](int h) { return is_bent_crease(h); };
+    if (std::none_of(edges_.first.begin(), edges_.first.end(), is_bent)) return;
+    const std::vector<double> kept = shares_kept();
+    const EdgeTable seams(p_.size(), parent_.seams);
     for (std::size_t e = 0; e < sags_.size(); ++e) {
       const int h = edges_.first[e];
-      const bool is_seam = seams_.find(faces_.corners[idx(h)], faces_.head(h)) != none;
-      if (!edges_.is_sharp(h) || is_seam || sags_[e].isZero()) continue;
-      for (const int side : {h, edges_.mates[idx(h)]})
-        if (side != none) sags_[e] *= share_with_room(side, sags_[e], level, bent);
+      const bool is_seam = seams.find(faces_.corners[idx(h)], faces_.head(h)) != none;
+      if (is_seam || !is_bent_crease(h)) continue;
+      for (const int side : {h, edges_.mates[idx(h)]}) {
+        if (side == none) continue;
+        sags_[e] *= share_with_room(side, sags_[e], kept[idx(faces_.corner_faces[idx(side)])]);
+      }
     }
   }
 
-  double share_with_room(int h, const Vec3& sag, const Points& level, const Points& bent) const {
-    const double crowded = 1 - smoothstep(0, free_from, least_kept(h, level, bent));
+  double share_with_room(int h, const Vec3& sag, double kept) const {
+    const double crowded = 1 - smoothstep(0, free_from, kept);
     if (crowded == 0) return 1;
     const Vec3 normal = end_normal(normals_.geometric, h, faces_.next(h));
     const double within = (sag - sag.dot(normal) * normal).norm();
@@ -133,18 +139,19 @@ class Bender {
     return within > most ? 1 + crowded * (most / within - 1) : 1;
   }
 
-  // Of its area, by the piece of the face of a half-edge that keeps least.
-  double least_kept(int h, const Points& level, const Points& bent) const {
-    const int f = faces_.corner_faces[idx(h)];
-    Vec3 normal = Vec3::Zero();
-    for (int c = faces_.offsets[idx(f)]; c < faces_.offsets[idx(f) + 1]; ++c)
-      normal += (start(c) - start(h)).cross(end(c) - start(h));
-    normal = unit_or_zero(normal);
-    double least = 1;
-    for_each_piece(edges_, static_cast<int>(p_.size()), quads_, f, [&](int a, int b, int c) {
-      least = std::min(least, share_kept(level, bent, normal, a, b, c));
-    });
-    return least;
+  // (f) of their area, by the piece that keeps least.
+  std::vector<double> shares_kept() const {
+    const Points bent = points(), normals = unit_normals(faces_, p_);
+    Points level = p_;
+    append_means(edges_, bent.size(), level);
+    std::vector<double> shares(idx(faces_.size()), 1);
+    for (int f = 0; f < faces_.size(); ++f) {
+      double& least = shares[idx(f)];
+      for_each_piece(edges_, static_cast<int>(p_.size()), quads_, f, [&](int a, int b, int c) {
+        least = std::min(least, share_kept(level, bent, normals[idx(f)], a, b, c));
+      });
+    }
+    return shares;
   }
 
   // How far the middle of an edge, which runs along `away`, may move within its face, so that no
@@ -241,8 +248,7 @@ class Bender {
   const FanNormals normals_;
   const bool quads_;
   const std::vector<Edge> neighbours_;  // (n) crease_neighbours'
-  const EdgeTable seams_;
-  Points sags_;  // (e)
+  Points sags_;                         // (e)
 };
 
 }  // namespace

@@ -19,10 +19,10 @@ namespace illustrate {
 // In the order of split_once: the vertices as they are; the middles of edges with their sags, at
 // most a fifth of the edge; the middles of faces, off their corners' mean by as much as a sphere
 // would be that their edges lie on. A sharp edge is bent between its ends' tangents, which run
-// along the chord over the vertex, from one neighbour on the crease to the other; where that
-// would turn a piece of a face beside it over, half as far at most, but along seams. An edge more
-// than four times as long as the one behind its end takes less and less part in the turn there, and
-// none where it is sixteen times as long, so that a long straight one beside a short bevel stays
+// along the chord over the vertex, from one neighbour on the crease to the other; where that would
+// turn a piece of a face beside it over, half as far at most, but along seams. An edge more than
+// four times as long as the one behind its end takes less and less part in the turn there, and none
+// where it is sixteen times as long, so that a long straight one beside a short bevel stays
 // straight.
 // Where a crease ends or has a corner its edge leaves straight. A smooth edge to a tip is bent by
 // its other end alone.

@@ -32,22 +32,23 @@ class Turner {
         limits_(limits),
         places_(mesh.positions),
         normals_(unit_normals(faces_, mesh.positions)),
-        sectors_(find_sectors(edges, mesh.positions.size())),
         vertices_(static_cast<int>(mesh.positions.size())),
         has_centres_(limits.positions.size() > mesh.positions.size() + edges.first.size()) {
     append_means(edges, limits.positions.size(), places_);
-    for (int f = 0; f < faces_.size(); ++f) levelness_.push_back(levelness(f));
   }
 
   // (n) by the faces that turn over where the surface leaves the limit by these weights.
   std::vector<double> weights_of_turned(const std::vector<double>& weights) {
     mix(weights);
     std::vector<double> of_faces(idx(faces_.size()), 0);
-    for (int f = 0; f < faces_.size(); ++f)
-      if (levelness_[idx(f)] > 0) of_faces[idx(f)] = levelness_[idx(f)] * turned(f);
+    for (int f = 0; f < faces_.size(); ++f) {
+      const double share = turned(f);
+      if (share > 0) of_faces[idx(f)] = share * levelness(f);
+    }
     std::vector<double> result(weights.size(), 0);
     if (*std::max_element(of_faces.begin(), of_faces.end()) == 0) return result;
-    for (int ring = 0; ring < faces_around; ++ring) of_faces = wider(of_faces);
+    const VertexSectors sectors = find_sectors(edges_, idx(vertices_));
+    for (int ring = 0; ring < faces_around; ++ring) of_faces = wider(of_faces, sectors);
     for (int c = 0; c < faces_.corner_count(); ++c) {
       double& value = result[idx(faces_.corners[idx(c)])];
       value = std::max(value, of_faces[idx(faces_.corner_faces[idx(c)])]);
@@ -76,13 +77,14 @@ class Turner {
   }
 
   // The largest of the faces at each corner, between creases.
-  std::vector<double> wider(const std::vector<double>& of_faces) const {
+  std::vector<double> wider(const std::vector<double>& of_faces,
+                            const VertexSectors& sectors) const {
     std::vector<double> result = of_faces;
     const auto face = [&](int corner) { return idx(faces_.corner_faces[idx(corner)]); };
-    for (std::size_t s = 0; s < sectors_.corners.size(); ++s) {
+    for (std::size_t s = 0; s < sectors.corners.size(); ++s) {
       double most = 0;
-      for (const int c : sectors_.corners[s]) most = std::max(most, of_faces[face(c)]);
-      for (const int c : sectors_.corners[s]) result[face(c)] = std::max(result[face(c)], most);
+      for (const int c : sectors.corners[s]) most = std::max(most, of_faces[face(c)]);
+      for (const int c : sectors.corners[s]) result[face(c)] = std::max(result[face(c)], most);
     }
     return result;
   }
@@ -101,10 +103,8 @@ class Turner {
   const LimitPlaces& limits_;
   Points places_;  // of the split mesh, were all edges straight
   const Points normals_;
-  const VertexSectors sectors_;
   int vertices_;
   bool has_centres_;
-  std::vector<double> levelness_;  // (f)
   Points mixed_;
 };
 

@@ -11,6 +11,10 @@
 namespace illustrate {
 namespace {
 
+// Of the mesh's diagonal: a tenth of a pixel where it fills a page, and as much as programs for
+// mechanical design let faces be apart.
+constexpr double widest_gap = 1e-4;
+
 constexpr double most_of_height = 0.5;
 
 class BorderReader {
@@ -26,13 +30,12 @@ class BorderReader {
     const int next = faces_.next(half_edge);
     const Vec3& of_face = normals_[idx(faces_.corner_faces[idx(half_edge)])];
     const Vec3 tail = normal(half_edge, of_face), head = normal(next, of_face);
-    static const double flat = std::cos(radians(flat_shading_deg));
     return {half_edge,
             faces_.corners[idx(half_edge)],
             faces_.corners[idx(next)],
             tail,
             head,
-            tail.dot(of_face) >= flat && head.dot(of_face) >= flat,
+            tail.dot(of_face) >= flat_shading_cosine && head.dot(of_face) >= flat_shading_cosine,
             std::min(widest_, most_of_height * reach_of_face(faces_, mesh_.positions, half_edge))};
   }
 

@@ -6,10 +6,6 @@
 
 namespace illustrate {
 
-// Of the mesh's diagonal: a tenth of a pixel where it fills a page, and as much as programs for
-// mechanical design let faces be apart.
-constexpr double widest_gap = 1e-4;
-
 struct BorderEdge {
   int half_edge, tail, head;
   Vec3 tail_normal, head_normal;  // unit: as given in the input, else the face's

@@ -262,9 +262,9 @@ class ShadingReader {
 
   // Whichever side its normal is seen from.
   bool is_flat(int f) const {
-    static const double flat = std::cos(radians(flat_shading_deg));
     for (int h = faces_.offsets[f]; h < faces_.offsets[f + 1]; ++h) {
-      if (!(std::abs(shading_.corner_normals[h].dot(shading_.face_normals[f])) >= flat))
+      if (!(std::abs(shading_.corner_normals[h].dot(shading_.face_normals[f])) >=
+            flat_shading_cosine))
         return false;
     }
     return true;

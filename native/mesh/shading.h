@@ -21,6 +21,7 @@ struct Shading {
 // Normals within this angle of their face's own are shaded flat: far above the rounding of what
 // files hold (8 bits a component: .5 degrees), far below what anyone shades smooth on purpose.
 constexpr double flat_shading_deg = 1;
+inline const double flat_shading_cosine = std::cos(radians(flat_shading_deg));
 
 // Corner normals that differ by more make a crease: the angles that files hold are nearly all below
 // .05 degrees, where the edge is smooth, or above 5.
