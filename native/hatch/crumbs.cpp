@@ -19,6 +19,10 @@ constexpr double end_reach = 0.75;
 // So far from the end of a crumb another hatch ends it, in spacings.
 constexpr double rung_reach = 1.2;
 
+// What a hatch fills between others, in spacings: where these are as near to all of a crumb, a hand
+// would have left it out.
+constexpr double filled_reach = 0.9;
+
 // A hatch shorter than this, in spacings, needs so many others beside it, so near.
 constexpr double short_length = 4;
 constexpr double company_reach = 2.2;
@@ -44,8 +48,9 @@ class Sweeper {
           length(h) < (has_lived(h) ? least_lived : least_new_length) * spacing(h);
       if (!is_crumb || !(starts_with_tone(h) || ends_with_tone(h))) keep(h);
     }
-    leave_out(least_new_length, [&](int h) { return is_rung(h); });
-    leave_out(short_length, [&](int h) { return !has_company(h); });
+    leave_out(least_new_length, [&](int h) { return is_filled(h); });
+    leave_out(least_new_length, [&](int h) { return !is_undercut(h) && is_rung(h); });
+    leave_out(short_length, [&](int h) { return !is_undercut(h) && !has_company(h); });
     leave_out_specks();
     return kept();
   }
@@ -97,17 +102,37 @@ class Sweeper {
                                     : region == Region::single && kind == Kind::hatch;
   }
 
+  // Shorter than `longest`, in spacings, and not of the frame before.
+  bool is_new(int hatch, double longest) const {
+    return length(hatch) < longest * spacing(hatch) && !has_lived(hatch);
+  }
+
   // Of those that there are now, all at once: one that goes takes no other with it, whatever their
   // order.
   template <class Goes>
   void leave_out(double longest, const Goes& goes) {
     std::vector<int> gone;
     for (int h = 0; h < static_cast<int>(is_kept_.size()); ++h) {
-      const bool is_short =
-          is_kept_[idx(h)] && !is_undercut(h) && length(h) < longest * spacing(h) && !has_lived(h);
-      if (is_short && goes(h)) gone.push_back(h);
+      if (is_kept_[idx(h)] && is_new(h, longest) && goes(h)) gone.push_back(h);
     }
     for (const int h : gone) is_kept_[idx(h)] = 0;
+  }
+
+  // Whether longer hatches run along all of a crumb.
+  bool is_filled(int hatch) const {
+    for (std::size_t i = 0; i < curve(hatch).size(); ++i) {
+      const HatchPoint& at = curve(hatch)[i];
+      const Vec3 along = tangent(hatch, i), normal = normal_at(scene_.surface, at.on);
+      const bool is_near =
+          grid_.any_within(at.image, filled_reach * spacing(hatch), [&](const HatchNode& node) {
+            return node.point != hatch && is_kept_[idx(node.point)] &&
+                   !is_new(node.point, least_new_length) &&
+                   are_parallel(along, normal, node.tangent) &&
+                   !scene_.curves.separate(at.image, node.image);
+          });
+      if (!is_near) return false;
+    }
+    return true;
   }
 
   // Where there is one family, whether a hatch across ends this one.

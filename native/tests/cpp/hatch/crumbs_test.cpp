@@ -89,6 +89,17 @@ TEST_F(Crumbs, StayBetweenCriticalCurves) {
   EXPECT_EQ(count_left(), 3U);
 }
 
+TEST_F(Crumbs, StubsInNarrowGapsGo) {
+  add(Vec3(-0.2, 0.06, 0), 0.6);
+  add(Vec3(0, 0, 0), 0.1);
+  add(Vec3(0, 0.12, 0), 0.1);
+  EXPECT_EQ(count_left(), 1U) << "beside a long hatch, whatever is on the other side";
+  add(Vec3(0.4, 0.12, 0), 0.1);
+  add(Vec3(0.4, 0.18, 0), 0.1);
+  add(Vec3(0.4, 0.24, 0), 0.1);
+  EXPECT_EQ(count_left(), 4U) << "no long one is beside those beyond its end";
+}
+
 TEST_F(Crumbs, RungsGo) {
   scene.add_arc(Kind::crease, {Vec3(-0.02, -1, 0), Vec3(-0.02, 1, 0)});
   for (const double y : {-0.08, 0.0, 0.08}) add(Vec3(0, y, 0), 0.1);
