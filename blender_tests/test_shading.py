@@ -165,8 +165,11 @@ def test_weighted_normals_count(scene: Any) -> None:
     assert np.abs(upright).max(axis=1).min() > np.abs(tilted).max(axis=1).min() + 0.1
 
 
-def test_custom_normals_are_read(scene: Any) -> None:
-    cube = smooth_cube(scene)
+@pytest.mark.parametrize("smooth", [True, False])
+def test_custom_normals_are_read(scene: Any, smooth: bool) -> None:
+    """Of flat faces too: files without smoothing groups hold nothing else, and renders show it."""
+    cube = tools.cube_scene(scene)
+    tools.shade_smooth(cube, [smooth] * 6)
     if hasattr(cube.data, "use_auto_smooth"):
         cube.data.use_auto_smooth = True
     wanted = np.random.default_rng(2).normal(size=(24, 3)) + 3 * np.array(

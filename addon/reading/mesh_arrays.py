@@ -53,7 +53,7 @@ def read_mesh(mesh: Any, name: str, cage: bool) -> MeshArrays:
 
     cage: it stands for the smooth surface that it controls, however it is shaded. Else it is the
     surface itself, with the normals that it is shaded with; a mesh that is shaded flat all over
-    has none, and its sharp edges count as creases.
+    has none, but for custom ones, and its sharp edges count as creases.
     """
     sizes, edge_corners = _face_sizes(mesh), _edges_of_corners(mesh)
     corners = _held(mesh, ".corner_vert", mesh.loops, "vertex_index", np.int32)
@@ -197,7 +197,7 @@ def _corner_normals(mesh: Any, corners: Any, is_smooth: Any) -> Any:
     They hold whatever makes an edge look hard: flat faces, sharp edges, an angle of auto smooth,
     custom and weighted normals, vertices that an importer has split.
     """
-    if not is_smooth.any():
+    if not is_smooth.any() and not _has_custom_normals(mesh):
         return None
     if hasattr(mesh, "corner_normals"):  # from 4.1
         return _get(mesh.corner_normals, "vector", np.float32, 3)
@@ -209,6 +209,11 @@ def _corner_normals(mesh: Any, corners: Any, is_smooth: Any) -> Any:
         return _get(mesh.loops, "normal", np.float32, 3)
     finally:
         mesh.free_normals_split()
+
+
+def _has_custom_normals(mesh: Any) -> bool:
+    """Whether normals of its own shade a mesh, flat faces too: as of files that hold nothing else."""
+    return mesh.has_custom_normals and getattr(mesh, "use_auto_smooth", True)
 
 
 def _marks_at(mesh: Any, edges: Any) -> Any:

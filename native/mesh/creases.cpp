@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/angles.h"
+#include "mesh/crease_tails.h"
 #include "mesh/fine_bends.h"
 #include "mesh/lone_bends.h"
 
@@ -49,6 +50,7 @@ class CreaseFinder {
     sharpen_edges();
     if (!mesh_.cage && mesh_.crease_angle_deg <= steep_deg && !is_covered()) {
       sharpen_lone_bends();
+      sharpen_tails();
       if (mesh_.edge_length) sharpen_fine_bends(*mesh_.edge_length * line_share);
     }
     find_flat_vertices();
@@ -126,6 +128,15 @@ class CreaseFinder {
     }
   }
 
+  void sharpen_tails() {
+    const EdgeTurns turns(faces_, sound_.positions, edges_, creases_.sharp_edges, shading_);
+    const auto is_tail = find_crease_tails(faces_, sound_.positions, edges_, turns, shading_);
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      creases_.sharp_edges[e] |= is_tail[e];
+      report_["crease_tails"] += is_tail[e];
+    }
+  }
+
   void sharpen_fine_bends(double reach) {
     const EdgeTurns turns(faces_, sound_.positions, edges_, creases_.sharp_edges, shading_);
     const auto is_fine =
@@ -171,7 +182,12 @@ class CreaseFinder {
   bool is_corner(std::size_t v) const {
     // Splitting opened that edge; the artist's surface goes on across it.
     if (sharp_[v].is_seam) return is_flat_corner_of_seam(v);
-    return is_touch(v) || turns_at(v);
+    return is_touch(v) || turns_at(v) || is_loose_end(v);
+  }
+
+  // Of a crease between flat faces: the surface turns at once there from two sides to one.
+  bool is_loose_end(std::size_t v) const {
+    return sharp_[v].count == 1 && !sharp_[v].is_boundary && is_all_flat_[v];
   }
 
   bool turns_at(std::size_t v) const {

@@ -15,15 +15,17 @@ namespace illustrate {
 namespace {
 
 void name_counts(Counts& report) {
-  for (const char* name :
-       {"input_faces",   "kept_faces",    "nan_faces",         "degenerate_faces",
-        "huge_faces",    "nan_vertices",  "repeated_corners",  "duplicate_faces",
-        "split_faces",   "junctions",     "welded_vertices",   "closed_gaps",
-        "split_edges",   "flipped_faces", "isolated_vertices", "split_vertices",
-        "turned_parts",  "covered_parts", "ignored_creases",   "ignored_marks",
-        "angle_creases", "breaks",        "normal_creases",    "lone_bends",
-        "fine_bends",    "tips",          "corners",           "empty_meshes",
-        "parts",         "polygons",      "open_edges"})
+  for (const char* name : {"input_faces",      "kept_faces",      "nan_faces",
+                           "degenerate_faces", "huge_faces",      "nan_vertices",
+                           "repeated_corners", "duplicate_faces", "split_faces",
+                           "junctions",        "welded_vertices", "closed_gaps",
+                           "split_edges",      "flipped_faces",   "isolated_vertices",
+                           "split_vertices",   "turned_parts",    "covered_parts",
+                           "ignored_creases",  "ignored_marks",   "angle_creases",
+                           "breaks",           "normal_creases",  "lone_bends",
+                           "crease_tails",     "fine_bends",      "tips",
+                           "corners",          "empty_meshes",    "parts",
+                           "polygons",         "open_edges"})
     report[name] += 0;
 }
 

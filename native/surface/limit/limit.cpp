@@ -53,13 +53,14 @@ void limit_of_sector(const RefinedMesh& mesh, const Sectors& sectors, std::size_
   }
 }
 
-// Where sharpness has not faded yet, and at the end of a sharp edge, the limit is several levels
-// away: the patches know it.
+// Where sharpness has not faded yet, and at the end of a sharp edge that is no corner, the limit is
+// several levels away: the patches know it.
 void evaluate_patches(const Subdivision& subdivision, const RefinedMesh& mesh,
                       const Sectors& sectors, double least, int threads, SectorLimits& result) {
   const auto beyond_masks = [&](int vertex) {
     const bool semi_sharp = !mesh.semi_sharp.empty() && mesh.semi_sharp[idx(vertex)];
-    return semi_sharp || sectors.sharp_edges[idx(vertex)] == 1;
+    const bool is_dart = sectors.sharp_edges[idx(vertex)] == 1 && !mesh.sharp_vertices[idx(vertex)];
+    return semi_sharp || is_dart;
   };
   int vertex = 0;
   const int vertices = static_cast<int>(mesh.points.size());

@@ -5,6 +5,7 @@
 #include <opensubdiv/bfr/surface.h>
 
 #include <map>
+#include <memory>
 #include <random>
 
 #include "control/split_faces.h"
@@ -207,14 +208,14 @@ class ReferencePatches {
         coordinates_(mesh.positions[0].data()) {}
 
   std::vector<int> control_points(int face) const {
-    const auto surface = factory_.CreateVertexSurface<double>(face);
+    const auto surface = surface_of(face);
     std::vector<int> found(idx(surface->GetNumControlPoints()));
     surface->GetControlPointIndices(found.data());
     return found;
   }
 
   LimitPoint evaluate(int face, const Vec2& uv) const {
-    const auto surface = factory_.CreateVertexSurface<double>(face);
+    const auto surface = surface_of(face);
     std::vector<double> points(3 * idx(surface->GetNumPatchPoints()));
     surface->PreparePatchPoints(coordinates_, 3, points.data(), 3);
     LimitPoint p;
@@ -225,6 +226,11 @@ class ReferencePatches {
 
  private:
   using Options = OpenSubdiv::Bfr::SurfaceFactory::Options;
+  using Surface = OpenSubdiv::Bfr::Surface<double>;
+
+  std::unique_ptr<Surface> surface_of(int face) const {
+    return std::unique_ptr<Surface>(factory_.CreateVertexSurface<double>(face));
+  }
 
   std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> refiner_;
   OpenSubdiv::Bfr::RefinerSurfaceFactory<> factory_;

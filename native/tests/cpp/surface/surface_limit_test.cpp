@@ -186,6 +186,29 @@ TEST(Creases, EndOfASingleSharpEdgeIsSmooth) {
   EXPECT_EQ(surface.positions.size(), 17U * 17U + 7U);
 }
 
+// Its patches, which know the end of a sharp edge elsewhere, degenerate there.
+TEST(Creases, CornersAtTheEndOfASharpEdgeFaceOutward) {
+  for (const PolygonMesh& convex : {shapes::cube(), shapes::icosphere_mesh(1, 1)}) {
+    const bool quads = convex.face_sizes[0] == 4;
+    for (std::size_t c = 0; c + 1 < convex.corner_vertices.size(); ++c) {
+      const int a = convex.corner_vertices[c], b = convex.corner_vertices[c + 1];
+      if (static_cast<int>(c + 1) % convex.face_sizes[0] == 0) continue;
+      PolygonMesh mesh = convex;
+      mesh.edge_vertices = {{a, b}};
+      mesh.edge_sharpness = {10};
+      mesh.vertex_sharpness.assign(mesh.positions.size(), 0);
+      mesh.vertex_sharpness[idx(a)] = 10;
+      const Surface surface =
+          refined(mesh, at_level(2, quads ? Scheme::catmull_clark : Scheme::loop));
+      const Vec3 corner = mesh.positions[idx(a)];
+      for (std::size_t v = 0; v < surface.positions.size(); ++v) {
+        if ((surface.positions[v] - corner).norm() > 1e-12) continue;
+        EXPECT_GT(surface.normals[v].dot(corner.normalized()), 0.9) << a << ", " << b;
+      }
+    }
+  }
+}
+
 TEST(Creases, SemiSharpLimitDoesNotDependOnTheLevel) {
   const PolygonMesh cube = creased(shapes::cube(), 2.5);
   const Surface coarse = refined(cube, at_level(0)), fine = refined(cube, at_level(4));

@@ -1,0 +1,145 @@
+#include "mesh/crease_tails.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/angles.h"
+
+namespace illustrate {
+namespace {
+
+constexpr double least_tail_deg = 10;
+const double straight_on = std::cos(radians(40));
+constexpr int fewest_line_edges = 3, most_line_edges = 32;
+
+class TailFinder {
+ public:
+  TailFinder(const Faces& faces, const Points& positions, const Ragged<int>& edges,
+             const EdgeTurns& turns, const Shading& shading)
+      : faces_(faces),
+        p_(positions),
+        edges_(edges),
+        turns_(turns),
+        shading_(shading),
+        is_tail_(edges.size(), 0),
+        sharp_(positions.size()),
+        soft_(positions.size()) {}
+
+  std::vector<std::uint8_t> run() {
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      if (turns_.of_edge(e) == EdgeTurns::sharp_edge) add_sharp(static_cast<int>(e));
+    }
+    gather_soft_edges();
+    const std::vector<Sharp> creases = sharp_;  // tails are no reason for others
+    for (int v = 0; v < static_cast<int>(creases.size()); ++v) {
+      if (creases[idx(v)].count == 1 && !soft_[idx(v)].empty()) {
+        follow(v, creases[idx(v)].edges[0], line_length(creases, v));
+      }
+    }
+    return std::move(is_tail_);
+  }
+
+ private:
+  // The sharp and open edges at a vertex: how many, and the first two.
+  struct Sharp {
+    int count = 0;
+    std::array<int, 2> edges{none, none};
+  };
+
+  int start(int edge) const { return faces_.corners[idx(edges_[idx(edge)][0])]; }
+  int end(int edge) const { return faces_.head(edges_[idx(edge)][0]); }
+  int other_end(int edge, int v) const { return start(edge) == v ? end(edge) : start(edge); }
+
+  void add_sharp(int edge) {
+    for (const int v : {start(edge), end(edge)}) {
+      Sharp& sharp = sharp_[idx(v)];
+      if (sharp.count < 2) sharp.edges[idx(sharp.count)] = edge;
+      ++sharp.count;
+    }
+  }
+
+  // Those that may be of tails.
+  void gather_soft_edges() {
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      if (turns_.of_edge(e) < least_tail_deg || !are_flat(faces_, edges_[e], shading_)) continue;
+      const int edge = static_cast<int>(e);
+      for (const int v : {start(edge), end(edge)}) soft_[idx(v)].push_back(edge);
+    }
+  }
+
+  bool is_convex(int edge) const {
+    const int h = edges_[idx(edge)][0], mate = turns_.mate(h);
+    const auto normal = [&](int half_edge) -> const Vec3& {
+      return shading_.face_normals[idx(faces_.corner_faces[idx(half_edge)])];
+    };
+    return mate != none && normal(h).cross(normal(mate)).dot(way(edge, start(edge))) > 0;
+  }
+
+  // Along an edge, away from v.
+  Vec3 way(int edge, int v) const {
+    return (p_[idx(other_end(edge, v))] - p_[idx(v)]).stableNormalized();
+  }
+
+  double straightness(int from, int to, int v) const { return -way(from, v).dot(way(to, v)); }
+
+  bool goes_on(int from, int to, int v) const {
+    return straightness(from, to, v) > straight_on && is_convex(from) == is_convex(to);
+  }
+
+  // Edges of the line that ends at v.
+  int line_length(const std::vector<Sharp>& creases, int v) const {
+    int edge = creases[idx(v)].edges[0], length = 0;
+    for (int at = v; length < most_line_edges;) {
+      if (edges_[idx(edge)].size() != 2) return length;
+      ++length;
+      at = other_end(edge, at);
+      const Sharp& sharp = creases[idx(at)];
+      if (sharp.count != 2) return length;
+      const int next = sharp.edges[sharp.edges[0] == edge ? 1 : 0];
+      if (!goes_on(edge, next, at)) return length;
+      edge = next;
+    }
+    return length;
+  }
+
+  // From v, where a line of so many edges ends with `edge`.
+  void follow(int v, int edge, int length) {
+    if (length < fewest_line_edges) return;
+    for (int k = 0; k < length && sharp_[idx(v)].count == 1; ++k) {
+      const int next = next_edge(v, edge);
+      if (next == none) return;
+      is_tail_[idx(next)] = 1;
+      add_sharp(next);
+      v = other_end(next, v);
+      edge = next;
+    }
+  }
+
+  int next_edge(int v, int edge) const {
+    int best = none;
+    for (const int next : soft_[idx(v)]) {
+      if (!goes_on(edge, next, v)) continue;
+      if (best == none || straightness(edge, next, v) > straightness(edge, best, v)) best = next;
+    }
+    return best;
+  }
+
+  const Faces& faces_;
+  const Points& p_;
+  const Ragged<int>& edges_;
+  const EdgeTurns& turns_;
+  const Shading& shading_;
+  std::vector<std::uint8_t> is_tail_;   // (edges)
+  std::vector<Sharp> sharp_;            // (n) with tails
+  std::vector<std::vector<int>> soft_;  // (n) edges that may be of tails
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> find_crease_tails(const Faces& faces, const Points& positions,
+                                            const Ragged<int>& edges, const EdgeTurns& turns,
+                                            const Shading& shading) {
+  return TailFinder(faces, positions, edges, turns, shading).run();
+}
+
+}  // namespace illustrate
