@@ -35,8 +35,11 @@ def strokes(*meshes: ill.PolygonMesh, **options: Any) -> ill.Drawing:
 
 
 def length_px(drawing: ill.Drawing, hidden: bool = False) -> float:
+    lengths = []
     pieces = np.split(drawing.image, drawing.offsets[1:-1])
-    lengths = [np.linalg.norm(np.diff(p, axis=0), axis=1).sum() for p in pieces]
+    for points, is_closed in zip(pieces, drawing.closed, strict=True):
+        line = np.vstack([points, points[:1]]) if is_closed else points
+        lengths.append(np.linalg.norm(np.diff(line, axis=0), axis=1).sum())
     return float(np.sum(np.array(lengths)[(drawing.invisibility > 0) == hidden]))
 
 

@@ -19,8 +19,7 @@ struct Evidence {
   bool beside_nothing = false;
 };
 
-// A ray that starts beside the curve rather misses a layer than that it meets one too many: what a
-// label with more layers contradicts of its weight.
+// What a label with more layers than the ray met contradicts of its weight (prices.h).
 double missed_share(const Evidence& evidence);
 
 // (paths)(arcs) Arcs at the outside of the drawing have 0 layers for certain, those on covered or
