@@ -20,4 +20,12 @@ inline ImageMap image_map(const Camera& camera) {
 
 inline Vec3 apply(const ImageMap& map, const Vec3& p) { return map.leftCols<3>() * p + map.col(3); }
 
+// How a world direction shows in the image, px per world unit, where it is seen at `image`; `w`:
+// the last of what the map gives there.
+inline Vec2 image_direction(const ImageMap& map, const Vec2& image, double w,
+                            const Vec3& direction) {
+  const Vec3 change = map.leftCols<3>() * direction;
+  return (change.head<2>() - image * change[2]) / w;
+}
+
 }  // namespace illustrate

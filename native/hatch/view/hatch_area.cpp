@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/angles.h"
+
 namespace illustrate {
 namespace {
 
@@ -13,6 +15,9 @@ constexpr double hidden_cells = 0.5;
 constexpr double sheet_cells = 4;
 // Sheets that are no farther apart lie in one place.
 constexpr double least_gap_cells = 1e-3;
+
+// Families that cross at less are a scribble where the band that they fill is narrow.
+const double scribble_cotangent = 1 / std::tan(radians(50));
 
 }  // namespace
 
@@ -115,6 +120,16 @@ bool HatchArea::is_crossed(const Vec2& image) const {
   if (centre == none) return false;
   return has_both(centre) ||
          (visible_.triangle[idx(centre)] == none && any_around(image, has_both));
+}
+
+// Whether the two families cross narrowly in an undercut.
+bool HatchArea::is_scribble(const HatchPoint& point, const Vec3& tangent) const {
+  if (tone_.band[idx(visible_.cell_of(point.image))] != Band::undercut) return false;
+  const Vec3 aside = normal_at(surface_, point.on).cross(tangent);
+  const double w = apply(map_, point.position)[2];
+  const Vec2 a = image_direction(map_, point.image, w, tangent);
+  const Vec2 b = image_direction(map_, point.image, w, aside);
+  return std::abs(a.dot(b)) > scribble_cotangent * std::abs(cross(a, b));
 }
 
 SurfacePoint HatchArea::visible_point(const Vec2& image) const {

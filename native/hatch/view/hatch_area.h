@@ -49,9 +49,10 @@ class HatchArea {
   bool is_wanted(const HatchPoint& point, Area area) const;
 
   // Whether a hatch along a tangent may run where hatches are wanted: in shadows and undercuts both
-  // families may, in midtones the one that stays.
+  // families may, in midtones the one that stays; and so in undercuts where the two cross at less
+  // than 50 degrees in the image: in a narrow band that is a scribble.
   bool suits(const HatchPoint& point, const Vec3& tangent) const {
-    return is_crossed(point.image) ||
+    return (is_crossed(point.image) && !is_scribble(point, tangent)) ||
            kept_share(surface_, field_, families_, point.on, tangent) > 0;
   }
 
@@ -80,6 +81,7 @@ class HatchArea {
   bool is_covered_at(int centre, const HatchPoint& point) const;
   bool passes_before(int triangle, const HatchPoint& point) const;
   bool is_crossed(const Vec2& image) const;
+  bool is_scribble(const HatchPoint& point, const Vec3& tangent) const;
   bool is_wanted_at(int centre, const Vec2& image, Area area) const;
   template <class Test>
   bool any_around(const Vec2& image, const Test& test) const;

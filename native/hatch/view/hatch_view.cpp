@@ -45,8 +45,8 @@ StreamlineNode HatchView::across(StreamlineNode node, const Vec3& normal) const 
 void HatchView::show(StreamlineNode& node, const Vec3& normal) const {
   const Vec3 aside = normal.cross(node.tangent);
   const double w = walker.map().row(2).head<3>().dot(node.position) + walker.map()(2, 3);
-  const Vec2 a = walker.image_direction_at(node.image, w, node.tangent);
-  const Vec2 b = walker.image_direction_at(node.image, w, aside);
+  const Vec2 a = image_direction(walker.map(), node.image, w, node.tangent);
+  const Vec2 b = image_direction(walker.map(), node.image, w, aside);
   const double length = a.norm(), determinant = cross(a, b);
   node.heading = length > 0 ? Vec2(a / length) : Vec2(1, 0);
   node.aside = Vec3::Zero();

@@ -38,12 +38,7 @@ class Walker {
   // How a world direction at p shows in the image, px per world unit.
   Vec2 image_direction(const Vec3& p, const Vec3& direction) const {
     const Vec3 mapped = apply(map_, p);
-    return image_direction_at(mapped.head<2>() / mapped[2], mapped[2], direction);
-  }
-  // The same where p is seen at `image`; `w`: the last of what the map gives.
-  Vec2 image_direction_at(const Vec2& image, double w, const Vec3& direction) const {
-    const Vec3 change = map_.leftCols<3>() * direction;
-    return (change.head<2>() - image * change[2]) / w;
+    return illustrate::image_direction(map_, mapped.head<2>() / mapped[2], mapped[2], direction);
   }
   const ImageMap& map() const { return map_; }
   const FieldWalker& on_surface() const { return walker_; }
