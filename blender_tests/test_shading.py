@@ -182,6 +182,19 @@ def test_custom_normals_are_read(scene: Any, smooth: bool) -> None:
     assert only_mesh(scene).corner_normals == pytest.approx(wanted, abs=1e-3)
 
 
+def test_custom_normals_that_blur_folds_do_not_count(scene: Any) -> None:
+    """As of files that hold one normal for each vertex of a machine's part."""
+    cube = tools.cube_scene(scene)
+    tools.shade_smooth(cube, [False] * 6)
+    if hasattr(cube.data, "use_auto_smooth"):
+        cube.data.use_auto_smooth = True
+    means = [cube.data.vertices[loop.vertex_index].co.normalized() for loop in cube.data.loops]
+    cube.data.normals_split_custom_set([tuple(mean) for mean in means])
+    mesh = only_mesh(scene)
+    assert mesh.corner_normals is None
+    assert mesh.crease_angle_deg == pytest.approx(31)
+
+
 def test_vertices_that_an_importer_split_are_hard_by_their_normals(scene: Any) -> None:
     tools.add_camera(scene)
     points = [CUBE[v] for face in FACES for v in face]

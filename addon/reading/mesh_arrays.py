@@ -7,6 +7,12 @@ import bpy
 import numpy as np
 
 INFINITELY_SHARP = 10.0
+
+# Normals that agree at every vertex and stand so far off their faces at so many corners are the
+# means that a program has made of folds, which nobody has chosen.
+FOLD_DEG, FOLD_SHARE = 30.0, 0.05
+AGREEING = 0.999  # the length of their mean
+BLURRED_CREASE_DEG = 31.0
 SMALLEST_FACE = 3  # corners
 
 
@@ -53,14 +59,17 @@ def read_mesh(mesh: Any, name: str, cage: bool) -> MeshArrays:
 
     cage: it stands for the smooth surface that it controls, however it is shaded. Else it is the
     surface itself, with the normals that it is shaded with; a mesh that is shaded flat all over
-    has none, but for custom ones, and its sharp edges count as creases.
+    has none, but for custom ones, and its sharp edges count as creases. Custom ones that blur its
+    folds do not count, but that they say smooth: `crease_angle_deg` is the least angle of an edge.
     """
     sizes, edge_corners = _face_sizes(mesh), _edges_of_corners(mesh)
     corners = _held(mesh, ".corner_vert", mesh.loops, "vertex_index", np.int32)
-    sharpness, normals = _sharpness(_edge_creases(mesh)), None
+    sharpness, normals, crease_deg = _sharpness(_edge_creases(mesh)), None, 180.0
     if not cage:
-        is_smooth = _is_smooth(mesh)
+        is_smooth, crease_deg = _is_smooth(mesh), 0.0
         normals = _corner_normals(mesh, corners, is_smooth)
+        if not is_smooth.any() and _blur_folds(mesh, normals, sizes, corners):
+            normals, crease_deg = None, BLURRED_CREASE_DEG
         if not is_smooth.all():
             is_flat = np.repeat(~is_smooth, sizes)
             sharpness[_marks_at(mesh, edge_corners[is_flat])] = INFINITELY_SHARP
@@ -79,6 +88,7 @@ def read_mesh(mesh: Any, name: str, cage: bool) -> MeshArrays:
         marked_edges=marked,
         face_materials=_face_materials(mesh),
         cage=cage,
+        crease_angle_deg=crease_deg,
         corner_normals=normals,
         loose_edges=loose,
     )
@@ -212,8 +222,21 @@ def _corner_normals(mesh: Any, corners: Any, is_smooth: Any) -> Any:
 
 
 def _has_custom_normals(mesh: Any) -> bool:
-    """Whether normals of its own shade a mesh, flat faces too: as of files that hold nothing else."""
-    return mesh.has_custom_normals and getattr(mesh, "use_auto_smooth", True)
+    """Whether normals of its own shade a mesh, flat faces too."""
+    return bool(mesh.has_custom_normals and getattr(mesh, "use_auto_smooth", True))
+
+
+def _blur_folds(mesh: Any, normals: Any, sizes: Any, corners: Any) -> bool:
+    if normals is None:
+        return False
+    sums = np.zeros((len(mesh.vertices), 3))
+    np.add.at(sums, corners, normals)
+    counts = np.bincount(corners, minlength=len(sums))
+    if (np.linalg.norm(sums, axis=1) < AGREEING * counts).any():
+        return False
+    faces = np.repeat(_get(mesh.polygons, "normal", np.float32, 3), sizes, axis=0)
+    is_off = np.einsum("ci,ci->c", faces, normals) < np.cos(np.radians(FOLD_DEG))
+    return bool(is_off.mean() > FOLD_SHARE)
 
 
 def _marks_at(mesh: Any, edges: Any) -> Any:

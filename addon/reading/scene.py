@@ -297,7 +297,7 @@ def _as_styled(placed: Placed) -> MeshArrays:
     geometry, surface = placed.geometry, placed.surface
     return replace(
         geometry,
-        crease_angle_deg=180.0 if geometry.cage else surface.crease_angle_deg,
+        crease_angle_deg=max(geometry.crease_angle_deg, surface.crease_angle_deg),
         scheme=geometry.scheme or surface.scheme,
     )
 
