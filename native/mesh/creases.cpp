@@ -48,11 +48,7 @@ class CreaseFinder {
     creases_.sharp_vertices.assign(sound_.positions.size(), 0);
     find_split_tips();
     sharpen_edges();
-    if (!mesh_.cage && mesh_.crease_angle_deg <= steep_deg && !is_covered()) {
-      sharpen_lone_bends();
-      sharpen_tails();
-      if (mesh_.edge_length) sharpen_fine_bends(*mesh_.edge_length * line_share);
-    }
+    if (!mesh_.cage && mesh_.crease_angle_deg <= steep_deg && !is_covered()) sharpen_bends();
     find_flat_vertices();
     gather_sharp_edges();
     if (!mesh_.cage) find_corners();
@@ -119,32 +115,24 @@ class CreaseFinder {
     return std::find(sound_.kept.begin(), sound_.kept.end(), 0) != sound_.kept.end();
   }
 
-  void sharpen_lone_bends() {
+  // Edges that `find` tells of what is sharp by now, counted by that name.
+  template <class Find>
+  void sharpen_more(const char* name, const Find& find) {
     const EdgeTurns turns(faces_, sound_.positions, edges_, creases_.sharp_edges, shading_);
-    const auto is_lone = find_lone_bends(faces_, sound_.positions, edges_, turns, shading_);
+    const std::vector<std::uint8_t> found = find(faces_, sound_.positions, edges_, turns, shading_);
     for (std::size_t e = 0; e < edges_.size(); ++e) {
-      creases_.sharp_edges[e] |= is_lone[e];
-      report_["lone_bends"] += is_lone[e];
+      creases_.sharp_edges[e] |= found[e];
+      report_[name] += found[e];
     }
   }
 
-  void sharpen_tails() {
-    const EdgeTurns turns(faces_, sound_.positions, edges_, creases_.sharp_edges, shading_);
-    const auto is_tail = find_crease_tails(faces_, sound_.positions, edges_, turns, shading_);
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
-      creases_.sharp_edges[e] |= is_tail[e];
-      report_["crease_tails"] += is_tail[e];
-    }
-  }
-
-  void sharpen_fine_bends(double reach) {
-    const EdgeTurns turns(faces_, sound_.positions, edges_, creases_.sharp_edges, shading_);
-    const auto is_fine =
-        find_fine_bends(faces_, sound_.positions, edges_, turns, shading_, reach, steep_deg);
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
-      creases_.sharp_edges[e] |= is_fine[e];
-      report_["fine_bends"] += is_fine[e];
-    }
+  void sharpen_bends() {
+    sharpen_more("lone_bends", find_lone_bends);
+    sharpen_more("crease_tails", find_crease_tails);
+    if (!mesh_.edge_length) return;
+    sharpen_more("fine_bends", [&](const auto&... known) {
+      return find_fine_bends(known..., *mesh_.edge_length * line_share, steep_deg);
+    });
   }
 
   // The sharp and open edges at each vertex: how many, and the first two.

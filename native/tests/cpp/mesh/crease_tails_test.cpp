@@ -1,6 +1,8 @@
 // Creases that fade out below the crease angle.
 #include "mesh/crease_tails.h"
 
+#include <gtest/gtest.h>
+
 #include "mesh/sanitize.h"
 #include "tests/cpp/shapes.h"
 

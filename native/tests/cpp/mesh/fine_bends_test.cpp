@@ -1,6 +1,8 @@
 // Rounded edges that are finer than a drawing shows: one line each.
 #include "mesh/fine_bends.h"
 
+#include <gtest/gtest.h>
+
 #include <map>
 #include <random>
 

@@ -1,6 +1,8 @@
 // Cages keep together where their parts touch, as a Subdivision modifier keeps them.
 #include "mesh/held_places.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 
 #include "tests/cpp/shapes.h"

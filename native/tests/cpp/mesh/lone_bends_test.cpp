@@ -1,6 +1,8 @@
 // Bends of flat faces below the crease angle: of roofs and ramps, but no samples of curves.
 #include "mesh/lone_bends.h"
 
+#include <gtest/gtest.h>
+
 #include "mesh/sanitize.h"
 #include "tests/cpp/shapes.h"
 
