@@ -1,6 +1,6 @@
 #include "mesh/crease_tails.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/angles.h"
@@ -22,20 +22,15 @@ class TailFinder {
         turns_(turns),
         shading_(shading),
         is_tail_(edges.size(), 0),
-        sharp_(positions.size()),
-        soft_(positions.size()) {}
+        sharp_(positions.size()) {}
 
   std::vector<std::uint8_t> run() {
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       if (turns_.of_edge(e) == EdgeTurns::sharp_edge) add_sharp(static_cast<int>(e));
     }
-    gather_soft_edges();
-    const std::vector<Sharp> creases = sharp_;  // tails are no reason for others
-    for (int v = 0; v < static_cast<int>(creases.size()); ++v) {
-      if (creases[idx(v)].count == 1 && !soft_[idx(v)].empty()) {
-        follow(v, creases[idx(v)].edges[0], line_length(creases, v));
-      }
-    }
+    const std::vector<Line> lines = loose_lines();  // tails are no reason for others
+    if (!lines.empty()) gather_soft_edges();
+    for (const Line& line : lines) follow(line);
     return std::move(is_tail_);
   }
 
@@ -44,6 +39,11 @@ class TailFinder {
   struct Sharp {
     int count = 0;
     std::array<int, 2> edges{none, none};
+  };
+
+  // A line of so many edges that ends loosely at a vertex.
+  struct Line {
+    int vertex, edge, length;
   };
 
   int start(int edge) const { return faces_.corners[idx(edges_[idx(edge)][0])]; }
@@ -60,6 +60,7 @@ class TailFinder {
 
   // Those that may be of tails.
   void gather_soft_edges() {
+    soft_.resize(p_.size());
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       if (turns_.of_edge(e) < least_tail_deg || !are_flat(faces_, edges_[e], shading_)) continue;
       const int edge = static_cast<int>(e);
@@ -86,14 +87,24 @@ class TailFinder {
     return straightness(from, to, v) > straight_on && is_convex(from) == is_convex(to);
   }
 
+  std::vector<Line> loose_lines() const {
+    std::vector<Line> lines;
+    for (int v = 0; v < static_cast<int>(sharp_.size()); ++v) {
+      if (sharp_[idx(v)].count != 1) continue;
+      const Line line{v, sharp_[idx(v)].edges[0], line_length(v)};
+      if (line.length >= fewest_line_edges) lines.push_back(line);
+    }
+    return lines;
+  }
+
   // Edges of the line that ends at v.
-  int line_length(const std::vector<Sharp>& creases, int v) const {
-    int edge = creases[idx(v)].edges[0], length = 0;
+  int line_length(int v) const {
+    int edge = sharp_[idx(v)].edges[0], length = 0;
     for (int at = v; length < most_line_edges;) {
       if (edges_[idx(edge)].size() != 2) return length;
       ++length;
       at = other_end(edge, at);
-      const Sharp& sharp = creases[idx(at)];
+      const Sharp& sharp = sharp_[idx(at)];
       if (sharp.count != 2) return length;
       const int next = sharp.edges[sharp.edges[0] == edge ? 1 : 0];
       if (!goes_on(edge, next, at)) return length;
@@ -102,16 +113,14 @@ class TailFinder {
     return length;
   }
 
-  // From v, where a line of so many edges ends with `edge`.
-  void follow(int v, int edge, int length) {
-    if (length < fewest_line_edges) return;
-    for (int k = 0; k < length && sharp_[idx(v)].count == 1; ++k) {
-      const int next = next_edge(v, edge);
-      if (next == none) return;
-      is_tail_[idx(next)] = 1;
-      add_sharp(next);
-      v = other_end(next, v);
-      edge = next;
+  void follow(const Line& line) {
+    int v = line.vertex, edge = line.edge;
+    for (int k = 0; k < line.length && sharp_[idx(v)].count == 1; ++k) {
+      edge = next_edge(v, edge);
+      if (edge == none) return;
+      is_tail_[idx(edge)] = 1;
+      add_sharp(edge);
+      v = other_end(edge, v);
     }
   }
 
