@@ -126,9 +126,9 @@ class Sweeper {
       const bool is_near =
           grid_.any_within(at.image, filled_reach * spacing(hatch), [&](const HatchNode& node) {
             return node.point != hatch && is_kept_[idx(node.point)] &&
-                   !is_new(node.point, least_new_length) &&
                    are_parallel(along, normal, node.tangent) &&
-                   !scene_.curves.separate(at.image, node.image);
+                   !scene_.curves.separate(at.image, node.image) &&
+                   !is_new(node.point, least_new_length);
           });
       if (!is_near) return false;
     }

@@ -46,12 +46,8 @@ class TailFinder {
     int vertex, edge, length;
   };
 
-  int start(int edge) const { return faces_.corners[idx(edges_[idx(edge)][0])]; }
-  int end(int edge) const { return faces_.head(edges_[idx(edge)][0]); }
-  int other_end(int edge, int v) const { return start(edge) == v ? end(edge) : start(edge); }
-
   void add_sharp(int edge) {
-    for (const int v : {start(edge), end(edge)}) {
+    for (const int v : turns_.ends(edge)) {
       Sharp& sharp = sharp_[idx(v)];
       if (sharp.count < 2) sharp.edges[idx(sharp.count)] = edge;
       ++sharp.count;
@@ -64,21 +60,19 @@ class TailFinder {
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       if (turns_.of_edge(e) < least_tail_deg || !are_flat(faces_, edges_[e], shading_)) continue;
       const int edge = static_cast<int>(e);
-      for (const int v : {start(edge), end(edge)}) soft_[idx(v)].push_back(edge);
+      for (const int v : turns_.ends(edge)) soft_[idx(v)].push_back(edge);
     }
   }
 
+  // An open edge is not.
   bool is_convex(int edge) const {
-    const int h = edges_[idx(edge)][0], mate = turns_.mate(h);
-    const auto normal = [&](int half_edge) -> const Vec3& {
-      return shading_.face_normals[idx(faces_.corner_faces[idx(half_edge)])];
-    };
-    return mate != none && normal(h).cross(normal(mate)).dot(way(edge, start(edge))) > 0;
+    const auto half_edges = edges_[idx(edge)];
+    return half_edges.size() == 2 && turns_.is_convex(half_edges[0]);
   }
 
   // Along an edge, away from v.
   Vec3 way(int edge, int v) const {
-    return (p_[idx(other_end(edge, v))] - p_[idx(v)]).stableNormalized();
+    return (p_[idx(turns_.other_end(edge, v))] - p_[idx(v)]).stableNormalized();
   }
 
   double straightness(int from, int to, int v) const { return -way(from, v).dot(way(to, v)); }
@@ -103,7 +97,7 @@ class TailFinder {
     for (int at = v; length < most_line_edges;) {
       if (edges_[idx(edge)].size() != 2) return length;
       ++length;
-      at = other_end(edge, at);
+      at = turns_.other_end(edge, at);
       const Sharp& sharp = sharp_[idx(at)];
       if (sharp.count != 2) return length;
       const int next = sharp.edges[sharp.edges[0] == edge ? 1 : 0];
@@ -120,7 +114,7 @@ class TailFinder {
       if (edge == none) return;
       is_tail_[idx(edge)] = 1;
       add_sharp(edge);
-      v = other_end(edge, v);
+      v = turns_.other_end(edge, v);
     }
   }
 

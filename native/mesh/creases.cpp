@@ -115,24 +115,22 @@ class CreaseFinder {
     return std::find(sound_.kept.begin(), sound_.kept.end(), 0) != sound_.kept.end();
   }
 
-  // Edges that `find` tells of what is sharp by now, counted by that name.
-  template <class Find>
-  void sharpen_more(const char* name, const Find& find) {
-    const EdgeTurns turns(faces_, sound_.positions, edges_, creases_.sharp_edges, shading_);
-    const std::vector<std::uint8_t> found = find(faces_, sound_.positions, edges_, turns, shading_);
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
-      creases_.sharp_edges[e] |= found[e];
-      report_[name] += found[e];
-    }
-  }
-
+  // Each kind is found with what is sharp by then.
   void sharpen_bends() {
-    sharpen_more("lone_bends", find_lone_bends);
-    sharpen_more("crease_tails", find_crease_tails);
+    const Points& p = sound_.positions;
+    EdgeTurns turns(faces_, p, edges_, creases_.sharp_edges, shading_);
+    const auto sharpen = [&](const char* name, const std::vector<std::uint8_t>& found) {
+      for (std::size_t e = 0; e < edges_.size(); ++e) {
+        creases_.sharp_edges[e] |= found[e];
+        report_[name] += found[e];
+      }
+      turns.sharpen(found);
+    };
+    sharpen("lone_bends", find_lone_bends(faces_, p, edges_, turns, shading_));
+    sharpen("crease_tails", find_crease_tails(faces_, p, edges_, turns, shading_));
     if (!mesh_.edge_length) return;
-    sharpen_more("fine_bends", [&](const auto&... known) {
-      return find_fine_bends(known..., *mesh_.edge_length * line_share, steep_deg);
-    });
+    const double reach = *mesh_.edge_length * line_share;
+    sharpen("fine_bends", find_fine_bends(faces_, p, edges_, turns, reach, steep_deg));
   }
 
   // The sharp and open edges at each vertex: how many, and the first two.

@@ -39,6 +39,26 @@ int EdgeTurns::mate(int h) const {
   return edge[0] == h ? edge[1] : edge[0];
 }
 
+std::array<int, 2> EdgeTurns::ends(int edge) const {
+  const int h = edges_[idx(edge)][0];
+  return {faces_.corners[idx(h)], faces_.head(h)};
+}
+
+int EdgeTurns::other_end(int edge, int vertex) const {
+  const auto [a, b] = ends(edge);
+  return a == vertex ? b : a;
+}
+
+bool EdgeTurns::is_convex(int h) const {
+  const Vec3 along = p_[idx(faces_.head(h))] - p_[idx(faces_.corners[idx(h)])];
+  return normal(h).cross(normal(mate(h))).dot(along) > 0;
+}
+
+void EdgeTurns::sharpen(const std::vector<std::uint8_t>& more) {
+  for (std::size_t e = 0; e < more.size(); ++e)
+    if (more[e]) turns_[e] = sharp_edge;
+}
+
 bool EdgeTurns::is_round(std::size_t edge) const {
   return turns_[edge] != sharp_edge && across(edges_[edge][0]) != none &&
          across(edges_[edge][1]) != none;

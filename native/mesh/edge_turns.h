@@ -1,6 +1,8 @@
 // How far faces turn at their edges, and where strips of faces go on turning.
 #pragma once
 
+#include <array>
+
 #include "mesh/shading.h"
 
 namespace illustrate {
@@ -30,6 +32,14 @@ class EdgeTurns {
   int edge_of(int half_edge) const { return half_edge_edges_[idx(half_edge)]; }
   // The other half-edge of an edge; none: there is not just one.
   int mate(int half_edge) const;
+  // The vertices of an edge, and that of its two which is not this one.
+  std::array<int, 2> ends(int edge) const;
+  int other_end(int edge, int vertex) const;
+  // Whether the two faces of an edge lie behind each other's planes.
+  bool is_convex(int half_edge) const;
+
+  // These edges (edges) are sharp from now on, too.
+  void sharpen(const std::vector<std::uint8_t>& more);
 
   // Whether the strip of faces across an edge is as that round a tube of few sides: to both sides
   // the next edge turns the same way, at least half as far.

@@ -30,12 +30,11 @@ struct BendSide {
 class FineBendFinder {
  public:
   FineBendFinder(const Faces& faces, const Points& positions, const Ragged<int>& edges,
-                 const EdgeTurns& turns, const Shading& shading, double reach, double least_deg)
+                 const EdgeTurns& turns, double reach, double least_deg)
       : faces_(faces),
         p_(positions),
         edges_(edges),
         turns_(turns),
-        shading_(shading),
         reach_(reach),
         least_deg_(least_deg) {}
 
@@ -54,10 +53,6 @@ class FineBendFinder {
   Vec3 middle(int h) const {
     return (p_[idx(faces_.head(h))] + p_[idx(faces_.corners[idx(h)])]) / 2;
   }
-  const Vec3& normal(int h) const {
-    return shading_.face_normals[idx(faces_.corner_faces[idx(h)])];
-  }
-  bool is_convex(int h) const { return normal(h).cross(normal(turns_.mate(h))).dot(along(h)) > 0; }
   double length(int edge) const { return along(edges_[idx(edge)][0]).stableNorm(); }
 
   void find_middles() {
@@ -85,7 +80,7 @@ class FineBendFinder {
   BendSide side(int h) const {
     BendSide result;
     const Vec3 way = along(h).stableNormalized(), from = middle(h);
-    const bool convex = is_convex(h);
+    const bool convex = turns_.is_convex(h);
     int in = h;
     for (int step = 0; step < most_steps; ++step) {
       const int out = way_on(in, way);
@@ -94,7 +89,7 @@ class FineBendFinder {
       const double turn = turns_.at(out);
       if (!(distance <= reaches_looked_at * reach_) || turn == EdgeTurns::sharp_edge) break;
       if (turn > least_turn_deg) {
-        if (is_convex(out) != convex) break;
+        if (turns_.is_convex(out) != convex) break;
         add(turns_.edge_of(out), turn, distance, result);
       }
       in = turns_.mate(out);
@@ -129,13 +124,9 @@ class FineBendFinder {
     ends_.assign(p_.size(), {});
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       if (!is_middle_[e]) continue;
-      for (const int v : ends_of(static_cast<int>(e))) ends_[idx(v)].push_back(static_cast<int>(e));
+      for (const int v : turns_.ends(static_cast<int>(e)))
+        ends_[idx(v)].push_back(static_cast<int>(e));
     }
-  }
-
-  std::array<int, 2> ends_of(int edge) const {
-    const int h = edges_[idx(edge)][0];
-    return {faces_.corners[idx(h)], faces_.head(h)};
   }
 
   // The line of middles on which an edge lies, from whose sides others are no longer chosen.
@@ -150,12 +141,11 @@ class FineBendFinder {
       sum += length(edge);
     };
     take(first);
-    for (const int end : ends_of(first)) {
+    for (const int end : turns_.ends(first)) {
       int edge = first, vertex = end;
       while ((edge = goes_on(edge, vertex)) != none) {
         take(edge);
-        const std::array<int, 2> ends = ends_of(edge);
-        vertex = ends[0] == vertex ? ends[1] : ends[0];
+        vertex = turns_.other_end(edge, vertex);
       }
     }
     if (sum < least_reaches * reach_) return;
@@ -165,9 +155,7 @@ class FineBendFinder {
   // The straightest middle from the end of an edge.
   int goes_on(int edge, int vertex) const {
     const auto away = [&](int e) {
-      const std::array<int, 2> ends = ends_of(e);
-      return Vec3(
-          (p_[idx(ends[0] == vertex ? ends[1] : ends[0])] - p_[idx(vertex)]).stableNormalized());
+      return Vec3((p_[idx(turns_.other_end(e, vertex))] - p_[idx(vertex)]).stableNormalized());
     };
     const Vec3 back = away(edge);
     int best = none;
@@ -184,7 +172,6 @@ class FineBendFinder {
   const Points& p_;
   const Ragged<int>& edges_;
   const EdgeTurns& turns_;
-  const Shading& shading_;
   double reach_, least_deg_;
   std::vector<std::uint8_t> is_middle_;     // (edges)
   std::vector<std::array<int, 2>> rivals_;  // (edges) side by side with it, that turn
@@ -196,8 +183,8 @@ class FineBendFinder {
 
 std::vector<std::uint8_t> find_fine_bends(const Faces& faces, const Points& positions,
                                           const Ragged<int>& edges, const EdgeTurns& turns,
-                                          const Shading& shading, double reach, double least_deg) {
-  return FineBendFinder(faces, positions, edges, turns, shading, reach, least_deg).run();
+                                          double reach, double least_deg) {
+  return FineBendFinder(faces, positions, edges, turns, reach, least_deg).run();
 }
 
 }  // namespace illustrate

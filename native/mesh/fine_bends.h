@@ -24,6 +24,6 @@ namespace illustrate {
 // turns: with what is sharp. Returns (edges) 1: of a fine bend.
 std::vector<std::uint8_t> find_fine_bends(const Faces& faces, const Points& positions,
                                           const Ragged<int>& edges, const EdgeTurns& turns,
-                                          const Shading& shading, double reach, double least_deg);
+                                          double reach, double least_deg);
 
 }  // namespace illustrate
